@@ -1,0 +1,267 @@
+"""All quantities of a measurement model: its Taylor expansion and the table of words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+from radartrack.derive import taylor, words
+from radartrack.derive.closed import Closed
+from radartrack.derive.exponential import ExponentialPolynomial
+from radartrack.derive.model import Model
+from radartrack.derive.models import models
+from radartrack.derive.quantity import Conditioning, Quantity, Source
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Tensor
+from radartrack.derive.units import Unit
+from radartrack.derive.variable import Variable
+
+Axes = tuple[tuple[Unit, ...], ...]
+
+
+@dataclass(frozen=True)
+class Conversion:
+    """A model with what its quantities share."""
+
+    model: Model
+
+    @cached_property
+    def calculus(self) -> Closed:
+        """Map and expectations in closed form."""
+        return Closed(self.model)
+
+    @property
+    def inward(self) -> tuple[Unit, ...]:
+        """The units of a derivative by each measured quantity."""
+        return tuple(variable.unit**-1 for variable in self.model.measured)
+
+    @property
+    def measured(self) -> tuple[Variable, ...]:
+        """What the map depends on."""
+        return self.model.measured
+
+    @property
+    def noisy(self) -> tuple[Variable, ...]:
+        """What an expectation over the measurement error depends on."""
+        return (*self.model.measured, *self.model.noise_symbols)
+
+    @property
+    def predicted(self) -> tuple[Variable, ...]:
+        """What an average over a prediction depends on."""
+        return (*self.noisy, *self.model.prediction_symbols)
+
+    def taylor(self, expansion: Callable[..., Tensor[Expr]]) -> Tensor[Expr]:
+        """A moment of the Taylor polynomial."""
+        return expansion(self.model.map, self.model.measured, self.model.covariance)
+
+    def word(self, word: Callable[[Closed], Tensor[ExponentialPolynomial]]) -> Tensor[Expr]:
+        """A word in the operator, in closed form."""
+        return word(self.calculus).map(ExponentialPolynomial.expression)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One kind of quantity that every model has."""
+
+    name: str
+    meaning: str
+    word: str
+    conditioning: Conditioning
+    source: Source
+    axes: Callable[[Conversion], Axes]
+    symbols: Callable[[Conversion], tuple[Variable, ...]]
+    derive: Callable[[Conversion], Tensor[Expr]]
+
+
+def _vector(conversion: Conversion) -> Axes:
+    return (conversion.model.units,)
+
+
+def _square(conversion: Conversion) -> Axes:
+    return (conversion.model.units, conversion.model.units)
+
+
+TAYLOR = Source("Prosov", None, "(6)-(7)")
+BAR_SHALOM = Source("Bar-Shalom & Li", 1995)
+LERRO = Source("Lerro & Bar-Shalom", 1993)
+MO = Source("Mo et al.", 1998)
+DUAN = Source("Duan et al.", 2004, "modified unbiased")
+BORDONARO = Source("Bordonaro et al.", 2014, "decorrelated")
+
+ROWS = (
+    Row(
+        "map",
+        "map from the measured quantities to coordinates",
+        "h",
+        Conditioning.NONE,
+        Source("Prosov", None, "(1)"),
+        _vector,
+        lambda c: c.measured,
+        lambda c: c.model.map,
+    ),
+    Row(
+        "jacobian",
+        "first derivatives of the map, [out, in]",
+        "dh/dtheta",
+        Conditioning.NONE,
+        TAYLOR,
+        lambda c: (c.model.units, c.inward),
+        lambda c: c.measured,
+        lambda c: taylor.jacobian(c.model.map, c.measured),
+    ),
+    Row(
+        "hessian",
+        "second derivatives of the map, [out, in, in]",
+        "d2h/dtheta2",
+        Conditioning.NONE,
+        TAYLOR,
+        lambda c: (c.model.units, c.inward, c.inward),
+        lambda c: c.measured,
+        lambda c: taylor.hessian(c.model.map, c.measured),
+    ),
+    Row(
+        "bias.second_order",
+        "bias of the plain conversion to second order",
+        "L h",
+        Conditioning.TRUTH,
+        Source("Prosov", None, "(7)"),
+        _vector,
+        lambda c: c.noisy,
+        lambda c: c.taylor(taylor.second_order_bias),
+    ),
+    Row(
+        "bias.truth",
+        "exact bias of the plain conversion h(z)",
+        "(e^L - 1) h",
+        Conditioning.TRUTH,
+        LERRO,
+        _vector,
+        lambda c: c.noisy,
+        lambda c: c.word(words.bias_truth),
+    ),
+    Row(
+        "bias.averaged",
+        "exact bias of the plain conversion, averaged over the truth",
+        "(e^2L - e^L) h",
+        Conditioning.MEASUREMENT,
+        LERRO,
+        _vector,
+        lambda c: c.noisy,
+        lambda c: c.word(words.bias_averaged),
+    ),
+    Row(
+        "covariance.linear",
+        "covariance of the linearised conversion",
+        "J K J'",
+        Conditioning.TRUTH,
+        Source("Prosov", None, "(9); Gao et al. 2020 (1)"),
+        _square,
+        lambda c: c.noisy,
+        lambda c: c.taylor(taylor.linear_covariance),
+    ),
+    Row(
+        "covariance.second_order",
+        "covariance of the conversion's quadratic Taylor polynomial",
+        "J K J' + tr(G_a K G_b K)/2",
+        Conditioning.TRUTH,
+        BAR_SHALOM,
+        _square,
+        lambda c: c.noisy,
+        lambda c: c.taylor(taylor.second_order_covariance),
+    ),
+    Row(
+        "covariance.truth",
+        "exact covariance of the plain conversion h(z)",
+        "C = e^L(h h') - (e^L h)(e^L h)'",
+        Conditioning.TRUTH,
+        LERRO,
+        _square,
+        lambda c: c.noisy,
+        lambda c: c.word(words.covariance_truth),
+    ),
+    Row(
+        "covariance.averaged",
+        "exact covariance of the plain conversion, averaged over the truth",
+        "e^L C",
+        Conditioning.MEASUREMENT,
+        Source("Lerro & Bar-Shalom", 1993, "and Prosov (11)"),
+        _square,
+        lambda c: c.noisy,
+        lambda c: c.word(words.covariance_averaged),
+    ),
+    Row(
+        "unbiased.estimate",
+        "exactly unbiased estimate of the position",
+        "u = e^-L h",
+        Conditioning.MEASUREMENT,
+        MO,
+        _vector,
+        lambda c: c.noisy,
+        lambda c: c.word(words.unbiased_estimate),
+    ),
+    Row(
+        "unbiased.covariance",
+        "error covariance of the unbiased estimate u",
+        "u u' - u (e^L h)' - (e^L h) u' + e^L(h h')",
+        Conditioning.MEASUREMENT,
+        MO,
+        _square,
+        lambda c: c.noisy,
+        lambda c: c.word(words.unbiased_covariance),
+    ),
+    Row(
+        "posterior.estimate",
+        "posterior mean of the position under a flat prior",
+        "e^L h",
+        Conditioning.MEASUREMENT,
+        DUAN,
+        _vector,
+        lambda c: c.noisy,
+        lambda c: c.word(words.posterior_estimate),
+    ),
+    Row(
+        "posterior.covariance",
+        "posterior covariance of the position under a flat prior",
+        "e^L(h h') - (e^L h)(e^L h)'",
+        Conditioning.MEASUREMENT,
+        DUAN,
+        _square,
+        lambda c: c.noisy,
+        lambda c: c.word(words.covariance_truth),
+    ),
+    Row(
+        "decorrelated.covariance",
+        "covariance of the unbiased estimate u, averaged over a prediction",
+        "e^Lp [e^L(u u') - h h']",
+        Conditioning.PREDICTION,
+        BORDONARO,
+        _square,
+        lambda c: c.predicted,
+        lambda c: c.word(words.decorrelated_covariance),
+    ),
+)
+
+
+def quantities_of(model: Model) -> list[Quantity]:
+    """Every quantity of a model; nothing is derived before it is asked for."""
+    shared = Conversion(model)
+    return [_quantity(shared, row) for row in ROWS]
+
+
+def quantities() -> list[Quantity]:
+    """Those of all the models that are shipped."""
+    return [quantity for model in models().values() for quantity in quantities_of(model)]
+
+
+def _quantity(shared: Conversion, row: Row) -> Quantity:
+    return Quantity(
+        name=f"{shared.model.name}.{row.name}",
+        meaning=row.meaning,
+        axes=row.axes(shared),
+        symbols=row.symbols(shared),
+        conditioning=row.conditioning,
+        source=row.source if row.name != "map" else shared.model.source,
+        word=row.word,
+        derivation=lambda: row.derive(shared),
+    )

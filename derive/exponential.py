@@ -1,0 +1,205 @@
+"""Exponential polynomials: finite sums of monomial × e^(polynomial), an algebra in which equality is decidable.
+
+Sines, cosines, hyperbolic functions and exponentials all become e^(...), so two expressions of this kind are the same
+function exactly when their sums have the same terms: exponentials of different polynomials are linearly independent
+over the rational functions, and those of different rational constants over the numbers (Lindemann & Weierstrass).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
+
+Terms = Mapping[PolyElement, PolyElement]
+
+
+class NotExponentialPolynomial(ValueError):
+    """The expression is no finite sum of monomials times exponentials of polynomials."""
+
+
+def ring_over(symbols: Iterable[Symbol]) -> PolyRing:
+    """The ring of polynomials in these symbols with coefficients in Q(i), in an order that depends on names alone."""
+    return PolyRing(sorted(set(symbols), key=lambda symbol: symbol.name), sp.QQ_I)
+
+
+class ExponentialPolynomial:
+    """A sum of polynomials times exponentials, `{exponent: coefficient}`, both elements of one ring."""
+
+    __slots__ = ("ring", "terms")
+
+    def __init__(self, ring: PolyRing, terms: Terms) -> None:
+        self.ring = ring
+        self.terms = {exponent: coefficient for exponent, coefficient in terms.items() if coefficient}
+
+    @classmethod
+    def constant(cls, ring: PolyRing, value: PolyElement) -> ExponentialPolynomial:
+        """A polynomial as an exponential polynomial."""
+        return cls(ring, {ring.zero: value})
+
+    @classmethod
+    def read(cls, expression: Expr, ring: PolyRing) -> ExponentialPolynomial:
+        """Read a SymPy expression.
+
+        Raises:
+            NotExponentialPolynomial: when it is not one, for example a quotient or a root.
+        """
+        return _read(expression, ring)
+
+    def __add__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
+        terms = dict(self.terms)
+        for exponent, coefficient in other.terms.items():
+            terms[exponent] = terms.get(exponent, self.ring.zero) + coefficient
+        return ExponentialPolynomial(self.ring, terms)
+
+    def __neg__(self) -> ExponentialPolynomial:
+        return ExponentialPolynomial(self.ring, {e: -c for e, c in self.terms.items()})
+
+    def __sub__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
+        return self + (-other)
+
+    def __mul__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
+        terms: dict[PolyElement, PolyElement] = {}
+        for exponent, coefficient in self.terms.items():
+            for other_exponent, other_coefficient in other.terms.items():
+                exponents = exponent + other_exponent
+                terms[exponents] = terms.get(exponents, self.ring.zero) + coefficient * other_coefficient
+        return ExponentialPolynomial(self.ring, terms)
+
+    def __pow__(self, exponent: int) -> ExponentialPolynomial:
+        if exponent < 0:
+            return self._inverse() ** -exponent
+        power = ExponentialPolynomial.constant(self.ring, self.ring.one)
+        for _ in range(exponent):
+            power = power * self
+        return power
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ExponentialPolynomial) and self.terms == other.terms
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self.terms.items()))
+
+    def __bool__(self) -> bool:
+        return bool(self.terms)
+
+    def scale(self, factor: Expr) -> ExponentialPolynomial:
+        """Multiply by a number or polynomial given as an expression."""
+        return self * _read(factor, self.ring)
+
+    def differentiate(self, symbol: Symbol) -> ExponentialPolynomial:
+        """Partial derivative."""
+        generator = self.ring(symbol)
+        return ExponentialPolynomial(
+            self.ring, {e: c.diff(generator) + c * e.diff(generator) for e, c in self.terms.items()}
+        )
+
+    def expression(self) -> Expr:
+        """The same as a SymPy expression in sines, cosines and exponentials with real arguments."""
+        parts = []
+        for exponent in sorted(self.terms, key=_order):
+            growth, frequency = split(exponent)
+            if frequency and leading_is_negative(frequency) and growth - frequency * sp.QQ_I(0, 1) in self.terms:
+                continue
+            parts.append(sp.exp(growth.as_expr()) * self._oscillation(growth, frequency))
+        return sp.Add(*parts)
+
+    def _oscillation(self, growth: PolyElement, frequency: PolyElement) -> Expr:
+        imaginary = sp.QQ_I(0, 1)
+        forward = self.terms[growth + frequency * imaginary]
+        if not frequency:
+            return forward.as_expr()
+        backward = self.terms.get(growth - frequency * imaginary, self.ring.zero)
+        cosine, sine = forward + backward, (forward - backward) * imaginary
+        argument = frequency.as_expr()
+        return cosine.as_expr() * sp.cos(argument) + sine.as_expr() * sp.sin(argument)
+
+    def _inverse(self) -> ExponentialPolynomial:
+        if len(self.terms) == 1:
+            ((exponent, coefficient),) = self.terms.items()
+            if coefficient.is_ground:
+                return ExponentialPolynomial(self.ring, {-exponent: self.ring(1 / coefficient.LC)})
+        raise NotExponentialPolynomial("a sum has no inverse among the exponential polynomials")
+
+
+def split(exponent: PolyElement) -> tuple[PolyElement, PolyElement]:
+    """An exponent's real part (growth or decay) and imaginary part (frequency), both with real coefficients."""
+    ring = exponent.ring
+    growth = ring.from_dict({m: sp.QQ_I(c.x, 0) for m, c in exponent.terms() if c.x})
+    frequency = ring.from_dict({m: sp.QQ_I(c.y, 0) for m, c in exponent.terms() if c.y})
+    return growth, frequency
+
+
+def leading_is_negative(frequency: PolyElement) -> bool:
+    """Whether the first coefficient of a polynomial with real coefficients is below zero."""
+    return bool(frequency.LC.x < 0)
+
+
+def _order(exponent: PolyElement) -> list[tuple[tuple[int, ...], str]]:
+    return [(monomial, str(coefficient)) for monomial, coefficient in exponent.terms()]
+
+
+def _read(expression: Expr, ring: PolyRing) -> ExponentialPolynomial:
+    if isinstance(expression, sp.Add):
+        total = ExponentialPolynomial(ring, {})
+        for argument in expression.args:
+            total = total + _read(argument, ring)
+        return total
+    if isinstance(expression, sp.Mul):
+        product = ExponentialPolynomial.constant(ring, ring.one)
+        for argument in expression.args:
+            product = product * _read(argument, ring)
+        return product
+    if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
+        return _read(expression.base, ring) ** int(expression.exp)
+    reader = _FUNCTIONS.get(expression.func)
+    if reader is not None:
+        return reader(_exponent(expression.args[0], ring))
+    return ExponentialPolynomial.constant(ring, _atom(expression, ring))
+
+
+def _atom(expression: Expr, ring: PolyRing) -> PolyElement:
+    if isinstance(expression, Symbol) and expression in ring.symbols:
+        return ring(expression)
+    if isinstance(expression, sp.Rational):
+        return ring(sp.QQ_I(sp.QQ(int(expression.p), int(expression.q)), 0))
+    if isinstance(expression, sp.ImaginaryUnit):
+        return ring(sp.QQ_I(0, 1))
+    raise NotExponentialPolynomial(f"{expression} is not a polynomial times sines, cosines and exponentials")
+
+
+def _exponent(argument: Expr, ring: PolyRing) -> PolyElement:
+    value = _read(argument, ring)
+    if any(value.terms.keys() - {ring.zero}):
+        raise NotExponentialPolynomial(f"{argument} inside a function is not a polynomial")
+    return value.terms.get(ring.zero, ring.zero)
+
+
+def _combination(
+    factor: complex, forward: tuple[int, int], backward: tuple[int, int]
+) -> Callable[[PolyElement], ExponentialPolynomial]:
+    """x ↦ a·e^(fx) + b·e^(-fx) with f = 1 or i; a and b are halves of the Gaussian integers given."""
+    turn = sp.QQ_I(int(factor.real), int(factor.imag))
+
+    def build(argument: PolyElement) -> ExponentialPolynomial:
+        ring = argument.ring
+        first, second = (ring(sp.QQ_I(sp.QQ(re, 2), sp.QQ(im, 2))) for re, im in (forward, backward))
+        rising = ExponentialPolynomial(ring, {argument * turn: first})
+        return rising + ExponentialPolynomial(ring, {-argument * turn: second})
+
+    return build
+
+
+def _exponential(argument: PolyElement) -> ExponentialPolynomial:
+    return ExponentialPolynomial(argument.ring, {argument: argument.ring.one})
+
+
+_FUNCTIONS: dict[type[Expr], Callable[[PolyElement], ExponentialPolynomial]] = {
+    sp.exp: _exponential,
+    sp.expm1: lambda argument: _exponential(argument) - ExponentialPolynomial.constant(argument.ring, argument.ring.one),
+    sp.cos: _combination(1j, (1, 0), (1, 0)),
+    sp.sin: _combination(1j, (0, -1), (0, 1)),
+    sp.cosh: _combination(1, (1, 0), (1, 0)),
+    sp.sinh: _combination(1, (1, 0), (-1, 0)),
+}

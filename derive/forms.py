@@ -1,0 +1,45 @@
+"""The form in which a quantity is written and shown, proved equal to what was derived."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.exponential import NotExponentialPolynomial
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.stable import NotProved, StableForm, stable_form
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Tensor
+
+
+@cache
+def form_of(quantity: Quantity) -> StableForm:
+    """The quantity's own rewriting where it has one, else the stable form of an exponential polynomial, else as derived.
+
+    Raises:
+        NotProved: when a rewriting is not equal to the derivation.
+    """
+    if quantity.rewriting is not None:
+        form = quantity.rewriting()
+        _prove(form, quantity.expression)
+        return form
+    try:
+        return stable_form(quantity.expression)
+    except NotExponentialPolynomial:
+        return StableForm({}, quantity.expression)
+
+
+def readable(quantity: Quantity) -> Tensor[Expr]:
+    """The form with its intermediates filled in, for people to read."""
+    return form_of(quantity).expanded().map(lambda entry: entry.xreplace(_without_expm1(entry)))
+
+
+def _without_expm1(expression: Expr) -> dict[Expr, Expr]:
+    return {call: sp.exp(call.args[0]) - 1 for call in expression.atoms(sp.expm1)}
+
+
+def _prove(form: StableForm, derived: Tensor[Expr]) -> None:
+    for rewritten, expected in zip(form.expanded(), derived, strict=True):
+        difference = sp.cancel(rewritten - expected)
+        if difference != sp.Integer(0):
+            raise NotProved(f"{rewritten} is not equal to {expected}: the difference is {difference}")

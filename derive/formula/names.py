@@ -1,0 +1,55 @@
+"""Names that are not known, and those that may have been meant."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from difflib import SequenceMatcher
+
+from radartrack.derive.formula.functions import OTHER_SPELLINGS, SPELLINGS
+
+CONSTANTS = {"pi": "pi", "e": "e", "E": "e"}
+MEANT = 0.6  # similarity from which a name is offered as the one meant
+SHOWN = 40  # characters of an unknown name that are repeated
+
+
+def check_names(names: Iterable[str]) -> frozenset[str]:
+    """The names a caller allows, unless one of them is a function's.
+
+    Raises:
+        ValueError: when a symbol would hide a function.
+    """
+    allowed = frozenset(names)
+    if hidden := sorted(allowed & SPELLINGS.keys()):
+        raise ValueError(f"names: {', '.join(hidden)} cannot name a symbol, it is a function")
+    return allowed
+
+
+def constants(names: Collection[str]) -> dict[str, str]:
+    """The constants that no symbol hides, by how they are written."""
+    return {spelling: name for spelling, name in CONSTANTS.items() if spelling not in names}
+
+
+def unknown_name(name: str, names: Collection[str]) -> str:
+    """The refusal of a name."""
+    return _unknown("name", name, names)
+
+
+def unknown_function(name: str, names: Collection[str] = ()) -> str:
+    """The refusal of a function, or of a bracket after a symbol."""
+    if name in names:
+        return f"{name} is a symbol, not a function: write {name}*(...) for a product"
+    return _unknown("function", name, SPELLINGS)
+
+
+def _unknown(kind: str, name: str, allowed: Collection[str]) -> str:
+    nearest = sorted(sorted(allowed), key=lambda other: -_similarity(name, other))
+    meant = nearest and _similarity(name, nearest[0]) >= MEANT
+    shown = name if len(name) <= SHOWN else f"{name[:SHOWN]}..."
+    guess = f": did you mean {nearest[0]}?" if meant else "."
+    listed = [other for other in nearest if other not in OTHER_SPELLINGS or other == nearest[0]]
+    return f"{shown} is not a {kind} here{guess} The {kind}s are {', '.join(listed)}"
+
+
+def _similarity(name: str, other: str) -> float:
+    """From 0 to 1; capitals are small matters, and a needlessly long name costs no time."""
+    return SequenceMatcher(None, name[:SHOWN].lower(), other.lower()).ratio()

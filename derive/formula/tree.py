@@ -1,0 +1,192 @@
+"""A printed formula as a tree: what was printed, in the order it was printed, before any algebra.
+
+Brackets leave no trace but the shape of the tree; signs, quotients and the grouping of sums and products stay as printed.
+Trees are equal when they print the same thing; where a node stood in the text (`span`) does not count.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import TypeAlias, TypeVar
+
+from radartrack.derive.formula.error import Span
+
+Path: TypeAlias = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Node:
+    """What every node has: where in the text it stood, brackets included, if it was read from text."""
+
+    span: Span | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Node):
+    """A number without a sign, as printed: `2`, `0.50`, `1e-3`."""
+
+    text: str
+
+    @property
+    def value(self) -> Fraction:
+        """The exact value of the decimal."""
+        return Fraction(self.text)
+
+
+@dataclass(frozen=True, slots=True)
+class Constant(Node):
+    """`pi`, or `e` for Euler's number."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Name(Node):
+    """A symbol."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sum(Node):
+    """Two or more terms; one that is subtracted is a `Negation`."""
+
+    terms: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Product(Node):
+    """Two or more factors."""
+
+    factors: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient(Node):
+    """A fraction or a division."""
+
+    numerator: Tree
+    denominator: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Negation(Node):
+    """A minus sign before something."""
+
+    operand: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Node):
+    """A base raised to an exponent."""
+
+    base: Tree
+    exponent: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Node):
+    """A function of `radartrack.derive.formula.functions`, by its name there, and its arguments."""
+
+    function: str
+    arguments: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Array(Node):
+    """A vector, or, when its entries are arrays, a matrix or a tensor by rows."""
+
+    entries: tuple[Tree, ...]
+
+
+Tree: TypeAlias = Number | Constant | Name | Sum | Product | Quotient | Negation | Power | Call | Array
+AnyTree = TypeVar("AnyTree", bound=Node)
+
+
+def children(tree: Tree) -> tuple[Tree, ...]:
+    """The subtrees directly below, in the order printed."""
+    match tree:
+        case Sum(parts) | Product(parts) | Call(_, parts) | Array(parts):
+            return parts
+        case Quotient(first, second) | Power(first, second):
+            return (first, second)
+        case Negation(operand):
+            return (operand,)
+        case Number() | Constant() | Name():
+            return ()
+
+
+def with_children(tree: Tree, new: tuple[Tree, ...]) -> Tree:
+    """The same node over other subtrees, as many as it has."""
+    match tree:
+        case Sum():
+            return replace(tree, terms=new)
+        case Product():
+            return replace(tree, factors=new)
+        case Call():
+            return replace(tree, arguments=new)
+        case Array():
+            return replace(tree, entries=new)
+        case _:
+            return _with_fixed_children(tree, new)
+
+
+def _with_fixed_children(
+    tree: Number | Constant | Name | Quotient | Negation | Power, new: tuple[Tree, ...]
+) -> Tree:
+    match tree:
+        case Quotient():
+            numerator, denominator = new
+            return replace(tree, numerator=numerator, denominator=denominator)
+        case Power():
+            base, exponent = new
+            return replace(tree, base=base, exponent=exponent)
+        case Negation():
+            (operand,) = new
+            return replace(tree, operand=operand)
+        case Number() | Constant() | Name():
+            return tree
+
+
+def with_span(tree: AnyTree, span: Span | None) -> AnyTree:
+    """The same tree, said to stand elsewhere in the text."""
+    return replace(tree, span=span)
+
+
+def walk(tree: Tree) -> Iterator[tuple[Path, Tree]]:
+    """Every subtree with the path that leads to it, the whole tree first."""
+    waiting: list[tuple[Path, Tree]] = [((), tree)]
+    while waiting:
+        path, node = waiting.pop()
+        yield path, node
+        below = enumerate(children(node))
+        waiting.extend(reversed([((*path, index), child) for index, child in below]))
+
+
+def subtree(tree: Tree, path: Path) -> Tree:
+    """The subtree that a path leads to."""
+    for index in path:
+        tree = children(tree)[index]
+    return tree
+
+
+def replace_at(tree: Tree, path: Path, new: Tree) -> Tree:
+    """The tree with the subtree at a path replaced."""
+    if not path:
+        return new
+    below = list(children(tree))
+    below[path[0]] = replace_at(below[path[0]], path[1:], new)
+    return with_children(tree, tuple(below))
+
+
+def rebuild(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
+    """The tree with `change` applied to every node, leaves first."""
+    below = children(tree)
+    return change(with_children(tree, tuple(rebuild(child, change) for child in below)) if below else tree)
+
+
+def names(tree: Tree) -> frozenset[str]:
+    """The symbols that occur; the constants pi and e are none."""
+    return frozenset(node.name for _, node in walk(tree) if isinstance(node, Name))

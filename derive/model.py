@@ -1,0 +1,106 @@
+"""A measurement model: what is measured, with which errors, and how it maps to Cartesian coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from radartrack.derive.quantity import Source
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Tensor
+from radartrack.derive.units import Unit
+from radartrack.derive.variable import Variable
+
+Covariance = tuple[tuple[Expr, ...], ...]
+
+
+@dataclass(frozen=True)
+class Model:
+    """A conversion of measurements z = θ + w, w ~ N(0, K), to coordinates h(θ).
+
+    Attributes:
+        name: the first part of the names of its quantities.
+        title: one line in the field's words.
+        measured: θ, the measured quantities.
+        deviations: the standard deviations of their errors, in the same order.
+        correlations: pairs of measured quantities with correlated errors, and the symbol of the correlation.
+        outputs: name and expression of each coordinate.
+        units: the unit of each coordinate.
+        source: where the map stands in print.
+
+    Raises:
+        ValueError: when the parts do not fit each other.
+    """
+
+    name: str
+    title: str
+    measured: tuple[Variable, ...]
+    deviations: tuple[Variable, ...]
+    outputs: Mapping[str, Expr]
+    units: tuple[Unit, ...]
+    source: Source
+    correlations: Mapping[tuple[Variable, Variable], Variable] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not self.name.isidentifier():
+            raise ValueError(f"name must be an identifier, given {self.name!r}")
+        if len(self.deviations) != len(self.measured):
+            raise ValueError(
+                f"deviations must be one for each measured quantity: given {len(self.deviations)}, "
+                f"measured {len(self.measured)}"
+            )
+        if len(self.units) != len(self.outputs):
+            raise ValueError(f"units must be one for each output: given {len(self.units)} for {len(self.outputs)}")
+        for pair in self.correlations:
+            if len(set(pair)) != 2 or not set(pair) <= set(self.measured):
+                raise ValueError(f"correlations must join two different measured quantities, given {pair}")
+        names = [symbol.name for symbol in (*self.measured, *self.noise_symbols)]
+        if len(set(names)) != len(names):
+            raise ValueError(f"symbols must have different names, given {', '.join(names)}")
+        for output, expression in self.outputs.items():
+            unknown = expression.free_symbols - set(self.measured)
+            if unknown:
+                allowed = ", ".join(names[: len(self.measured)])
+                raise ValueError(f"output {output} may use {allowed} only, given also {sorted(map(str, unknown))}")
+
+    @property
+    def map(self) -> Tensor[Expr]:
+        """h(θ), shape [out]."""
+        return Tensor((len(self.outputs),), tuple(self.outputs.values()))
+
+    @property
+    def noise_symbols(self) -> tuple[Variable, ...]:
+        """Standard deviations, then correlations."""
+        return (*self.deviations, *self.correlations.values())
+
+    @property
+    def covariance(self) -> Covariance:
+        """K, the error covariance of the measurement."""
+        return self._covariance({symbol: symbol for symbol in self.noise_symbols})
+
+    @property
+    def prediction_symbols(self) -> tuple[Variable, ...]:
+        """The deviations and correlations of a prediction of θ."""
+        return tuple(predicted(symbol) for symbol in self.noise_symbols)
+
+    @property
+    def prediction_covariance(self) -> Covariance:
+        """Kₚ, the covariance of a prediction of θ."""
+        return self._covariance({symbol: predicted(symbol) for symbol in self.noise_symbols})
+
+    def _covariance(self, names: Mapping[Variable, Variable]) -> Covariance:
+        deviation = {of: names[sigma] for of, sigma in zip(self.measured, self.deviations, strict=True)}
+        both_ways = self.correlations | {(b, a): rho for (a, b), rho in self.correlations.items()}
+
+        def entry(a: Variable, b: Variable) -> Expr:
+            if a is b:
+                return deviation[a] ** 2
+            return names[both_ways[a, b]] * deviation[a] * deviation[b] if (a, b) in both_ways else a * 0
+
+        return tuple(tuple(entry(a, b) for b in self.measured) for a in self.measured)
+
+
+def predicted(symbol: Variable) -> Variable:
+    """The symbol of a prediction's own deviation or correlation."""
+    meaning = symbol.meaning.replace("the error", "the prediction").replace("the errors", "the predictions")
+    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, symbol.low, symbol.high)

@@ -1,0 +1,92 @@
+"""A derived quantity: its name, formula, symbols, units, source, and what it is conditioned on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from enum import Enum
+from functools import cached_property, reduce
+from operator import mul
+
+from radartrack.derive.stable import StableForm
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Index, Tensor
+from radartrack.derive.units import ONE, Unit
+from radartrack.derive.variable import Variable
+
+
+class Conditioning(Enum):
+    """What an expectation holds fixed; formulas that differ only in this are the commonest mix-up in the field."""
+
+    NONE = "no expectation is taken"
+    TRUTH = "truth-conditioned: the measured symbols stand for the true values"
+    MEASUREMENT = "measurement-conditioned: the measured symbols stand for the measurement"
+    PREDICTION = "averaged over a prediction: the measured symbols stand for the predicted mean"
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a formula stands in print: author, year where known, and equation."""
+
+    author: str
+    year: int | None
+    where: str = ""
+
+    def __str__(self) -> str:
+        return " ".join(part for part in (self.author, str(self.year or ""), self.where) if part)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One entry of the catalogue.
+
+    Attributes:
+        name: dotted name, `polar.bias.second_order`.
+        meaning: one line in the field's words.
+        axes: one tuple of units for each axis of the tensor; an entry's unit is the product over its axes.
+        symbols: the symbols it is a function of.
+        conditioning: what its expectations hold fixed.
+        source: where it stands in print.
+        derivation: derives the formula; called at most once.
+        word: the definition as a word in the operator, or in plain terms.
+        rewriting: how it is written for floating point where the general rewriting does not serve.
+    """
+
+    name: str
+    meaning: str
+    axes: tuple[tuple[Unit, ...], ...]
+    symbols: tuple[Variable, ...]
+    conditioning: Conditioning
+    source: Source
+    word: str
+    derivation: Callable[[], Tensor[Expr]] = field(repr=False, compare=False)
+    rewriting: Callable[[], StableForm] | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def shape(self) -> Index:
+        """Tensor shape; () for a scalar."""
+        return tuple(len(axis) for axis in self.axes)
+
+    @property
+    def is_covariance(self) -> bool:
+        """Whether it is a covariance matrix, whose entries are measured against its diagonal."""
+        return "covariance" in self.name.split(".")
+
+    @property
+    def module(self) -> str:
+        """The module of the generated function."""
+        return self.name.partition(".")[0]
+
+    @property
+    def function(self) -> str:
+        """The name of the generated function."""
+        return self.name.partition(".")[2].replace(".", "_")
+
+    @cached_property
+    def expression(self) -> Tensor[Expr]:
+        """The formula, exact, as derived."""
+        return self.derivation()
+
+    def unit(self, index: Index) -> Unit:
+        """The unit of one entry."""
+        return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), ONE)

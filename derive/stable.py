@@ -1,0 +1,362 @@
+"""Rewrites exponential polynomials so that nothing cancels when they are computed in floating point.
+
+A textbook form such as e^(−2σ²)(cosh 2σ² − cosh σ²) loses every digit for small σ. It is a polynomial in the
+attenuation q = e^(−σ²), and with the shortfall u = 1 − q = −expm1(−σ²), which is computed without loss, every constant
+can be multiplied by a power of q + u = 1 until all terms have one degree. Cancellation then happens between exact
+rationals, in the derivation; a polynomial that is positive between 0 and 1 ends as a sum of positive terms
+(Bernstein). Sines and cosines get the same treatment with cos² + sin² = 1.
+
+Each rewritten entry is expanded again and proved equal to what it came from.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from itertools import chain, product
+from math import gcd, lcm
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.exponential import ExponentialPolynomial, ring_over, split
+from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol, expm1
+from radartrack.derive.tensor import Index, Tensor
+
+Monomial = tuple[int, ...]
+Spectrum = dict[Expr, Expr]
+Rational = sp.Rational
+HEADROOM = 3
+GRID = 8
+
+
+class NotProved(AssertionError):
+    """A rewritten form could not be proved equal to its definition."""
+
+
+@dataclass(frozen=True)
+class StableForm:
+    """Entries over named intermediates.
+
+    Attributes:
+        definitions: intermediate symbol → its definition in the quantity's own symbols, in order of use.
+        entries: the rewritten entries.
+    """
+
+    definitions: Mapping[Symbol, Expr]
+    entries: Tensor[Expr]
+
+    def expanded(self) -> Tensor[Expr]:
+        """The entries with every intermediate replaced by its definition."""
+        known: dict[Symbol, Expr] = {}
+        for symbol, definition in self.definitions.items():
+            known[symbol] = definition.xreplace(known)
+        return self.entries.map(lambda entry: entry.xreplace(known))
+
+
+@dataclass(frozen=True)
+class Wave:
+    """The cosine and sine of a multiple of an angle."""
+
+    angle: Symbol
+    step: Rational
+    cosine: Symbol
+    sine: Symbol
+
+    @classmethod
+    def of(cls, angle: Symbol, step: Rational) -> Wave:
+        name = angle.name if step == 1 else f"{angle.name}_times_{step}".replace("/", "_over_")
+        return cls(angle, step, sp.Symbol(f"cos_{name}", real=True), sp.Symbol(f"sin_{name}", real=True))
+
+    def definitions(self) -> dict[Symbol, Expr]:
+        argument = self.step * self.angle
+        return {self.cosine: sp.cos(argument), self.sine: sp.sin(argument)}
+
+
+@dataclass(frozen=True)
+class Decay:
+    """The attenuation e^(−step·variance) and its shortfall from one."""
+
+    variance: Monomial
+    product: Expr
+    step: Rational
+    attenuation: Symbol
+    shortfall: Symbol
+
+    @classmethod
+    def of(cls, variance: Monomial, product: Expr, step: Rational) -> Decay:
+        name = "_".join(symbol.name.replace("sigma_", "") for symbol in sorted(product.free_symbols, key=str))
+        attenuation = sp.Symbol(f"attenuation_{name}", positive=True)
+        return cls(variance, product, step, attenuation, sp.Symbol(f"shortfall_{name}", real=True))
+
+    def definitions(self) -> dict[Symbol, Expr]:
+        exponent = -self.step * self.product
+        return {self.attenuation: sp.exp(exponent), self.shortfall: -expm1(exponent)}
+
+
+def stable_form(entries: Tensor[Expr]) -> StableForm:
+    """Rewrite a tensor of exponential polynomials.
+
+    Raises:
+        NotExponentialPolynomial: when an entry is none.
+        NotProved: when the rewritten form is not the same function; it is never returned then.
+    """
+    ring = ring_over(symbol for entry in entries for symbol in entry.free_symbols)
+    values = entries.map(lambda entry: ExponentialPolynomial.read(entry, ring))
+    rewriter = _Rewriter(ring, values)
+    spectra = values.map(rewriter.spectrum)
+    amplitudes = _Amplitudes(spectra)
+    rewritten = spectra.map(amplitudes.entry)
+    form = _used(StableForm(rewriter.definitions() | amplitudes.definitions, rewritten))
+    _prove(form, values, ring)
+    return form
+
+
+def _used(form: StableForm) -> StableForm:
+    """Without the intermediates that nothing refers to."""
+    needed = {symbol for entry in form.entries for symbol in entry.free_symbols}
+    kept: dict[Symbol, Expr] = {}
+    for symbol, definition in reversed(form.definitions.items()):
+        if symbol in needed:
+            needed |= definition.free_symbols
+            kept[symbol] = definition
+    return StableForm(dict(reversed(kept.items())), form.entries)
+
+
+def _prove(form: StableForm, values: Tensor[ExponentialPolynomial], ring: PolyRing) -> None:
+    for expression, value in zip(form.expanded(), values, strict=True):
+        if ExponentialPolynomial.read(expression, ring) != value:
+            raise NotProved(f"{expression} was rewritten from {value.expression()} and is not equal to it")
+
+
+class _Amplitudes:
+    """Names for the amplitudes of waves that are sums or that several entries share, up to sign."""
+
+    def __init__(self, spectra: Tensor[Spectrum]) -> None:
+        self.definitions: dict[Symbol, Expr] = {}
+        self._names: dict[Expr, Symbol] = {}
+        counts = Counter(amplitude for spectrum in _distinct(spectra) for amplitude in spectrum.values())
+        for index, spectrum in spectra.items():
+            for wave, amplitude in spectrum.items():
+                shared = counts[amplitude] + counts[-amplitude] > 1 and len(amplitude.free_symbols) > 1
+                if (shared or amplitude.is_Add) and wave != 1 and self._named(amplitude) is None:
+                    self._define(amplitude, sp.Symbol(f"part_{_label(index, wave)}", real=True))
+
+    def entry(self, spectrum: Spectrum) -> Expr:
+        parts = ((wave, amplitude, self._named(amplitude)) for wave, amplitude in spectrum.items())
+        return sp.Add(*(wave * (amplitude if name is None else name) for wave, amplitude, name in parts))
+
+    def _named(self, amplitude: Expr) -> Expr | None:
+        if amplitude in self._names:
+            return self._names[amplitude]
+        return -self._names[-amplitude] if -amplitude in self._names else None
+
+    def _define(self, amplitude: Expr, name: Symbol) -> None:
+        self._names[amplitude] = name
+        self.definitions[name] = amplitude
+
+
+def _distinct(spectra: Tensor[Spectrum]) -> list[Spectrum]:
+    """Each spectrum once: a symmetric tensor repeats its entries."""
+    found: list[Spectrum] = []
+    for spectrum in spectra:
+        if spectrum not in found:
+            found.append(spectrum)
+    return found
+
+
+def _label(index: Index, wave: Expr) -> str:
+    powers = sorted(wave.as_powers_dict().items(), key=str)
+    return "_".join(["".join(map(str, index)), *(f"{base}{'' if power == 1 else power}" for base, power in powers)])
+
+
+class _Rewriter:
+    """The waves and decays that all entries of a tensor share, and the rewriting of one entry."""
+
+    def __init__(self, ring: PolyRing, values: Tensor[ExponentialPolynomial]) -> None:
+        self.ring = ring
+        frequencies = [[split(exponent)[1] for exponent in value.terms] for value in values]
+        growths = [[split(exponent)[0] for exponent in value.terms] for value in values]
+        self.waves = [
+            Wave.of(_symbol(ring, monomial), _even_step(monomial, step, frequencies))
+            for monomial, step in _common_steps(frequencies)
+        ]
+        self.decays = [
+            Decay.of(monomial, ring.from_dict({monomial: ring.domain.one}).as_expr(), step)
+            for monomial, step in _common_steps(growths)
+        ]
+
+    def definitions(self) -> dict[Symbol, Expr]:
+        parts = [part.definitions() for part in (*self.waves, *self.decays)]
+        return {symbol: definition for part in parts for symbol, definition in part.items()}
+
+    def spectrum(self, value: ExponentialPolynomial) -> Spectrum:
+        """Products of cosines and sines → amplitude, a sum over monomials of monomial × polynomial in the decays."""
+        grouped: dict[Expr, dict[Monomial, dict[Monomial, Rational]]] = {}
+        for wave, monomial, decay, coefficient in self._flatten(value):
+            by_decay = grouped.setdefault(wave, {}).setdefault(monomial, {})
+            by_decay[decay] = by_decay.get(decay, Rational(0)) + coefficient
+        amplitudes = {
+            wave: sp.Add(*(self._term(monomial, by_decay) for monomial, by_decay in by_monomial.items()))
+            for wave, by_monomial in grouped.items()
+        }
+        return {wave: amplitude for wave, amplitude in amplitudes.items() if amplitude != 0}
+
+    def _flatten(self, value: ExponentialPolynomial) -> Iterable[tuple[Expr, Monomial, Monomial, Rational]]:
+        """Terms as (product of cosines and sines, monomial, decay counts, coefficient)."""
+        counted = [self._counts(exponent) for exponent in value.terms]
+        for (turns, decays), coefficient in zip(counted, value.terms.values(), strict=True):
+            degrees = [
+                max(abs(other[w]) for other, _ in counted if (other[w] - turns[w]) % 2 == 0)
+                for w in range(len(self.waves))
+            ]
+            oscillation = reduce(
+                _multiply,
+                (_unit_circle(wave, turn, degree) for wave, turn, degree in zip(self.waves, turns, degrees, strict=True)),
+                {sp.Integer(1): sp.QQ_I(1, 0)},
+            )
+            for wave, weight in oscillation.items():
+                for monomial, number in coefficient.terms():
+                    real = (weight * number).x
+                    if real:
+                        yield wave, monomial, decays, _rational(real)
+
+    def _counts(self, exponent: PolyElement) -> tuple[Monomial, Monomial]:
+        growth, frequency = split(exponent)
+        turns = tuple(_steps(frequency, _monomial(self.ring, wave.angle), wave.step) for wave in self.waves)
+        return turns, tuple(-_steps(growth, decay.variance, decay.step) for decay in self.decays)
+
+    def _term(self, monomial: Monomial, by_decay: Mapping[Monomial, Rational]) -> Expr:
+        product = self.ring.from_dict({monomial: self.ring.domain.one}).as_expr()
+        return product * bernstein(by_decay, self.decays)
+
+
+def _common_steps(polynomials: Sequence[Sequence[PolyElement]]) -> list[tuple[Monomial, Rational]]:
+    """For each monomial in real polynomials, the largest number of which all its coefficients are multiples."""
+    found: dict[Monomial, list[Rational]] = {}
+    for polynomial in chain.from_iterable(polynomials):
+        for monomial, coefficient in polynomial.terms():
+            found.setdefault(monomial, []).append(abs(_rational(coefficient.x)))
+    return [(monomial, _common_step(found[monomial])) for monomial in sorted(found, reverse=True)]
+
+
+def _even_step(monomial: Monomial, step: Rational, entries: Sequence[Sequence[PolyElement]]) -> Rational:
+    """Half the step where an entry mixes even and odd multiples of it, as 1 + cos 2x = 2 cos²x does."""
+    parities = ({_steps(frequency, monomial, step) % 2 for frequency in entry} for entry in entries)
+    return step / 2 if any(len(found) > 1 for found in parities) else step
+
+
+def _common_step(values: Sequence[Rational]) -> Rational:
+    denominator = lcm(*(int(value.q) for value in values))
+    return Rational(gcd(*(int(value * denominator) for value in values)), denominator)
+
+
+def _symbol(ring: PolyRing, monomial: Monomial) -> Symbol:
+    if sum(monomial) != 1:
+        raise NotProved(f"the angle {ring.from_dict({monomial: ring.domain.one})} is not a plain symbol")
+    return ring.symbols[monomial.index(1)]
+
+
+def _monomial(ring: PolyRing, symbol: Symbol) -> Monomial:
+    return tuple(int(other == symbol) for other in ring.symbols)
+
+
+def _steps(polynomial: PolyElement, monomial: Monomial, step: Rational) -> int:
+    coefficient = polynomial.get(monomial)
+    if not coefficient:
+        return 0
+    return int(_rational(coefficient.x) / step)
+
+
+def _rational(number: PolyElement) -> Rational:
+    return Rational(int(number.numerator), int(number.denominator))
+
+
+def _unit_circle(wave: Wave, turns: int, degree: int) -> dict[Expr, PolyElement]:
+    """e^(i·turns·angle) as a form of the given degree in cosine and sine: (c + is)^m (c − is)^n, m − n = turns."""
+    form: dict[tuple[int, int], PolyElement] = {(0, 0): sp.QQ_I(1, 0)}
+    for sign in [1] * ((degree + turns) // 2) + [-1] * ((degree - turns) // 2):
+        following: dict[tuple[int, int], PolyElement] = {}
+        for (cosines, sines), weight in form.items():
+            following[cosines + 1, sines] = following.get((cosines + 1, sines), sp.QQ_I(0, 0)) + weight
+            turned = weight * sp.QQ_I(0, sign)
+            following[cosines, sines + 1] = following.get((cosines, sines + 1), sp.QQ_I(0, 0)) + turned
+        form = following
+    return {wave.cosine**c * wave.sine**s: weight for (c, s), weight in form.items() if weight}
+
+
+def _multiply(first: dict[Expr, PolyElement], second: dict[Expr, PolyElement]) -> dict[Expr, PolyElement]:
+    return {a * b: x * y for a, x in first.items() for b, y in second.items()}
+
+
+def bernstein(coefficients: Mapping[Monomial, Rational], decays: Sequence[Decay]) -> Expr:
+    """A polynomial in attenuations as a product of powers and, where one exists, a sum of terms of one sign.
+
+    `coefficients` maps the powers of each attenuation, negative ones included, to rationals.
+    """
+    live = {powers: value for powers, value in coefficients.items() if value}
+    if not live:
+        return sp.Integer(0)
+    lowest = tuple(min(powers[d] for powers in live) for d in range(len(decays)))
+    ring = PolyRing([symbol for decay in decays for symbol in (decay.attenuation, decay.shortfall)], sp.QQ)
+    common = sp.Mul(*(decay.attenuation**low for decay, low in zip(decays, lowest, strict=True)))
+    if not decays:
+        return live[()]
+    shifted = {tuple(p - low for p, low in zip(powers, lowest, strict=True)): value for powers, value in live.items()}
+    degrees = tuple(max(powers[d] for powers in shifted) for d in range(len(decays)))
+    forms = [_homogeneous(shifted, tuple(n + extra for n in degrees), ring) for extra in range(3)]
+    candidates = [candidate for form in forms for candidate in _representations(form, ring)]
+    power, rest = min(candidates, key=_cost)
+    content, primitive = rest.primitive()
+    return _rational(content) * common * power.as_expr() * primitive.as_expr()
+
+
+def _homogeneous(coefficients: Mapping[Monomial, Rational], degrees: Monomial, ring: PolyRing) -> PolyElement:
+    """Multiply every term by powers of attenuation + shortfall = 1 until it has the given degree in each pair."""
+    pairs = [(ring.gens[2 * d], ring.gens[2 * d + 1]) for d in range(len(degrees))]
+    total = ring.zero
+    for powers, value in coefficients.items():
+        term = ring(sp.QQ(int(value.p), int(value.q)))
+        for (attenuation, shortfall), power, degree in zip(pairs, powers, degrees, strict=True):
+            term = term * attenuation**power * (attenuation + shortfall) ** (degree - power)
+        total = total + term
+    return total
+
+
+def _representations(form: PolyElement, ring: PolyRing) -> Iterable[tuple[PolyElement, PolyElement]]:
+    """Ways to write a homogeneous form as a monomial times a rest, all equal because attenuation + shortfall = 1."""
+    monomial, rest = _split_monomial(form, ring)
+    yield monomial, rest
+    for keep in (0, 1):
+        replaced = rest
+        for d in range(0, len(ring.gens), 2):
+            replaced = replaced.compose(ring.gens[d + 1 - keep], 1 - ring.gens[d + keep])
+        extra, shorter = _split_monomial(replaced, ring)
+        yield monomial * extra, shorter
+
+
+def _split_monomial(form: PolyElement, ring: PolyRing) -> tuple[PolyElement, PolyElement]:
+    lowest = tuple(min(powers) for powers in zip(*form.monoms(), strict=True))
+    monomial = ring.from_dict({lowest: ring.domain.one})
+    return monomial, form.exquo(monomial)
+
+
+def _cost(candidate: tuple[PolyElement, PolyElement]) -> tuple[bool, int, int]:
+    """What does not cancel first, then few terms, then a low degree."""
+    _, rest = candidate
+    return _cancels(rest), len(rest.terms()), sum(sum(powers) for powers in rest.monoms())
+
+
+def _cancels(polynomial: PolyElement) -> bool:
+    """Whether somewhere the terms outweigh their sum more than HEADROOM times; on a grid, in exact arithmetic."""
+    if len({value > 0 for value in polynomial.coeffs()}) == 1:
+        return False
+    absolute = polynomial.ring.from_dict({powers: abs(value) for powers, value in polynomial.terms()})
+    pairs = [[(sp.QQ(k, GRID), sp.QQ(GRID - k, GRID)) for k in range(GRID + 1)]] * (len(polynomial.ring.gens) // 2)
+    points = [list(chain.from_iterable(point)) for point in product(*pairs)]
+    return any(absolute.evaluate(_at(point, polynomial)) > HEADROOM * abs(polynomial.evaluate(_at(point, polynomial)))
+               for point in points)
+
+
+def _at(point: Sequence[PolyElement], polynomial: PolyElement) -> list[tuple[PolyElement, PolyElement]]:
+    return list(zip(polynomial.ring.gens, point, strict=True))

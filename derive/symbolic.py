@@ -1,0 +1,128 @@
+"""The typed façade over SymPy: the only module that imports it; its types stand in `symbolic.pyi`.
+
+SymPy carries no type information, so every other module takes its symbolic algebra from here.
+"""
+
+from sympy import (
+    QQ,
+    QQ_I,
+    Abs,
+    Add,
+    Basic,
+    E,
+    Expr,
+    Function,
+    I,
+    Integer,
+    Matrix,
+    Mul,
+    Number,
+    Poly,
+    Pow,
+    Rational,
+    Symbol,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cancel,
+    cos,
+    cosh,
+    diff,
+    exp,
+    expand,
+    factor,
+    factor_list,
+    factor_terms,
+    fraction,
+    latex,
+    log,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    srepr,
+    tan,
+    tanh,
+    together,
+)
+from sympy import Float as _Float
+from sympy.core.numbers import Exp1, ImaginaryUnit, NumberSymbol
+from sympy.polys.rings import PolyElement, PolyRing
+
+__all__ = [
+    "QQ",
+    "QQ_I",
+    "Abs",
+    "Add",
+    "Basic",
+    "E",
+    "Exp1",
+    "Expr",
+    "Function",
+    "I",
+    "ImaginaryUnit",
+    "Integer",
+    "Matrix",
+    "Mul",
+    "Number",
+    "NumberSymbol",
+    "Poly",
+    "PolyElement",
+    "PolyRing",
+    "Pow",
+    "Rational",
+    "Symbol",
+    "acos",
+    "asin",
+    "atan",
+    "atan2",
+    "cancel",
+    "cos",
+    "cosh",
+    "diff",
+    "exp",
+    "expand",
+    "expm1",
+    "factor",
+    "factor_list",
+    "factor_terms",
+    "fraction",
+    "hypot",
+    "is_float",
+    "latex",
+    "log",
+    "pi",
+    "sin",
+    "sinh",
+    "sqrt",
+    "srepr",
+    "tan",
+    "tanh",
+    "together",
+]
+
+
+class expm1(Function):  # noqa: N801 - SymPy's functions are written like the function they are
+    """e^x − 1 as a function of its own, so that it reaches the writer as one."""
+
+    nargs = 1
+
+    def fdiff(self, argindex: int = 1) -> Expr:
+        """The derivative, e^x."""
+        return exp(self.args[0])
+
+
+class hypot(Function):  # noqa: N801 - SymPy's functions are written like the function they are
+    """√(x² + y²) as a function of its own, so that it reaches the writer as one."""
+
+    nargs = 2
+
+    def fdiff(self, argindex: int = 1) -> Expr:
+        """The derivative by either argument."""
+        return self.args[argindex - 1] / hypot(*self.args)
+
+
+def is_float(expression: Expr) -> bool:
+    """Whether an inexact number occurs; derivations are exact, so it never may."""
+    return bool(expression.has(_Float))

@@ -1,0 +1,44 @@
+"""Arrays of any rank with entries of any kind: expressions, exponential polynomials, series, units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import Generic, TypeVar
+
+Entry = TypeVar("Entry")
+Other = TypeVar("Other")
+Index = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Tensor(Generic[Entry]):
+    """Entries in row-major order; shape () is a scalar."""
+
+    shape: Index
+    entries: tuple[Entry, ...]
+
+    @classmethod
+    def build(cls, shape: Index, entry: Callable[..., Entry]) -> Tensor[Entry]:
+        """Fill a tensor by calling `entry(i, j, ...)`."""
+        return cls(shape, tuple(entry(*index) for index in indices(shape)))
+
+    def __getitem__(self, index: Index) -> Entry:
+        return dict(self.items())[index]
+
+    def __iter__(self) -> Iterator[Entry]:
+        return iter(self.entries)
+
+    def items(self) -> Iterator[tuple[Index, Entry]]:
+        """Pairs of index and entry."""
+        return zip(indices(self.shape), self.entries, strict=True)
+
+    def map(self, function: Callable[[Entry], Other]) -> Tensor[Other]:
+        """Apply a function to each entry."""
+        return Tensor(self.shape, tuple(function(entry) for entry in self.entries))
+
+
+def indices(shape: Index) -> Iterator[Index]:
+    """All indices of a shape, the last one running fastest."""
+    return product(*(range(size) for size in shape))

@@ -1,0 +1,69 @@
+"""Symbols that carry a meaning, a unit and the domain over which formulas are held to their accuracy."""
+
+from __future__ import annotations
+
+from typing import Any, Self
+
+from radartrack.derive.symbolic import Symbol
+from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, Unit
+
+
+class Variable(Symbol):
+    """A real symbol with its meaning, unit and domain.
+
+    Attributes:
+        meaning: what the symbol stands for, in the field's words.
+        unit: its unit.
+        low: lower end of the domain, in that unit.
+        high: upper end of the domain, in that unit.
+    """
+
+    meaning: str
+    unit: Unit
+    low: float
+    high: float
+
+    def __new__(cls, name: str, meaning: str, unit: Unit, low: float, high: float) -> Self:
+        """Declare a symbol; one whose domain is above zero is positive in the algebra too."""
+        assumptions = {"positive": True} if low > 0 else {"real": True}
+        variable: Self = Symbol.__xnew__(cls, name, **assumptions)
+        variable.meaning, variable.unit, variable.low, variable.high = meaning, unit, low, high
+        return variable
+
+    @property
+    def logarithmic(self) -> bool:
+        """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""
+        return self.low > 0
+
+    @property
+    def is_correlation(self) -> bool:
+        """Whether it is a correlation coefficient, the only dimensionless symbol from -1 to 1."""
+        return self.unit == ONE and (self.low, self.high) == (-1.0, 1.0)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name, self.meaning, self.unit, self.low, self.high), {}
+
+
+def length(name: str, meaning: str, low: float = 1.0, high: float = 1e8) -> Variable:
+    """A length in metres."""
+    return Variable(name, meaning, METRE, low, high)
+
+
+def speed(name: str, meaning: str, low: float = -1e4, high: float = 1e4) -> Variable:
+    """A signed speed in metres per second."""
+    return Variable(name, meaning, METRE_PER_SECOND, low, high)
+
+
+def angle(name: str, meaning: str, low: float = -3.141592653589793, high: float = 3.141592653589793) -> Variable:
+    """An angle in radians."""
+    return Variable(name, meaning, RADIAN, low, high)
+
+
+def deviation(of: Variable, low: float, high: float) -> Variable:
+    """The standard deviation of the measurement error of a variable, in its unit."""
+    return Variable(f"sigma_{of.name}", f"standard deviation of the error of {of.name}", of.unit, low, high)
+
+
+def correlation(name: str, first: Variable, second: Variable) -> Variable:
+    """The correlation of two measurement errors, from -1 to 1."""
+    return Variable(name, f"correlation of the errors of {first.name} and {second.name}", ONE, -1.0, 1.0)

@@ -1,0 +1,151 @@
+"""Writes derived quantities as a module of plain NumPy functions."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from hashlib import sha256
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.common import with_common_parts
+from radartrack.derive.numpy_code import code, terms
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.stable import StableForm
+from radartrack.derive.symbolic import Expr
+
+VERSION = "1"
+WIDTH = 110
+INDENT = "    "
+
+PRELUDE = '''\
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.floating]
+
+
+def _floats(*arguments: npt.ArrayLike) -> tuple[Floats, ...]:
+    """The arguments as arrays of one type: float32 where every array is float32, else float64.
+
+    Python numbers follow the arrays; integers and anything narrower than float32 compute in float64.
+    """
+    typed = [np.asarray(argument) for argument in arguments if hasattr(argument, "dtype")]
+    single = bool(typed) and all(array.dtype == np.float32 for array in typed)
+    dtype = np.float32 if single else np.float64
+    arrays = (np.asarray(argument) for argument in arguments)
+    return tuple(array.astype(dtype, casting="same_kind", copy=False) for array in arrays)
+
+
+def _empty(arguments: tuple[Floats, ...], shape: tuple[int, ...]) -> Floats:
+    """Room for a result: the shape that the arguments broadcast to, then the tensor's own."""
+    return np.empty(np.broadcast_shapes(*(a.shape for a in arguments)) + shape, arguments[0].dtype)
+'''
+
+
+@dataclass(frozen=True)
+class Function:
+    """A quantity as a NumPy function.
+
+    Attributes:
+        quantity: what it computes.
+        form: the rewritten formula that is written.
+    """
+
+    quantity: Quantity
+    form: StableForm
+
+    @cached_property
+    def body(self) -> str:
+        """The statements, without the docstring."""
+        definitions, results = with_common_parts(self.form.definitions, self.form.entries)
+        names = [symbol.name for symbol in self.quantity.symbols]
+        arguments = ", ".join(names)
+        lines = [f"arguments = _floats({arguments})", f"{arguments}{',' * (len(names) == 1)} = arguments"]
+        lines += [_assignment(symbol.name, definition) for symbol, definition in definitions.items()]
+        lines.append(f"result = _empty(arguments, {self.quantity.shape})")
+        lines += self._results(results)
+        lines.append("return result[()]" if not self.quantity.shape else "return result")
+        return "\n".join(lines)
+
+    def _results(self, results: Sequence[Expr]) -> list[str]:
+        """One assignment an entry; an entry that was computed before is copied."""
+        first: dict[Expr, str] = {}
+        lines = []
+        for (index, _), expression in zip(self.form.entries.items(), results, strict=True):
+            target = f"result[{', '.join(['...', *map(str, index)])}]"
+            known = first.setdefault(expression, target)
+            if known == target or expression.is_Atom:
+                lines.append(_assignment(target, expression))
+            else:
+                lines.append(f"{target} = {known}")
+        return lines
+
+    @property
+    def digest(self) -> str:
+        """What identifies the code; comments and docstrings do not enter."""
+        return sha256(self.body.encode()).hexdigest()
+
+    def text(self, accuracy: str) -> str:
+        """The whole function, its measured accuracy in the docstring."""
+        quantity = self.quantity
+        keywords = ", ".join(f"{symbol.name}: npt.ArrayLike" for symbol in quantity.symbols)
+        signature = f"def {quantity.function}(*, {keywords}) -> Floats:"
+        if len(signature) > WIDTH:
+            inner = ", ".join(f"{symbol.name}: npt.ArrayLike" for symbol in quantity.symbols)
+            lines = [f"{INDENT}*, {inner}"] if len(inner) + 7 <= WIDTH else [
+                f"{INDENT}*,", *(f"{INDENT}{symbol.name}: npt.ArrayLike," for symbol in quantity.symbols)
+            ]
+            signature = "\n".join([f"def {quantity.function}(", *lines, ") -> Floats:"])
+        inside = f'"""{docstring(quantity, accuracy)}\n"""\n{self.body}'
+        return f"{signature}\n{textwrap.indent(inside, INDENT)}\n"
+
+
+def docstring(quantity: Quantity, accuracy: str) -> str:
+    """Name, definition, conditioning, source, shapes, units, domain and measured error."""
+    meaning = quantity.meaning[0].upper() + quantity.meaning[1:]
+    facts = [
+        f"Name: {quantity.name}.",
+        f"Definition: {quantity.word}.",
+        f"Conditioning: {quantity.conditioning.value}.",
+        f"Source: {quantity.source}.",
+    ]
+    arguments = [
+        f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols
+    ]
+    shape = ", ".join(map(str, quantity.shape))
+    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, in {_units(quantity)}."
+    sections = [
+        f"{meaning}.",
+        "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
+        "\n".join(["Args:", *arguments]),
+        "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
+        "\n".join(textwrap.wrap(f"Accuracy: {accuracy}", WIDTH - 4)),
+    ]
+    return "\n\n".join(sections)
+
+
+def _units(quantity: Quantity) -> str:
+    """The unit shared by all entries, or those of the entries one by one."""
+    units = [str(quantity.unit(index)) for index, _ in quantity.expression.items()]
+    return units[0] if len(set(units)) == 1 else "[" + ", ".join(units) + "]"
+
+
+def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str, str]) -> str:
+    """A module with a header, the shared helpers, and one function a quantity."""
+    digest = sha256("".join(function.digest for function in functions).encode()).hexdigest()[:16]
+    names = "".join(f'    "{name}",\n' for name in sorted(function.quantity.function for function in functions))
+    header = (
+        f'"""{title}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; not to be edited.\n"""\n'
+    )
+    parts = [f"{header}\n{PRELUDE}", *(function.text(accuracy[function.quantity.name]) for function in functions)]
+    body = "\n\n".join(parts)
+    return body.replace("\nFloats = ", f"\n__all__ = [\n{names}]\n\nFloats = ", 1)
+
+
+def _assignment(target: str, expression: Expr) -> str:
+    line = f"{target} = {code(expression)}"
+    if len(line) + len(INDENT) <= WIDTH or not isinstance(expression, sp.Add):
+        return line
+    return "\n".join([f"{target} = (", *(f"{INDENT}{term}" for term in terms(expression)), ")"])

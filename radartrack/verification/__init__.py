@@ -1,0 +1,1 @@
+"""How well each generated function is known to be right."""

@@ -1,0 +1,51 @@
+"""Points of a quantity's domain: spread over every scale, and close to where formulas are delicate."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.units import RADIAN
+from radartrack.derive.variable import Variable
+
+Points = dict[str, npt.NDArray[np.float64]]
+
+
+def sample(quantity: Quantity, count: int, seed: int = 0, *, correlated: bool = False) -> Points:
+    """Random points of the domain, the same for the same seed on every machine.
+
+    Args:
+        quantity: whose symbols are drawn.
+        count: number of points.
+        seed: of the counter-based generator.
+        correlated: whether correlations are drawn too; they are zero otherwise.
+
+    Returns:
+        Symbol name → array of shape (count,).
+    """
+    generator = np.random.Generator(np.random.Philox(seed))
+    return {symbol.name: _draw(symbol, count, generator, correlated=correlated) for symbol in quantity.symbols}
+
+
+def _draw(
+    symbol: Variable, count: int, generator: np.random.Generator, *, correlated: bool
+) -> npt.NDArray[np.float64]:
+    uniform = generator.random(count)
+    if symbol.is_correlation:
+        return symbol.low + (symbol.high - symbol.low) * uniform if correlated else np.zeros(count)
+    if symbol.logarithmic:
+        drawn = np.exp(np.log(symbol.low) + (np.log(symbol.high) - np.log(symbol.low)) * uniform)
+        return np.clip(drawn, symbol.low, symbol.high)
+    spread = symbol.low + (symbol.high - symbol.low) * uniform
+    return _near_quarter_turns(spread, generator) if symbol.unit == RADIAN else spread
+
+
+def _near_quarter_turns(
+    angles: npt.NDArray[np.float64], generator: np.random.Generator
+) -> npt.NDArray[np.float64]:
+    """One angle in four is moved close to a multiple of 45 degrees, where sines or cosines vanish or agree."""
+    eighth = np.pi / 4
+    offset = np.exp(generator.uniform(np.log(1e-12), np.log(1e-2), angles.shape))
+    moved = np.round(angles / eighth) * eighth + np.copysign(offset, angles)
+    return np.where(generator.random(angles.shape) < 0.25, moved, angles)
