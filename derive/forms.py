@@ -30,12 +30,16 @@ def form_of(quantity: Quantity) -> StableForm:
 
 
 def readable(quantity: Quantity) -> Tensor[Expr]:
-    """The form with its intermediates filled in, for people to read."""
-    return form_of(quantity).expanded().map(lambda entry: entry.xreplace(_without_expm1(entry)))
+    """The form with its intermediates filled in, for people to read: 1 − e^x stands where code calls expm1."""
+    form = form_of(quantity)
+    plain = {symbol: _without_expm1(definition) for symbol, definition in form.definitions.items()}
+    return StableForm(plain, form.entries.map(_without_expm1)).expanded()
 
 
-def _without_expm1(expression: Expr) -> dict[Expr, Expr]:
-    return {call: sp.exp(call.args[0]) - 1 for call in expression.atoms(sp.expm1)}
+def _without_expm1(expression: Expr) -> Expr:
+    calls = expression.atoms(sp.expm1)
+    opposites = {-call: 1 - sp.exp(call.args[0]) for call in calls}
+    return expression.xreplace(opposites).xreplace({call: sp.exp(call.args[0]) - 1 for call in calls})
 
 
 def _prove(form: StableForm, derived: Tensor[Expr]) -> None:

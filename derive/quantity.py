@@ -87,6 +87,13 @@ class Quantity:
         """The formula, exact, as derived."""
         return self.derivation()
 
+    @property
+    def unit_text(self) -> str:
+        """The unit of all entries, or the units along each axis where they differ."""
+        if all(len(set(axis)) == 1 for axis in self.axes):
+            return str(self.unit((0,) * len(self.axes)))
+        return " × ".join("[" + ", ".join(map(str, axis)) + "]" for axis in self.axes)
+
     def unit(self, index: Index) -> Unit:
         """The unit of one entry."""
         return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), ONE)

@@ -53,6 +53,16 @@ class StableForm:
             known[symbol] = definition.xreplace(known)
         return self.entries.map(lambda entry: entry.xreplace(known))
 
+    def only(self, entries: Tensor[Expr]) -> StableForm:
+        """These entries with the intermediates that they need and no others."""
+        needed = {symbol for entry in entries for symbol in entry.free_symbols}
+        kept: dict[Symbol, Expr] = {}
+        for symbol, definition in reversed(list(self.definitions.items())):
+            if symbol in needed:
+                needed |= definition.free_symbols
+                kept[symbol] = definition
+        return StableForm(dict(reversed(kept.items())), entries)
+
 
 @dataclass(frozen=True)
 class Wave:
@@ -107,20 +117,9 @@ def stable_form(entries: Tensor[Expr]) -> StableForm:
     spectra = values.map(rewriter.spectrum)
     amplitudes = _Amplitudes(spectra)
     rewritten = spectra.map(amplitudes.entry)
-    form = _used(StableForm(rewriter.definitions() | amplitudes.definitions, rewritten))
+    form = StableForm(rewriter.definitions() | amplitudes.definitions, rewritten).only(rewritten)
     _prove(form, values, ring)
     return form
-
-
-def _used(form: StableForm) -> StableForm:
-    """Without the intermediates that nothing refers to."""
-    needed = {symbol for entry in form.entries for symbol in entry.free_symbols}
-    kept: dict[Symbol, Expr] = {}
-    for symbol, definition in reversed(form.definitions.items()):
-        if symbol in needed:
-            needed |= definition.free_symbols
-            kept[symbol] = definition
-    return StableForm(dict(reversed(kept.items())), form.entries)
 
 
 def _prove(form: StableForm, values: Tensor[ExponentialPolynomial], ring: PolyRing) -> None:

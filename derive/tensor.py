@@ -34,6 +34,12 @@ class Tensor(Generic[Entry]):
         """Pairs of index and entry."""
         return zip(indices(self.shape), self.entries, strict=True)
 
+    def parts(self) -> list[Tensor[Entry]]:
+        """The tensors of one rank less along the first axis."""
+        size, *inner = self.shape
+        step = len(self.entries) // size
+        return [Tensor(tuple(inner), self.entries[i * step : (i + 1) * step]) for i in range(size)]
+
     def map(self, function: Callable[[Entry], Other]) -> Tensor[Other]:
         """Apply a function to each entry."""
         return Tensor(self.shape, tuple(function(entry) for entry in self.entries))

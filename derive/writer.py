@@ -93,11 +93,8 @@ class Function:
         keywords = ", ".join(f"{symbol.name}: npt.ArrayLike" for symbol in quantity.symbols)
         signature = f"def {quantity.function}(*, {keywords}) -> Floats:"
         if len(signature) > WIDTH:
-            inner = ", ".join(f"{symbol.name}: npt.ArrayLike" for symbol in quantity.symbols)
-            lines = [f"{INDENT}*, {inner}"] if len(inner) + 7 <= WIDTH else [
-                f"{INDENT}*,", *(f"{INDENT}{symbol.name}: npt.ArrayLike," for symbol in quantity.symbols)
-            ]
-            signature = "\n".join([f"def {quantity.function}(", *lines, ") -> Floats:"])
+            lines = (f"{INDENT}{symbol.name}: npt.ArrayLike," for symbol in quantity.symbols)
+            signature = "\n".join([f"def {quantity.function}(", f"{INDENT}*,", *lines, ") -> Floats:"])
         inside = f'"""{docstring(quantity, accuracy)}\n"""\n{self.body}'
         return f"{signature}\n{textwrap.indent(inside, INDENT)}\n"
 
@@ -115,7 +112,7 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols
     ]
     shape = ", ".join(map(str, quantity.shape))
-    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, in {_units(quantity)}."
+    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
     sections = [
         f"{meaning}.",
         "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
@@ -124,12 +121,6 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         "\n".join(textwrap.wrap(f"Accuracy: {accuracy}", WIDTH - 4)),
     ]
     return "\n\n".join(sections)
-
-
-def _units(quantity: Quantity) -> str:
-    """The unit shared by all entries, or those of the entries one by one."""
-    units = [str(quantity.unit(index)) for index, _ in quantity.expression.items()]
-    return units[0] if len(set(units)) == 1 else "[" + ", ".join(units) + "]"
 
 
 def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str, str]) -> str:

@@ -1,5 +1,22 @@
-"""Radar tracking formulas that were derived, not copied: conversion, filters, fusion, simulation, verification."""
+"""Radar tracking formulas that were derived, not copied: conversion, filters, fusion, simulation, verification.
 
-from radartrack import convert
+Parts are loaded when they are first used, so that the command line can restore generated code that is damaged.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from radartrack import convert
 
 __all__ = ["convert"]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return import_module(f"{__name__}.{name}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

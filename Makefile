@@ -1,0 +1,78 @@
+# `make` sets up .venv, derives everything and audits the papers; `make test` sets up what it needs and runs the tests.
+# CONTRIBUTING.md explains the other goals. Another Python: make PYTHON=python3.12
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-build-isolation
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+.PHONY: all test lint format types layers drift notebooks bench installed clean
+.NOTPARALLEL:
+
+all: $(VENV)/.package
+	$(BIN)/radartrack regenerate
+	$(BIN)/radartrack audit
+
+test: $(VENV)/.group-test
+	$(BIN)/python -m pytest -n auto
+
+lint: $(VENV)/.group-lint
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+format: $(VENV)/.group-lint
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+types: $(VENV)/.group-types installed
+	cd build/installed && ../../$(BIN)/mypy --config-file ../../pyproject.toml --package radartrack
+	cd build/installed && MYPYPATH=../.. ../../$(BIN)/mypy --config-file ../../pyproject.toml ../../tests
+
+layers: $(VENV)/.group-layers installed
+	cd build/installed && ../../$(BIN)/lint-imports --config ../../pyproject.toml --no-cache --no-logo
+
+drift: $(VENV)/.package
+	$(BIN)/radartrack regenerate --check
+
+notebooks: $(VENV)/.group-notebooks $(VENV)/.extra-plots
+	$(BIN)/python -m pytest -n auto --nbmake notebooks
+
+bench: $(VENV)/.extra-peers
+	for script in benchmarks/*.py; do $(BIN)/python "$$script" || exit 1; done
+
+clean:
+	rm -rf $(VENV) build *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# Type checkers and import-linter do not follow the mapping of folders to packages in an editable
+# installation, so they read an ordinary one, built from a copy that leaves nothing behind in the tree.
+installed: $(VENV)/.package
+	@rm -rf build
+	@mkdir -p build/source
+	@cp -R LICENSE README.md pyproject.toml derive generated radartrack build/source
+	@$(INSTALL) --no-deps --target build/installed ./build/source
+
+# The package is installed editable: a change of its code needs no second installation.
+$(VENV)/.package: pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
+		echo "radartrack needs Python 3.11 or newer; $(PYTHON) is $$($(PYTHON) --version 2>&1 | tail -n 1)." >&2; \
+		echo "Name another one: make PYTHON=python3.12" >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
+		echo "$(PYTHON) cannot make a virtual environment: it lacks ensurepip or venv." >&2; \
+		echo "On Debian and Ubuntu the package python3-venv has them." >&2; exit 1; }
+	@echo "Setting up $(VENV) with $$($(PYTHON) --version)"
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install -qq --upgrade --constraint constraints.txt pip setuptools
+	@$(INSTALL) --editable .
+	@touch $@
+
+$(VENV)/.group-%: $(VENV)/.package
+	@echo "Installing the dependency group $*"
+	@$(INSTALL) --group $*
+	@touch $@
+
+$(VENV)/.extra-%: $(VENV)/.package
+	@echo "Installing the extra $*"
+	@$(INSTALL) --editable ".[$*]"
+	@touch $@

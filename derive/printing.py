@@ -1,0 +1,79 @@
+"""A quantity for people to read: as text that the formula reader takes back, as LaTeX, and as NumPy code."""
+
+from __future__ import annotations
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.common import with_common_parts
+from radartrack.derive.forms import form_of, readable
+from radartrack.derive.numpy_code import code
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.tensor import Index, Tensor
+
+LATEX_NAMES = {
+    "r": "r",
+    "rdot": r"\dot{r}",
+    "epsilon": r"\varepsilon",
+}
+
+
+def heading(quantity: Quantity) -> list[str]:
+    """Name, meaning, definition, conditioning, source, and the symbols with their units."""
+    return [
+        f"{quantity.name}: {quantity.meaning}",
+        f"definition:   {quantity.word}",
+        f"conditioning: {quantity.conditioning.value}",
+        f"source:       {quantity.source}",
+        f"unit:         {quantity.unit_text}",
+        *(f"{symbol.name}: {symbol.meaning} [{symbol.unit}]" for symbol in quantity.symbols),
+    ]
+
+
+def text(quantity: Quantity, index: Index | None = None) -> str:
+    """The formula as the checker reads it; a whole tensor as nested lists."""
+    entries = readable(quantity)
+    return _nested(entries) if index is None else str(entries[index])
+
+
+def latex(quantity: Quantity, index: Index | None = None) -> str:
+    """The formula typeset; vectors and matrices as such, higher tensors as a row of matrices."""
+    names = {symbol: latex_name(symbol) for symbol in quantity.symbols}
+    entries = readable(quantity)
+    if index is not None or not quantity.shape:
+        return sp.latex(entries[index or ()], symbol_names=names)
+    return _matrix(entries.map(lambda entry: sp.latex(entry, symbol_names=names)))
+
+
+def python(quantity: Quantity, index: Index | None = None) -> str:
+    """NumPy statements; the last ones compute the entries asked for."""
+    form = form_of(quantity)
+    wanted = form.entries if index is None else Tensor((), (form.entries[index],))
+    definitions, results = with_common_parts(form.only(wanted).definitions, wanted)
+    lines = [f"{symbol.name} = {code(definition)}" for symbol, definition in definitions.items()]
+    return "\n".join([*lines, f"result = {_nested(Tensor(wanted.shape, tuple(results)).map(code))}"])
+
+
+def latex_name(symbol: Symbol) -> str:
+    """A symbol as printed in the literature: sigma_r, rdot, predicted_sigma_beta."""
+    first, _, rest = symbol.name.partition("_")
+    if first == "predicted":
+        return f"{latex_name(sp.Symbol(rest))}^{{p}}"
+    base = LATEX_NAMES.get(first, sp.latex(sp.Symbol(first)))
+    return f"{base}_{{{latex_name(sp.Symbol(rest))}}}" if rest else base
+
+
+def _matrix(entries: Tensor[str]) -> str:
+    """The last axis along the row; leading axes beyond the second as one matrix after another."""
+    if len(entries.shape) > 2:
+        return " \\quad\n".join(_matrix(part) for part in entries.parts())
+    rows = [" & ".join(row.entries) for row in entries.parts()] if len(entries.shape) == 2 else entries.entries
+    body = " \\\\\n".join(rows)
+    return f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
+
+
+def _nested(entries: Tensor[Expr] | Tensor[str], level: int = 0) -> str:
+    """Nested lists, one row a line."""
+    if not entries.shape:
+        return str(entries.entries[0])
+    gap = ",\n" + " " * (level + 1)
+    return f"[{gap.join(_nested(part, level + 1) for part in entries.parts())}]"

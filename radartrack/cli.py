@@ -1,0 +1,19 @@
+"""The command line."""
+
+from __future__ import annotations
+
+import typer
+
+from radartrack.commands.list_quantities import list_quantities
+from radartrack.commands.regenerate import regenerate
+from radartrack.commands.show import show
+
+app = typer.Typer(
+    name="radartrack",
+    help="Derive, generate, verify and check the formulas of radar tracking.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+app.command()(regenerate)
+app.command(name="list")(list_quantities)
+app.command()(show)

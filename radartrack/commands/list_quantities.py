@@ -1,0 +1,36 @@
+"""`radartrack list`: the names of all quantities, with shapes, units and sources."""
+
+from __future__ import annotations
+
+from fnmatch import fnmatchcase
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+WIDTH = 120  # names and units are never cut; a narrower terminal wraps
+
+
+def list_quantities(
+    pattern: Annotated[str, typer.Argument(help="Part of a name, or a pattern such as 'polar.*.linear'.")] = "*",
+) -> None:
+    """List the quantities whose name holds PATTERN."""
+    from radartrack.derive.catalogue import catalogue
+
+    wanted = pattern if any(sign in pattern for sign in "*?[") else f"*{pattern}*"
+    found = [quantity for quantity in catalogue().values() if fnmatchcase(quantity.name, wanted)]
+    if not found:
+        typer.echo(f"No quantity's name holds {pattern!r}.", err=True)
+        raise typer.Exit(1)
+    table = Table(box=None, pad_edge=False)
+    for heading in ("name", "shape", "unit"):
+        table.add_column(heading, no_wrap=True)
+    table.add_column("meaning and source", overflow="fold")
+    for quantity in found:
+        shape = "×".join(map(str, quantity.shape)) or "scalar"
+        meaning = f"{quantity.meaning} ({quantity.source})"
+        table.add_row(quantity.name, shape, *map(escape, (quantity.unit_text, meaning)))
+    console = Console()
+    console.print(table, width=max(console.width, WIDTH))

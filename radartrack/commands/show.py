@@ -1,0 +1,34 @@
+"""`radartrack show`: one formula, its symbols, its source."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+
+class Format(StrEnum):
+    """How a formula is printed."""
+
+    TEXT = "text"
+    LATEX = "latex"
+    PYTHON = "python"
+
+
+COMMENT = {Format.TEXT: "", Format.LATEX: "% ", Format.PYTHON: "# "}
+
+
+def show(
+    name: Annotated[str, typer.Argument(help="A quantity, or one entry of it: 'polar.covariance.averaged[0,0]'.")],
+    format: Annotated[Format, typer.Option(help="How to print it.")] = Format.TEXT,
+) -> None:
+    """Show one formula, its symbols, its conditioning and its source."""
+    from radartrack.commands import quantity_name
+    from radartrack.derive import printing
+
+    quantity, index = quantity_name.read(name)
+    for line in printing.heading(quantity):
+        typer.echo(f"{COMMENT[format]}{line}")
+    formula = {Format.TEXT: printing.text, Format.LATEX: printing.latex, Format.PYTHON: printing.python}[format]
+    typer.echo(f"\n{formula(quantity, index)}")

@@ -1,0 +1,176 @@
+"""Derives everything, writes the generated modules with their measured accuracy, and compares them with the disk."""
+
+from __future__ import annotations
+
+import difflib
+import importlib.util
+import json
+import math
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from radartrack.derive.forms import form_of
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.writer import Function, module_text
+from radartrack.directory_swap import replace_directory
+from radartrack.verification.sampling import sample
+from radartrack.verification.ulp import errors
+
+RECORD = "accuracy.json"
+POINTS = 2000
+PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
+
+Files = dict[str, str]
+Step = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """What was measured of one function: the digest of its code, and the largest error in ulp."""
+
+    code: str
+    ulp: float
+
+    @property
+    def sentence(self) -> str:
+        """For the docstring."""
+        if math.isnan(self.ulp):
+            return "not measured."
+        return (
+            f"at most {self.ulp:g} ulp from 50-digit arithmetic at {POINTS} points of this domain "
+            "(float64, independent errors)."
+        )
+
+
+def source_directory() -> Path | None:
+    """`generated/` of the source checkout that this package is imported from; None for an installed wheel."""
+    here = importlib.util.find_spec("radartrack.generated")
+    places = list(here.submodule_search_locations or ()) if here else []
+    folder = Path(places[0]) if places else Path()
+    is_checkout = folder.name == "generated" and (folder.parent / "pyproject.toml").exists()
+    return folder if is_checkout else None
+
+
+def derive(quantities: Iterable[Quantity], step: Step) -> list[Function]:
+    """The functions of all quantities; `step` is told each name as its turn comes."""
+    functions = []
+    for quantity in quantities:
+        step(quantity.name)
+        functions.append(Function(quantity, form_of(quantity)))
+    return functions
+
+
+def read_record(directory: Path) -> dict[str, Accuracy]:
+    """The accuracy measured before, by quantity; empty where there is none or it cannot be read."""
+    try:
+        stored = json.loads((directory / RECORD).read_text())
+        return {name: Accuracy(str(row["code"]), float(row["ulp"])) for name, row in stored.items()}
+    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+        return {}
+
+
+def as_recorded(functions: Iterable[Function], record: Mapping[str, Accuracy]) -> dict[str, Accuracy]:
+    """The accuracy of each function where the record knows exactly this code; else it is NaN, not measured."""
+    return {
+        f.quantity.name: record[f.quantity.name]
+        if f.quantity.name in record and record[f.quantity.name].code == f.digest
+        else Accuracy(f.digest, math.nan)
+        for f in functions
+    }
+
+
+def with_measured(functions: Iterable[Function], known: Mapping[str, Accuracy], step: Step) -> dict[str, Accuracy]:
+    """The same with the missing measurements made."""
+    by_name = {function.quantity.name: function for function in functions}
+    record = as_recorded(by_name.values(), known)
+    missing = [by_name[name] for name, accuracy in record.items() if math.isnan(accuracy.ulp)]
+    with tempfile.TemporaryDirectory() as folder:
+        modules = _load(_modules(missing, record), Path(folder))
+        for function in missing:
+            quantity = function.quantity
+            step(f"{quantity.name}: measuring")
+            record[quantity.name] = Accuracy(function.digest, measure(modules[quantity.module], quantity))
+    return record
+
+
+def measure(module: ModuleType, quantity: Quantity) -> float:
+    """The largest error over random points, rounded up to half an ulp."""
+    found = errors(getattr(module, quantity.function), quantity, sample(quantity, POINTS)).max()
+    return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
+
+
+def texts(functions: list[Function], record: Mapping[str, Accuracy]) -> Files:
+    """The files of the generated package."""
+    rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
+    return {
+        "__init__.py": PACKAGE,
+        "py.typed": "",
+        RECORD: json.dumps(rows, indent=1) + "\n",
+        **_modules(functions, record),
+    }
+
+
+def differences(directory: Path, expected: Files) -> Iterator[str]:
+    """What stands on disk against what the derivations give, file by file, as unified diffs."""
+    on_disk = {path.name: path for path in sorted(directory.glob("*")) if path.name != "__pycache__"}
+    for name in sorted(expected.keys() | on_disk.keys()):
+        if name not in expected:
+            yield f"{name}: no derivation owns this file\n"
+        elif name not in on_disk:
+            yield f"{name}: missing\n"
+        else:
+            yield _difference(on_disk[name], expected[name])
+
+
+def write(directory: Path, files: Files) -> None:
+    """Replace the directory in one step: whoever looks sees the old set or the new one."""
+
+    def fill(folder: Path) -> None:
+        for name, text in files.items():
+            (folder / name).write_text(text, newline="\n")
+
+    replace_directory(directory, fill)
+
+
+def _difference(path: Path, expected: str) -> str:
+    try:
+        found = path.read_bytes().decode()
+    except (OSError, UnicodeDecodeError) as error:
+        return f"{path.name}: cannot be read ({error})\n"
+    lines = difflib.unified_diff(
+        found.splitlines(keepends=True), expected.splitlines(keepends=True), f"{path.name} on disk", "as derived"
+    )
+    shown = "".join(line if line.endswith("\n") else f"{line}\n" for line in lines)
+    return shown or ("" if found == expected else f"{path.name}: line endings differ\n")
+
+
+def _modules(functions: Iterable[Function], record: Mapping[str, Accuracy]) -> Files:
+    by_module: dict[str, list[Function]] = {}
+    for function in functions:
+        by_module.setdefault(function.quantity.module, []).append(function)
+    sentences = {name: accuracy.sentence for name, accuracy in record.items()}
+    return {f"{name}.py": module_text(_title(name), group, sentences) for name, group in by_module.items()}
+
+
+def _title(module: str) -> str:
+    return f"NumPy functions of the quantities {module}.*"
+
+
+def _load(files: Files, folder: Path) -> dict[str, ModuleType]:
+    modules: dict[str, ModuleType] = {}
+    for name, text in files.items():
+        path = folder / name
+        path.write_text(text)
+        spec = importlib.util.spec_from_file_location(f"_measured_{path.stem}", path)
+        modules[path.stem] = _executed(spec)
+    return modules
+
+
+def _executed(spec: Any) -> ModuleType:
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

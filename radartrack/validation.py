@@ -1,0 +1,183 @@
+"""How public functions check their arguments.
+
+Every error names the argument, what was given and what is allowed. `TypeError` is for what is no real number:
+strings, complex numbers, None, other objects, and bool, which beside ranges and angles is nearly always a
+mistake. `ValueError` is for a number out of place. Whatever NumPy reads as an array is welcome (lists, pandas
+Series), a masked array as long as none of its entries is masked.
+
+The computation is in float32 where every array given is float32, and otherwise in float64, also for integers
+and float16. Python's own int and float adapt to the arrays beside them, as they do in NumPy.
+"""
+
+import difflib
+import math
+import reprlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+RealArray: TypeAlias = NDArray[np.floating[Any]]
+Choice = TypeVar("Choice", bound=str)
+
+
+@dataclass(frozen=True, slots=True)
+class Domain:
+    """The interval that an argument may come from.
+
+    It ends at `largest`, in float32 at `largest_single`; it begins at 0 or, where signed, at the negative.
+    """
+
+    unit: str
+    largest: float
+    largest_single: float
+    reason: str
+    signed: bool = False
+
+    def bounds(self, dtype: np.dtype[Any]) -> tuple[float, float]:
+        """The least and the largest value in arrays of this type."""
+        largest = self.largest_single if dtype == np.float32 else self.largest
+        return (-largest if self.signed else 0.0), largest
+
+    def describe(self, dtype: np.dtype[Any]) -> str:
+        """The interval in words."""
+        low, high = self.bounds(dtype)
+        return f"from {low:.7g} to {high:.7g}{self.unit} in {dtype} ({self.reason})"
+
+
+RANGE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
+ANGLE = Domain(" rad", 1e6, 1e3, "rounding blurs the direction of a larger angle", signed=True)
+ANGLE_STD = Domain(
+    " rad", math.pi, math.pi, "a wrapped angle with a larger deviation says nothing about direction"
+)
+CORRELATION = Domain("", 1.0, 1.0, "no correlation is larger", signed=True)
+
+
+def one_of(name: str, given: str, allowed: Iterable[Choice]) -> Choice:
+    """Find the allowed word that was given.
+
+    Raises:
+        TypeError: it is no string.
+        ValueError: it is none of the allowed words, which the message lists, the closest first.
+
+    """
+    words = list(allowed)
+    if not isinstance(given, str):
+        raise TypeError(f"{name} must be one of {words}; got {_shown(given)}")
+    for word in words:
+        if word == given:
+            return word
+    words.sort(key=lambda word: difflib.SequenceMatcher(None, given.lower(), word).ratio(), reverse=True)
+    raise ValueError(f"{name} must be one of {words}; got {given!r}")
+
+
+def real_arrays(given: Mapping[str, ArrayLike]) -> dict[str, RealArray]:
+    """Read the arguments, by name, as arrays of the one type in which to compute, float64 or float32.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is ragged, has masked entries, or is too large for the type.
+
+    """
+    arrays = {name: _array(name, value) for name, value in given.items()}
+    typed = [arrays[name].dtype for name, value in given.items() if type(value) not in {int, float}]
+    single = bool(typed) and all(dtype.newbyteorder("=") == np.float32 for dtype in typed)
+    return {name: _cast(name, array, np.dtype("f4" if single else "f8")) for name, array in arrays.items()}
+
+
+def require_within(name: str, values: RealArray, domain: Domain) -> None:
+    """Check that all values are finite and in the domain.
+
+    Raises:
+        ValueError: some are not; the message says how many, and which is the first.
+
+    """
+    low, high = domain.bounds(values.dtype)
+    # One pass each over a million plots: a NaN passes through min and max, and compares false.
+    if values.size and not (values.min() >= low and values.max() <= high):
+        _require(name, values, "finite", np.isfinite(values))
+        _require(name, values, domain.describe(values.dtype), (values >= low) & (values <= high))
+
+
+def require_trailing_shape(name: str, values: RealArray, shape: tuple[int, ...]) -> None:
+    """Check the lengths of the last axes.
+
+    Raises:
+        ValueError: they differ.
+
+    """
+    if values.shape[-len(shape) :] != shape:
+        raise ValueError(f"{name} must have shape (..., {str(shape).strip('(,)')}); got shape {values.shape}")
+
+
+def require_covariance(name: str, matrices: RealArray) -> None:
+    """Check an array (..., 2, 2) of covariance matrices.
+
+    Rounding may make a matrix asymmetric, or a correlation larger than one, by the square root of the machine
+    precision, relative to the product of the standard deviations.
+
+    Raises:
+        ValueError: an entry is not finite, a variance is negative, or a matrix is, beyond rounding, not
+            symmetric or not positive semidefinite.
+
+    """
+    _require(name, matrices, "finite", np.isfinite(matrices))
+    first, second = matrices[..., 0, 0], matrices[..., 1, 1]
+    _require(name, matrices, "without a negative variance", (first >= 0) & (second >= 0))
+    scale = np.sqrt(first) * np.sqrt(second)
+    tolerance = math.sqrt(np.finfo(matrices.dtype).eps)
+    upper, lower = matrices[..., 0, 1], matrices[..., 1, 0]
+    _require(name, matrices, "symmetric", np.abs(upper - lower) <= tolerance * scale)
+    _require(name, matrices, "positive semidefinite", np.abs(upper) <= (1 + tolerance) * scale)
+
+
+def broadcast_shape(arrays: Mapping[str, RealArray]) -> tuple[int, ...]:
+    """Find the shape that arrays, by name, broadcast to.
+
+    Raises:
+        ValueError: they do not; the message names the shape of each.
+
+    """
+    try:
+        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"the shapes must broadcast; got {shapes}") from None
+
+
+def _array(name: str, value: object) -> NDArray[Any]:
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        masked = np.count_nonzero(np.ma.getmaskarray(value))
+        raise ValueError(f"{name} must have no masked entries; got {masked} among {value.size}")
+    try:
+        array = np.asarray(float(value) if type(value) is int else value)
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"{name} must be a number or an array; got {_shown(value)}: {error}") from error
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
+    return array
+
+
+def _cast(name: str, array: NDArray[Any], dtype: np.dtype[Any]) -> RealArray:
+    try:
+        with np.errstate(over="raise", under="ignore"):
+            return array.astype(dtype, copy=False)
+    except FloatingPointError:
+        limit, largest = np.finfo(dtype).max, np.abs(array).max()
+        raise ValueError(f"{name} must be at most {limit:.7g} to compute in {dtype}; got {largest}") from None
+
+
+def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.bool_]) -> None:
+    if fulfilled.all():
+        return
+    first = np.unravel_index(np.argmin(fulfilled), fulfilled.shape)
+    failing = np.count_nonzero(~fulfilled)
+    index = ", ".join(map(str, first))
+    place = f" at [{index}], the first of {failing} among {fulfilled.size}" if first else ""
+    raise ValueError(f"{name} must be {allowed}; got {values[first].tolist()}{place}")
+
+
+def _shown(value: object) -> str:
+    return f"{reprlib.repr(value)} ({type(value).__name__})"

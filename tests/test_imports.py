@@ -1,0 +1,60 @@
+"""`import radartrack` needs NumPy alone and costs little more; generated code needs nothing else either."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+HEAVY = ("lark", "mpmath", "rich", "scipy", "sympy", "typer")
+SECONDS = "import time; before = time.process_time(); import {}; print(time.process_time() - before)"
+
+
+def run(code: str) -> str:
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+
+
+def imported(source: str) -> set[str]:
+    """The modules that Python code names in its import statements, relative ones with their dots."""
+    names = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        if isinstance(node, ast.ImportFrom):
+            names.add("." * node.level + (node.module or ""))
+    return names
+
+
+@pytest.mark.parametrize("package", HEAVY)
+def test_importing_radartrack_loads_nothing_that_only_commands_need(package: str) -> None:
+    assert run(f"import radartrack, sys; print({package!r} in sys.modules)").strip() == "False"
+
+
+def test_the_heavy_packages_are_noticed_when_they_are_loaded() -> None:
+    assert run("import radartrack.derive.symbolic, sys; print('sympy' in sys.modules)").strip() == "True"
+
+
+def test_importing_radartrack_costs_less_than_one_and_a_half_times_numpy() -> None:
+    """Compares the least processor time seen: noise only adds, so more samples settle a noisy verdict."""
+    numpy: list[float] = []
+    radartrack: list[float] = []
+    while len(numpy) < 5 or (min(radartrack) >= 1.5 * min(numpy) and len(numpy) < 30):
+        numpy.append(float(run(SECONDS.format("numpy"))))
+        radartrack.append(float(run(SECONDS.format("radartrack"))))
+    assert min(radartrack) < 1.5 * min(numpy)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "generated").rglob("*.py")), ids=lambda path: path.name)
+def test_generated_code_imports_numpy_alone(path: Path) -> None:
+    assert imported(path.read_text(encoding="utf-8")) <= {"__future__", "numpy"}
+
+
+def test_every_kind_of_import_is_seen() -> None:
+    assert imported("import a.b\nfrom c import d\ndef f():\n    from . import e\n    from .g import h") == {
+        "a.b",
+        "c",
+        ".",
+        ".g",
+    }
