@@ -50,6 +50,7 @@ class Quantity:
         derivation: derives the formula; called at most once.
         word: the definition as a word in the operator, or in plain terms.
         rewriting: how it is written for floating point where the general rewriting does not serve.
+        common_unit: a factor of the unit of every entry; the unit of a scalar.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Quantity:
     word: str
     derivation: Callable[[], Tensor[Expr]] = field(repr=False, compare=False)
     rewriting: Callable[[], StableForm] | None = field(default=None, repr=False, compare=False)
+    common_unit: Unit = ONE
 
     @property
     def shape(self) -> Index:
@@ -96,4 +98,4 @@ class Quantity:
 
     def unit(self, index: Index) -> Unit:
         """The unit of one entry."""
-        return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), ONE)
+        return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), self.common_unit)

@@ -59,6 +59,8 @@ class Function:
     @cached_property
     def body(self) -> str:
         """The statements, without the docstring."""
+        if not self.quantity.symbols:
+            return f"return np.asarray({code(self.form.entries[()])})[()]"
         definitions, results = with_common_parts(self.form.definitions, self.form.entries)
         names = [symbol.name for symbol in self.quantity.symbols]
         arguments = ", ".join(names)
@@ -91,7 +93,7 @@ class Function:
         """The whole function, its measured accuracy in the docstring."""
         quantity = self.quantity
         keywords = ", ".join(f"{symbol.name}: npt.ArrayLike" for symbol in quantity.symbols)
-        signature = f"def {quantity.function}(*, {keywords}) -> Floats:"
+        signature = f"def {quantity.function}({'*, ' if keywords else ''}{keywords}) -> Floats:"
         if len(signature) > WIDTH:
             lines = (f"{INDENT}{symbol.name}: npt.ArrayLike," for symbol in quantity.symbols)
             signature = "\n".join([f"def {quantity.function}(", f"{INDENT}*,", *lines, ") -> Floats:"])
@@ -116,7 +118,7 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
     sections = [
         f"{meaning}.",
         "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
-        "\n".join(["Args:", *arguments]),
+        *(["\n".join(["Args:", *arguments])] if arguments else []),
         "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
         "\n".join(textwrap.wrap(f"Accuracy: {accuracy}", WIDTH - 4)),
     ]

@@ -21,9 +21,10 @@ def errors(function: Callable[..., Any], quantity: Quantity, points: Points) -> 
     A variance is measured against itself, a covariance against √(c_ii c_jj), any other entry against the norm of the
     entries that share its unit.
     """
-    computed = np.asarray(function(**points), dtype=np.float64)
+    computed = np.asarray(function(**points), dtype=np.float64).reshape(-1, *quantity.shape)
     evaluator = Evaluator(quantity.expression, quantity.symbols)
-    rows = zip(*(points[symbol.name].tolist() for symbol in quantity.symbols), strict=True)
+    columns = [points[symbol.name].tolist() for symbol in quantity.symbols]
+    rows = zip(*columns, strict=True) if columns else [()]
     return np.array([_error(quantity, computed[n], evaluator(row)) for n, row in enumerate(rows)])
 
 
