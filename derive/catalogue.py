@@ -6,10 +6,16 @@ from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 from functools import cache
 
-from radartrack.derive import conversion
+from radartrack.derive import conversion, fusion, line, regression, straight_track
 from radartrack.derive.quantity import Quantity
 
-FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (conversion.quantities,)
+FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
+    conversion.quantities,
+    line.quantities,
+    regression.quantities,
+    straight_track.quantities,
+    fusion.quantities,
+)
 
 
 class UnknownQuantity(KeyError):

@@ -115,12 +115,13 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
     ]
     shape = ", ".join(map(str, quantity.shape))
     returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
+    against = " Errors are measured against the sizes of the terms." if quantity.is_difference else ""
     sections = [
         f"{meaning}.",
         "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
         *(["\n".join(["Args:", *arguments])] if arguments else []),
         "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
-        "\n".join(textwrap.wrap(f"Accuracy: {accuracy}", WIDTH - 4)),
+        "\n".join(textwrap.wrap(f"Accuracy: {accuracy}{against}", WIDTH - 4)),
     ]
     return "\n\n".join(sections)
 

@@ -10,29 +10,44 @@ import mpmath
 import numpy as np
 
 from radartrack.derive.evaluation import Evaluator
+from radartrack.derive.forms import form_of
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.tensor import Index, Tensor
+from radartrack.derive.term_sizes import term_sizes
 from radartrack.verification.sampling import Points
 
 
-def errors(function: Callable[..., Any], quantity: Quantity, points: Points) -> np.ndarray[Any, np.dtype[np.float64]]:
+def errors(
+    function: Callable[..., Any], quantity: Quantity, points: Points
+) -> np.ndarray[Any, np.dtype[np.float64]]:
     """The largest error of any entry at each point, in ulp of what the entry is measured against.
 
-    A variance is measured against itself, a covariance against √(c_ii c_jj), any other entry against the norm of the
-    entries that share its unit.
+    A variance is measured against itself, a covariance against √(c_ii c_jj), any other entry against the norm
+    of the entries that share its unit, and an entry of a difference against the sizes of its terms.
     """
     computed = np.asarray(function(**points), dtype=np.float64).reshape(-1, *quantity.shape)
     evaluator = Evaluator(quantity.expression, quantity.symbols)
+    scales = _scales(quantity)
     columns = [points[symbol.name].tolist() for symbol in quantity.symbols]
     rows = zip(*columns, strict=True) if columns else [()]
-    return np.array([_error(quantity, computed[n], evaluator(row)) for n, row in enumerate(rows)])
+    exact = ((row, evaluator(row)) for row in rows)
+    return np.array([_error(computed[n], value, scales(row, value)) for n, (row, value) in enumerate(exact)])
 
 
-def _error(quantity: Quantity, computed: Any, exact: Tensor[Any]) -> float:
-    by_index = dict(exact.items())
+def _error(computed: Any, exact: Tensor[Any], scales: Tensor[float]) -> float:
+    entries = zip(exact.items(), scales, strict=True)
     return max(
-        _ulps(computed[index] if index else computed, value, _scale(quantity, index, by_index))
-        for index, value in by_index.items()
+        _ulps(computed[index] if index else computed, value, scale) for (index, value), scale in entries
+    )
+
+
+def _scales(quantity: Quantity) -> Callable[[tuple[float, ...], Tensor[Any]], Tensor[float]]:
+    """What the entries are measured against, as a function of the point and the exact values there."""
+    if quantity.is_difference:
+        sizes = Evaluator(form_of(quantity).expanded().map(term_sizes), quantity.symbols)
+        return lambda row, _: sizes(row).map(float)
+    return lambda _, exact: Tensor.build(
+        exact.shape, lambda *index: _scale(quantity, index, dict(exact.items()))
     )
 
 
