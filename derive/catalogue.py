@@ -6,7 +6,15 @@ from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 from functools import cache
 
-from radartrack.derive import conversion, fusion, line, regression, straight_track
+from radartrack.derive import (
+    conversion,
+    finite_sample_quantities,
+    fusion,
+    kinematics,
+    line,
+    regression,
+    straight_track,
+)
 from radartrack.derive.quantity import Quantity
 
 FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
@@ -15,6 +23,8 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     regression.quantities,
     straight_track.quantities,
     fusion.quantities,
+    finite_sample_quantities.quantities,
+    kinematics.quantities,
 )
 
 

@@ -8,11 +8,16 @@ over the rational functions, and those of different rational constants over the 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
+from operator import mul
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
 Terms = Mapping[PolyElement, PolyElement]
+
+
+Known = Mapping[Symbol, "ExponentialPolynomial"]
 
 
 class NotExponentialPolynomial(ValueError):
@@ -39,13 +44,18 @@ class ExponentialPolynomial:
         return cls(ring, {ring.zero: value})
 
     @classmethod
-    def read(cls, expression: Expr, ring: PolyRing) -> ExponentialPolynomial:
+    def read(cls, expression: Expr, ring: PolyRing, known: Known | None = None) -> ExponentialPolynomial:
         """Read a SymPy expression.
+
+        Args:
+            expression: what to read.
+            ring: over its symbols.
+            known: values of symbols that are no generators of the ring.
 
         Raises:
             NotExponentialPolynomial: when it is not one, for example a quotient or a root.
         """
-        return _read(expression, ring)
+        return _Reader(ring, known or {}).read(expression)
 
     def __add__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
         terms = dict(self.terms)
@@ -70,10 +80,11 @@ class ExponentialPolynomial:
     def __pow__(self, exponent: int) -> ExponentialPolynomial:
         if exponent < 0:
             return self._inverse() ** -exponent
-        power = ExponentialPolynomial.constant(self.ring, self.ring.one)
-        for _ in range(exponent):
-            power = power * self
-        return power
+        if len(self.terms) == 1:
+            ((growth, coefficient),) = self.terms.items()
+            return ExponentialPolynomial(self.ring, {growth * exponent: coefficient**exponent})
+        one = ExponentialPolynomial.constant(self.ring, self.ring.one)
+        return reduce(mul, [self] * exponent, one)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ExponentialPolynomial) and self.terms == other.terms
@@ -86,7 +97,7 @@ class ExponentialPolynomial:
 
     def scale(self, factor: Expr) -> ExponentialPolynomial:
         """Multiply by a number or polynomial given as an expression."""
-        return self * _read(factor, self.ring)
+        return self * ExponentialPolynomial.read(factor, self.ring)
 
     def differentiate(self, symbol: Symbol) -> ExponentialPolynomial:
         """Partial derivative."""
@@ -140,23 +151,36 @@ def _order(exponent: PolyElement) -> list[tuple[tuple[int, ...], str]]:
     return [(monomial, str(coefficient)) for monomial, coefficient in exponent.terms()]
 
 
-def _read(expression: Expr, ring: PolyRing) -> ExponentialPolynomial:
-    if isinstance(expression, sp.Add):
-        total = ExponentialPolynomial(ring, {})
-        for argument in expression.args:
-            total = total + _read(argument, ring)
-        return total
-    if isinstance(expression, sp.Mul):
-        product = ExponentialPolynomial.constant(ring, ring.one)
-        for argument in expression.args:
-            product = product * _read(argument, ring)
-        return product
-    if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
-        return _read(expression.base, ring) ** int(expression.exp)
-    reader = _FUNCTIONS.get(expression.func)
-    if reader is not None:
-        return reader(_exponent(expression.args[0], ring))
-    return ExponentialPolynomial.constant(ring, _atom(expression, ring))
+class _Reader:
+    """Reads expressions over one ring, each subexpression once."""
+
+    def __init__(self, ring: PolyRing, known: Known) -> None:
+        self.ring = ring
+        self.values: dict[Expr, ExponentialPolynomial] = dict(known)
+
+    def read(self, expression: Expr) -> ExponentialPolynomial:
+        if expression not in self.values:
+            self.values[expression] = self._read(expression)
+        return self.values[expression]
+
+    def _read(self, expression: Expr) -> ExponentialPolynomial:
+        ring = self.ring
+        if isinstance(expression, sp.Add):
+            return sum(map(self.read, expression.args), ExponentialPolynomial(ring, {}))
+        if isinstance(expression, sp.Mul):
+            return reduce(mul, map(self.read, expression.args))
+        if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
+            return self.read(expression.base) ** int(expression.exp)
+        build = _FUNCTIONS.get(expression.func)
+        if build is not None:
+            return build(self._exponent(expression.args[0]))
+        return ExponentialPolynomial.constant(ring, _atom(expression, ring))
+
+    def _exponent(self, argument: Expr) -> PolyElement:
+        value = self.read(argument)
+        if any(value.terms.keys() - {self.ring.zero}):
+            raise NotExponentialPolynomial(f"{argument} inside a function is not a polynomial")
+        return value.terms.get(self.ring.zero, self.ring.zero)
 
 
 def _atom(expression: Expr, ring: PolyRing) -> PolyElement:
@@ -167,13 +191,6 @@ def _atom(expression: Expr, ring: PolyRing) -> PolyElement:
     if isinstance(expression, sp.ImaginaryUnit):
         return ring(sp.QQ_I(0, 1))
     raise NotExponentialPolynomial(f"{expression} is not a polynomial times sines, cosines and exponentials")
-
-
-def _exponent(argument: Expr, ring: PolyRing) -> PolyElement:
-    value = _read(argument, ring)
-    if any(value.terms.keys() - {ring.zero}):
-        raise NotExponentialPolynomial(f"{argument} inside a function is not a polynomial")
-    return value.terms.get(ring.zero, ring.zero)
 
 
 def _combination(

@@ -7,6 +7,7 @@ from functools import cache
 from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import NotExponentialPolynomial
 from radartrack.derive.quantity import Quantity
+from radartrack.derive.rational import NotRational, is_zero
 from radartrack.derive.stable import NotProved, StableForm, stable_form
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
@@ -44,6 +45,12 @@ def _without_expm1(expression: Expr) -> Expr:
 
 def _prove(form: StableForm, derived: Tensor[Expr]) -> None:
     for rewritten, expected in zip(form.expanded(), derived, strict=True):
-        difference = sp.cancel(rewritten - expected)
-        if difference != sp.Integer(0):
-            raise NotProved(f"{rewritten} is not equal to {expected}: the difference is {difference}")
+        if not _vanishes(rewritten - expected):
+            raise NotProved(f"{rewritten} is not equal to {expected}")
+
+
+def _vanishes(expression: Expr) -> bool:
+    try:
+        return is_zero(expression)
+    except NotRational:
+        return sp.cancel(expression) == sp.Integer(0)

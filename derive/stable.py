@@ -14,9 +14,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from fractions import Fraction
+from functools import lru_cache, reduce
 from itertools import chain, product
-from math import gcd, lcm
+from math import gcd, lcm, prod
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import ExponentialPolynomial, ring_over, split
@@ -25,9 +26,10 @@ from radartrack.derive.tensor import Index, Tensor
 
 Monomial = tuple[int, ...]
 Spectrum = dict[Expr, Expr]
-Rational = sp.Rational
+Factored = tuple[PolyElement, PolyElement]
 HEADROOM = 3
 GRID = 8
+ELEVATIONS = 3
 
 
 class NotProved(AssertionError):
@@ -69,17 +71,17 @@ class Wave:
     """The cosine and sine of a multiple of an angle."""
 
     angle: Symbol
-    step: Rational
+    step: Fraction
     cosine: Symbol
     sine: Symbol
 
     @classmethod
-    def of(cls, angle: Symbol, step: Rational) -> Wave:
+    def of(cls, angle: Symbol, step: Fraction) -> Wave:
         name = angle.name if step == 1 else f"{angle.name}_times_{step}".replace("/", "_over_")
         return cls(angle, step, sp.Symbol(f"cos_{name}", real=True), sp.Symbol(f"sin_{name}", real=True))
 
     def definitions(self) -> dict[Symbol, Expr]:
-        argument = self.step * self.angle
+        argument = sp.Rational(self.step) * self.angle
         return {self.cosine: sp.cos(argument), self.sine: sp.sin(argument)}
 
 
@@ -89,21 +91,22 @@ class Decay:
 
     variance: Monomial
     product: Expr
-    step: Rational
+    step: Fraction
     attenuation: Symbol
     shortfall: Symbol
 
     @classmethod
-    def of(cls, variance: Monomial, product: Expr, step: Rational) -> Decay:
+    def of(cls, variance: Monomial, product: Expr, step: Fraction) -> Decay:
         name = "_".join(symbol.name.replace("sigma_", "") for symbol in sorted(product.free_symbols, key=str))
         attenuation = sp.Symbol(f"attenuation_{name}", positive=True)
         return cls(variance, product, step, attenuation, sp.Symbol(f"shortfall_{name}", real=True))
 
     def definitions(self) -> dict[Symbol, Expr]:
-        exponent = -self.step * self.product
+        exponent = -sp.Rational(self.step) * self.product
         return {self.attenuation: sp.exp(exponent), self.shortfall: -expm1(exponent)}
 
 
+@lru_cache(maxsize=256)
 def stable_form(entries: Tensor[Expr]) -> StableForm:
     """Rewrite a tensor of exponential polynomials.
 
@@ -114,7 +117,7 @@ def stable_form(entries: Tensor[Expr]) -> StableForm:
     ring = ring_over(symbol for entry in entries for symbol in entry.free_symbols)
     values = entries.map(lambda entry: ExponentialPolynomial.read(entry, ring))
     rewriter = _Rewriter(ring, values)
-    spectra = values.map(rewriter.spectrum)
+    spectra = values.map_distinct(rewriter.spectrum)
     amplitudes = _Amplitudes(spectra)
     rewritten = spectra.map(amplitudes.entry)
     form = StableForm(rewriter.definitions() | amplitudes.definitions, rewritten).only(rewritten)
@@ -123,9 +126,13 @@ def stable_form(entries: Tensor[Expr]) -> StableForm:
 
 
 def _prove(form: StableForm, values: Tensor[ExponentialPolynomial], ring: PolyRing) -> None:
-    for expression, value in zip(form.expanded(), values, strict=True):
-        if ExponentialPolynomial.read(expression, ring) != value:
-            raise NotProved(f"{expression} was rewritten from {value.expression()} and is not equal to it")
+    known: dict[Symbol, ExponentialPolynomial] = {}
+    for symbol, definition in form.definitions.items():
+        known[symbol] = ExponentialPolynomial.read(definition, ring, known)
+    expanded = form.entries.map_distinct(lambda entry: ExponentialPolynomial.read(entry, ring, known))
+    for entry, found, value in zip(form.entries, expanded, values, strict=True):
+        if found != value:
+            raise NotProved(f"{entry} was rewritten from {value.expression()} and is not equal to it")
 
 
 class _Amplitudes:
@@ -176,14 +183,14 @@ class _Rewriter:
         self.ring = ring
         frequencies = [[split(exponent)[1] for exponent in value.terms] for value in values]
         growths = [[split(exponent)[0] for exponent in value.terms] for value in values]
-        self.waves = [
+        self.waves = tuple(
             Wave.of(_symbol(ring, monomial), _even_step(monomial, step, frequencies))
             for monomial, step in _common_steps(frequencies)
-        ]
-        self.decays = [
+        )
+        self.decays = tuple(
             Decay.of(monomial, ring.from_dict({monomial: ring.domain.one}).as_expr(), step)
             for monomial, step in _common_steps(growths)
-        ]
+        )
 
     def definitions(self) -> dict[Symbol, Expr]:
         parts = [part.definitions() for part in (*self.waves, *self.decays)]
@@ -191,17 +198,17 @@ class _Rewriter:
 
     def spectrum(self, value: ExponentialPolynomial) -> Spectrum:
         """Products of cosines and sines → amplitude, a sum over monomials of monomial × polynomial in the decays."""
-        grouped: dict[Expr, dict[Monomial, dict[Monomial, Rational]]] = {}
+        grouped: dict[Expr, dict[Monomial, dict[Monomial, Fraction]]] = {}
         for wave, monomial, decay, coefficient in self._flatten(value):
             by_decay = grouped.setdefault(wave, {}).setdefault(monomial, {})
-            by_decay[decay] = by_decay.get(decay, Rational(0)) + coefficient
+            by_decay[decay] = by_decay.get(decay, Fraction(0)) + coefficient
         amplitudes = {
             wave: sp.Add(*(self._term(monomial, by_decay) for monomial, by_decay in by_monomial.items()))
             for wave, by_monomial in grouped.items()
         }
         return {wave: amplitude for wave, amplitude in amplitudes.items() if amplitude != 0}
 
-    def _flatten(self, value: ExponentialPolynomial) -> Iterable[tuple[Expr, Monomial, Monomial, Rational]]:
+    def _flatten(self, value: ExponentialPolynomial) -> Iterable[tuple[Expr, Monomial, Monomial, Fraction]]:
         """Terms as (product of cosines and sines, monomial, decay counts, coefficient)."""
         counted = [self._counts(exponent) for exponent in value.terms]
         for (turns, decays), coefficient in zip(counted, value.terms.values(), strict=True):
@@ -225,29 +232,29 @@ class _Rewriter:
         turns = tuple(_steps(frequency, _monomial(self.ring, wave.angle), wave.step) for wave in self.waves)
         return turns, tuple(-_steps(growth, decay.variance, decay.step) for decay in self.decays)
 
-    def _term(self, monomial: Monomial, by_decay: Mapping[Monomial, Rational]) -> Expr:
+    def _term(self, monomial: Monomial, by_decay: Mapping[Monomial, Fraction]) -> Expr:
         product = self.ring.from_dict({monomial: self.ring.domain.one}).as_expr()
-        return product * bernstein(by_decay, self.decays)
+        return product * bernstein(frozenset(by_decay.items()), self.decays)
 
 
-def _common_steps(polynomials: Sequence[Sequence[PolyElement]]) -> list[tuple[Monomial, Rational]]:
+def _common_steps(polynomials: Sequence[Sequence[PolyElement]]) -> list[tuple[Monomial, Fraction]]:
     """For each monomial in real polynomials, the largest number of which all its coefficients are multiples."""
-    found: dict[Monomial, list[Rational]] = {}
+    found: dict[Monomial, list[Fraction]] = {}
     for polynomial in chain.from_iterable(polynomials):
         for monomial, coefficient in polynomial.terms():
             found.setdefault(monomial, []).append(abs(_rational(coefficient.x)))
     return [(monomial, _common_step(found[monomial])) for monomial in sorted(found, reverse=True)]
 
 
-def _even_step(monomial: Monomial, step: Rational, entries: Sequence[Sequence[PolyElement]]) -> Rational:
+def _even_step(monomial: Monomial, step: Fraction, entries: Sequence[Sequence[PolyElement]]) -> Fraction:
     """Half the step where an entry mixes even and odd multiples of it, as 1 + cos 2x = 2 cos²x does."""
     parities = ({_steps(frequency, monomial, step) % 2 for frequency in entry} for entry in entries)
     return step / 2 if any(len(found) > 1 for found in parities) else step
 
 
-def _common_step(values: Sequence[Rational]) -> Rational:
-    denominator = lcm(*(int(value.q) for value in values))
-    return Rational(gcd(*(int(value * denominator) for value in values)), denominator)
+def _common_step(values: Sequence[Fraction]) -> Fraction:
+    denominator = lcm(*(value.denominator for value in values))
+    return Fraction(gcd(*(int(value * denominator) for value in values)), denominator)
 
 
 def _symbol(ring: PolyRing, monomial: Monomial) -> Symbol:
@@ -260,15 +267,15 @@ def _monomial(ring: PolyRing, symbol: Symbol) -> Monomial:
     return tuple(int(other == symbol) for other in ring.symbols)
 
 
-def _steps(polynomial: PolyElement, monomial: Monomial, step: Rational) -> int:
+def _steps(polynomial: PolyElement, monomial: Monomial, step: Fraction) -> int:
     coefficient = polynomial.get(monomial)
     if not coefficient:
         return 0
     return int(_rational(coefficient.x) / step)
 
 
-def _rational(number: PolyElement) -> Rational:
-    return Rational(int(number.numerator), int(number.denominator))
+def _rational(number: PolyElement) -> Fraction:
+    return Fraction(int(number.numerator), int(number.denominator))
 
 
 def _unit_circle(wave: Wave, turns: int, degree: int) -> dict[Expr, PolyElement]:
@@ -288,41 +295,54 @@ def _multiply(first: dict[Expr, PolyElement], second: dict[Expr, PolyElement]) -
     return {a * b: x * y for a, x in first.items() for b, y in second.items()}
 
 
-def bernstein(coefficients: Mapping[Monomial, Rational], decays: Sequence[Decay]) -> Expr:
+@lru_cache(maxsize=4096)
+def bernstein(coefficients: frozenset[tuple[Monomial, Fraction]], decays: tuple[Decay, ...]) -> Expr:
     """A polynomial in attenuations as a product of powers and, where one exists, a sum of terms of one sign.
 
-    `coefficients` maps the powers of each attenuation, negative ones included, to rationals.
+    `coefficients` pairs the powers of each attenuation, negative ones included, with rationals.
     """
-    live = {powers: value for powers, value in coefficients.items() if value}
+    live = {powers: value for powers, value in sorted(coefficients) if value}
     if not live:
         return sp.Integer(0)
     lowest = tuple(min(powers[d] for powers in live) for d in range(len(decays)))
     ring = PolyRing([symbol for decay in decays for symbol in (decay.attenuation, decay.shortfall)], sp.QQ)
     common = sp.Mul(*(decay.attenuation**low for decay, low in zip(decays, lowest, strict=True)))
     if not decays:
-        return live[()]
+        return sp.Rational(live[()])
     shifted = {tuple(p - low for p, low in zip(powers, lowest, strict=True)): value for powers, value in live.items()}
     degrees = tuple(max(powers[d] for powers in shifted) for d in range(len(decays)))
-    forms = [_homogeneous(shifted, tuple(n + extra for n in degrees), ring) for extra in range(3)]
-    candidates = [candidate for form in forms for candidate in _representations(form, ring)]
-    power, rest = min(candidates, key=_cost)
+    power, rest = _best(shifted, degrees, ring)
     content, primitive = rest.primitive()
-    return _rational(content) * common * power.as_expr() * primitive.as_expr()
+    return sp.Rational(_rational(content)) * common * power.as_expr() * primitive.as_expr()
 
 
-def _homogeneous(coefficients: Mapping[Monomial, Rational], degrees: Monomial, ring: PolyRing) -> PolyElement:
+def _best(coefficients: Mapping[Monomial, Fraction], degrees: Monomial, ring: PolyRing) -> Factored:
+    """The shortest representation that does not cancel, of a higher degree only where the lowest has none.
+
+    A polynomial that changes sign between 0 and 1 has none at all; then the homogeneous form, in which every term is
+    as small as the powers of the shortfalls that it holds, loses the least.
+    """
+    for extra in range(ELEVATIONS):
+        form = _homogeneous(coefficients, tuple(degree + extra for degree in degrees), ring)
+        for candidate in sorted(_representations(form, ring), key=_length):
+            if not _cancels(candidate[1]):
+                return candidate
+    return _split_monomial(_homogeneous(coefficients, degrees, ring), ring)
+
+
+def _homogeneous(coefficients: Mapping[Monomial, Fraction], degrees: Monomial, ring: PolyRing) -> PolyElement:
     """Multiply every term by powers of attenuation + shortfall = 1 until it has the given degree in each pair."""
     pairs = [(ring.gens[2 * d], ring.gens[2 * d + 1]) for d in range(len(degrees))]
     total = ring.zero
     for powers, value in coefficients.items():
-        term = ring(sp.QQ(int(value.p), int(value.q)))
+        term = ring(sp.QQ(value.numerator, value.denominator))
         for (attenuation, shortfall), power, degree in zip(pairs, powers, degrees, strict=True):
             term = term * attenuation**power * (attenuation + shortfall) ** (degree - power)
         total = total + term
     return total
 
 
-def _representations(form: PolyElement, ring: PolyRing) -> Iterable[tuple[PolyElement, PolyElement]]:
+def _representations(form: PolyElement, ring: PolyRing) -> Iterable[Factored]:
     """Ways to write a homogeneous form as a monomial times a rest, all equal because attenuation + shortfall = 1."""
     monomial, rest = _split_monomial(form, ring)
     yield monomial, rest
@@ -334,28 +354,44 @@ def _representations(form: PolyElement, ring: PolyRing) -> Iterable[tuple[PolyEl
         yield monomial * extra, shorter
 
 
-def _split_monomial(form: PolyElement, ring: PolyRing) -> tuple[PolyElement, PolyElement]:
+def _split_monomial(form: PolyElement, ring: PolyRing) -> Factored:
     lowest = tuple(min(powers) for powers in zip(*form.monoms(), strict=True))
     monomial = ring.from_dict({lowest: ring.domain.one})
     return monomial, form.exquo(monomial)
 
 
-def _cost(candidate: tuple[PolyElement, PolyElement]) -> tuple[bool, int, int]:
-    """What does not cancel first, then few terms, then a low degree."""
+def _length(candidate: Factored) -> tuple[int, int]:
+    """Few terms first, then a low degree."""
     _, rest = candidate
-    return _cancels(rest), len(rest.terms()), sum(sum(powers) for powers in rest.monoms())
+    return len(rest.terms()), sum(sum(powers) for powers in rest.monoms())
 
 
 def _cancels(polynomial: PolyElement) -> bool:
     """Whether somewhere the terms outweigh their sum more than HEADROOM times; on a grid, in exact arithmetic."""
     if len({value > 0 for value in polynomial.coeffs()}) == 1:
         return False
-    absolute = polynomial.ring.from_dict({powers: abs(value) for powers, value in polynomial.terms()})
-    pairs = [[(sp.QQ(k, GRID), sp.QQ(GRID - k, GRID)) for k in range(GRID + 1)]] * (len(polynomial.ring.gens) // 2)
-    points = [list(chain.from_iterable(point)) for point in product(*pairs)]
-    return any(absolute.evaluate(_at(point, polynomial)) > HEADROOM * abs(polynomial.evaluate(_at(point, polynomial)))
-               for point in points)
+    decays = len(polynomial.ring.gens) // 2
+    side = max(2, round(GRID ** (2 / max(2, decays))))
+    total = max(sum(monomial) for monomial in polynomial.monoms())
+    powers = [[k**n for n in range(_degree(polynomial) + 1)] for k in range(side + 1)]
+    weights = _integers(polynomial)
+    for point in product(range(side + 1), repeat=decays):
+        values = [powers[k] for part in point for k in (part, side - part)]
+        terms = [
+            value * prod(table[n] for table, n in zip(values, monomial, strict=True)) * side ** (total - sum(monomial))
+            for monomial, value in weights
+        ]
+        if sum(map(abs, terms)) > HEADROOM * abs(sum(terms)):
+            return True
+    return False
 
 
-def _at(point: Sequence[PolyElement], polynomial: PolyElement) -> list[tuple[PolyElement, PolyElement]]:
-    return list(zip(polynomial.ring.gens, point, strict=True))
+def _degree(polynomial: PolyElement) -> int:
+    return max(max(monomial) for monomial in polynomial.monoms())
+
+
+def _integers(polynomial: PolyElement) -> list[tuple[Monomial, int]]:
+    """The terms with all coefficients multiplied by their common denominator."""
+    fractions = [(monomial, _rational(value)) for monomial, value in polynomial.terms()]
+    denominator = lcm(*(value.denominator for _, value in fractions))
+    return [(monomial, int(value * denominator)) for monomial, value in fractions]

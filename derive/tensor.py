@@ -44,6 +44,11 @@ class Tensor(Generic[Entry]):
         """Apply a function to each entry."""
         return Tensor(self.shape, tuple(function(entry) for entry in self.entries))
 
+    def map_distinct(self, function: Callable[[Entry], Other]) -> Tensor[Other]:
+        """The same, calling the function once for entries that are equal, as in symmetric tensors."""
+        known = {entry: function(entry) for entry in dict.fromkeys(self.entries)}
+        return self.map(known.__getitem__)
+
 
 def indices(shape: Index) -> Iterator[Index]:
     """All indices of a shape, the last one running fastest."""

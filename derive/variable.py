@@ -16,18 +16,33 @@ class Variable(Symbol):
         unit: its unit.
         low: lower end of the domain, in that unit.
         high: upper end of the domain, in that unit.
+        whole: whether it is a whole number; the algebra takes it as real.
+        at_most: a symbol that it never exceeds.
     """
 
     meaning: str
     unit: Unit
     low: float
     high: float
+    whole: bool
+    at_most: Variable | None
 
-    def __new__(cls, name: str, meaning: str, unit: Unit, low: float, high: float) -> Self:
+    def __new__(  # noqa: PLR0913 - a declaration states all that is known
+        cls,
+        name: str,
+        meaning: str,
+        unit: Unit,
+        low: float,
+        high: float,
+        *,
+        whole: bool = False,
+        at_most: Variable | None = None,
+    ) -> Self:
         """Declare a symbol; one whose domain is above zero is positive in the algebra too."""
-        assumptions = {"positive": True} if low > 0 else {"real": True}
-        variable: Self = Symbol.__xnew__(cls, name, **assumptions)
+        sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
+        variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
         variable.meaning, variable.unit, variable.low, variable.high = meaning, unit, low, high
+        variable.whole, variable.at_most = whole, at_most
         return variable
 
     @property
@@ -41,7 +56,8 @@ class Variable(Symbol):
         return self.unit == ONE and (self.low, self.high) == (-1.0, 1.0)
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.meaning, self.unit, self.low, self.high), {}
+        numbers = {"whole": self.whole, "at_most": self.at_most}
+        return (self.name, self.meaning, self.unit, self.low, self.high), numbers
 
 
 def length(name: str, meaning: str, low: float = 1.0, high: float = 1e8) -> Variable:

@@ -12,7 +12,7 @@ MAX_CHARACTERS = 20_000
 
 _FOREIGN = re.compile(r"[^\x20-\x7e\t\n\r]")
 _SIGNS = {
-    **dict.fromkeys("−–—‐‑‒―﹣", "-"),  # noqa: RUF100
+    **dict.fromkeys("−–—‐‑‒―﹣", "-"),
     **dict.fromkeys("×·⋅∙•∗⨯", "*"),
     **dict.fromkeys("÷∕⁄", "/"),
     "√": "sqrt(...)",

@@ -14,6 +14,7 @@ MAX_DIGITS = 40  # of one number; its decimal exponent is at most as large
 
 _NUMBER = re.compile(r"(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?")
 
+
 def check_brackets(brackets: Iterable[tuple[str, Span]], closers: Mapping[str, str]) -> dict[int, int]:
     """Match brackets; the places of openers in the sequence, each with that of its closer.
 
@@ -34,13 +35,23 @@ def check_brackets(brackets: Iterable[tuple[str, Span]], closers: Mapping[str, s
             continue
         if not waiting:
             raise FormulaError(f"{bracket} closes nothing", span=span)
-        opened_at, opener, opener_span = waiting.pop()
+        opened_at, opener, _ = waiting.pop()
         if closers[opener] != bracket:
             raise FormulaError(f"{bracket} cannot close {opener}, which is still open", span=span)
         pairs[opened_at] = index
     if waiting:
         raise FormulaError(f"{waiting[-1][1]} is never closed", span=waiting[-1][2])
     return pairs
+
+
+def check_count(parts: int) -> None:
+    """Refuse more parts than a tree may have nodes, before the tree is made.
+
+    Raises:
+        FormulaError: naming the limit.
+    """
+    if parts > MAX_NODES:
+        raise FormulaError(f"the formula has more than {MAX_NODES} parts")
 
 
 def check_number(text: str, span: Span | None = None) -> None:
@@ -71,6 +82,5 @@ def check_size(tree: Tree) -> None:
         nodes += 1
         if depth > MAX_DEPTH:
             raise FormulaError(f"the formula is nested more than {MAX_DEPTH} deep", span=node.span)
-        if nodes > MAX_NODES:
-            raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=node.span)
+        check_count(nodes)
         waiting.extend((child, depth + 1) for child in children(node))

@@ -1,7 +1,8 @@
 """How large the powers and numbers of a formula may become, decided before any algebra begins.
 
-Degrees bound what expanding a formula could give: `(((x + 1)^64)^64)^64` is refused. The size of an exact number is known
-before it is computed: so is `9^9^9^9`. Whatever has no symbol in it must have a real value of moderate magnitude.
+Degrees bound what expanding a formula could give: `(((x + 1)^64)^64)^64` is refused. The digits of an exact
+number are counted before it is computed: so is `9^9^9^9`. What has no symbol in it must be real and of
+moderate size.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ from radartrack.derive.formula.tree import (
 MAX_EXPONENT = 64
 MAX_ROOT = 8  # the largest denominator of an exponent
 MAX_DEGREE = 512  # of products and powers of powers, as if expanded
-MAX_DIGITS = 4_000  # of an exact number that arises from others
+MAX_DIGITS = 10_000  # of all exact numbers together
 LARGEST = Fraction(10) ** 300
 SMALLEST = 1 / LARGEST
 
@@ -67,9 +68,17 @@ _FUNCTIONS: MappingProxyType[str, Callable[..., Value]] = MappingProxyType(
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """What is known of a subtree: its value, when no symbol occurs, and its degree, or of a number its digits."""
+    """What is known of a subtree.
 
-    size: int
+    Attributes:
+        degree: in the symbols, were it expanded.
+        digits: bound on those of its exact numbers together, were it expanded.
+        value: what it is worth, when no symbol occurs.
+        has_logarithm: whether one occurs.
+    """
+
+    degree: int
+    digits: int
     value: Value | None
     has_logarithm: bool
 
@@ -89,58 +98,65 @@ def _measure(tree: Tree) -> Measure:
         _check_power(tree, *parts)
     if isinstance(tree, Call) and tree.function in EXPONENTIAL:
         _check_exponential(tree, parts[0])
-    constant = not isinstance(tree, Name | Array) and all(part.value is not None for part in parts)
-    size = _size(tree, parts, constant=constant)
-    if size > (MAX_DIGITS if constant else MAX_DEGREE):
-        raise FormulaError(_too_large(size, constant=constant), span=tree.span)
-    value = _checked_value(tree, [part.value for part in parts if part.value is not None]) if constant else None
-    logarithm = any(part.has_logarithm for part in parts)
-    return Measure(size, value, logarithm or (isinstance(tree, Call) and tree.function == "log"))
+    degree, digits = _degree(tree, parts), _digits(tree, parts)
+    if degree > MAX_DEGREE:
+        raise FormulaError(
+            f"expanded, this has degree {degree}; at most {MAX_DEGREE} is allowed", span=tree.span
+        )
+    if digits > MAX_DIGITS:
+        raise FormulaError(
+            f"the numbers that arise here have some {digits} digits; at most {MAX_DIGITS} are allowed",
+            span=tree.span,
+        )
+    values = [part.value for part in parts if part.value is not None]
+    constant = len(values) == len(parts) and not isinstance(tree, Name | Array)
+    logarithm = any(part.has_logarithm for part in parts) or (
+        isinstance(tree, Call) and tree.function == "log"
+    )
+    return Measure(degree, digits, _checked_value(tree, values) if constant else None, logarithm)
 
 
-def _too_large(size: int, *, constant: bool) -> str:
-    if constant:
-        return f"a number that arises here has some {size} digits; at most {MAX_DIGITS} are allowed"
-    return f"expanded, this has degree {size}; at most {MAX_DEGREE} is allowed"
+def _degree(tree: Tree, parts: Sequence[Measure]) -> int:
+    degrees = [part.degree for part in parts]
+    match tree:
+        case Name():
+            return 1
+        case Product() | Quotient():
+            return sum(degrees)
+        case Power() if isinstance(parts[1].value, Fraction):
+            return math.ceil(degrees[0] * abs(parts[1].value))
+        case _:
+            return max(degrees, default=0)
 
 
-def _size(tree: Tree, parts: Sequence[Measure], *, constant: bool) -> int:
-    sizes = [part.size for part in parts if constant or part.value is None]
+def _digits(tree: Tree, parts: Sequence[Measure]) -> int:
+    digits = [part.digits for part in parts]
     match tree:
         case Number(text):
             return len(text) + abs(int(text.lower().partition("e")[2] or 0))
-        case Product() | Quotient():
-            return sum(sizes)
-        case Sum() if constant:
-            return sum(sizes)
-        case Power():
-            return _size_of_power(parts[0], parts[1])
+        case Constant():
+            return 1
+        case Power() if isinstance(parts[1].value, Fraction):
+            return max(digits[0], math.ceil(digits[0] * abs(parts[1].value)))
         case _:
-            return max(sizes, default=1)
-
-
-def _size_of_power(base: Measure, exponent: Measure) -> int:
-    if isinstance(exponent.value, Fraction) and not isinstance(base.value, float):
-        return max(1, math.ceil(base.size * abs(exponent.value)))
-    return max(base.size, exponent.size)
+            return sum(digits)
 
 
 def _check_power(tree: Power, base: Measure, exponent: Measure) -> None:
-    natural = tree.base == Constant("e")
-    if not isinstance(exponent.value, Fraction):
+    if tree.base == Constant("e") or not isinstance(exponent.value, Fraction):
         _check_exponential(tree, exponent)
-        if not (natural or (base.value is not None and base.value > 0)):
+    if tree.base == Constant("e"):
+        return
+    span = tree.exponent.span
+    if not isinstance(exponent.value, Fraction):
+        if base.value is None or base.value <= 0:
             raise FormulaError(
-                "an exponent that is not a plain number is read only over e or a positive number",
-                span=tree.exponent.span,
+                "an exponent that is no plain number is read only over e or a positive number", span=span
             )
-    elif not natural and abs(exponent.value) > MAX_EXPONENT:
-        raise FormulaError(f"exponents lie between -{MAX_EXPONENT} and {MAX_EXPONENT}", span=tree.exponent.span)
-    elif not natural and exponent.value.denominator > MAX_ROOT:
-        raise FormulaError(
-            f"the denominator of an exponent is at most {MAX_ROOT}; this one is {exponent.value}"[:200],
-            span=tree.exponent.span,
-        )
+    elif abs(exponent.value) > MAX_EXPONENT:
+        raise FormulaError(f"exponents lie between -{MAX_EXPONENT} and {MAX_EXPONENT}", span=span)
+    elif exponent.value.denominator > MAX_ROOT:
+        raise FormulaError(f"the denominator of an exponent is at most {MAX_ROOT}", span=span)
 
 
 def _check_exponential(tree: Tree, exponent: Measure) -> None:
@@ -157,10 +173,10 @@ def _checked_value(tree: Tree, operands: Sequence[Value]) -> Value:
     except OverflowError:
         raise FormulaError("a number that arises here is larger than 1e300", span=tree.span) from None
     except ValueError:
-        value = math.nan
-    if isinstance(value, complex) or math.isnan(value):
+        raise FormulaError("this is not a real number", span=tree.span) from None
+    if isinstance(value, complex):
         raise FormulaError("this is not a real number", span=tree.span)
-    if abs(value) > LARGEST:
+    if not -LARGEST <= value <= LARGEST:
         raise FormulaError("a number that arises here is larger than 1e300", span=tree.span)
     if _vanishes(tree, value, operands):
         raise FormulaError("a number that arises here is smaller than 1e-300", span=tree.span)
@@ -169,9 +185,9 @@ def _checked_value(tree: Tree, operands: Sequence[Value]) -> Value:
 
 def _vanishes(tree: Tree, value: Value, operands: Sequence[Value]) -> bool:
     if value == 0:
-        multiplies = isinstance(tree, Product | Quotient | Power) or tree == Call("exp", getattr(tree, "arguments", ()))
-        return multiplies and 0 not in operands
-    return abs(value) < SMALLEST
+        exponential = isinstance(tree, Call) and tree.function == "exp"
+        return (exponential or isinstance(tree, Product | Quotient | Power)) and 0 not in operands
+    return -SMALLEST < value < SMALLEST
 
 
 def _value(tree: Tree, operands: Sequence[Value]) -> Value:

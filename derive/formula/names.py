@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from difflib import SequenceMatcher
 
-from radartrack.derive.formula.functions import OTHER_SPELLINGS, SPELLINGS
+from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS
 
 CONSTANTS = {"pi": "pi", "e": "e", "E": "e"}
 MEANT = 0.6  # similarity from which a name is offered as the one meant
@@ -31,14 +31,12 @@ def constants(names: Collection[str]) -> dict[str, str]:
 
 def unknown_name(name: str, names: Collection[str]) -> str:
     """The refusal of a name."""
-    return _unknown("name", name, names)
+    return _unknown("name", name, {*names, *constants(names).values()})
 
 
-def unknown_function(name: str, names: Collection[str] = ()) -> str:
-    """The refusal of a function, or of a bracket after a symbol."""
-    if name in names:
-        return f"{name} is a symbol, not a function: write {name}*(...) for a product"
-    return _unknown("function", name, SPELLINGS)
+def unknown_function(name: str) -> str:
+    """The refusal of a function."""
+    return _unknown("function", name, NUMBER_OF_ARGUMENTS)
 
 
 def _unknown(kind: str, name: str, allowed: Collection[str]) -> str:
@@ -46,10 +44,10 @@ def _unknown(kind: str, name: str, allowed: Collection[str]) -> str:
     meant = nearest and _similarity(name, nearest[0]) >= MEANT
     shown = name if len(name) <= SHOWN else f"{name[:SHOWN]}..."
     guess = f": did you mean {nearest[0]}?" if meant else "."
-    listed = [other for other in nearest if other not in OTHER_SPELLINGS or other == nearest[0]]
-    return f"{shown} is not a {kind} here{guess} The {kind}s are {', '.join(listed)}"
+    return f"{shown} is not a {kind} here{guess} The {kind}s are {', '.join(nearest)}"
 
 
 def _similarity(name: str, other: str) -> float:
-    """From 0 to 1; capitals are small matters, and a needlessly long name costs no time."""
-    return SequenceMatcher(None, name[:SHOWN].lower(), other.lower()).ratio()
+    """From 0 to 1: one begins with the other, or has letters in common; capitals do not matter."""
+    short, long = name[:SHOWN].lower(), other.lower()
+    return 1.0 if len(short) > 1 and long.startswith(short) else SequenceMatcher(None, short, long).ratio()

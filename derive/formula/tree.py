@@ -1,7 +1,8 @@
 """A printed formula as a tree: what was printed, in the order it was printed, before any algebra.
 
-Brackets leave no trace but the shape of the tree; signs, quotients and the grouping of sums and products stay as printed.
-Trees are equal when they print the same thing; where a node stood in the text (`span`) does not count.
+Brackets leave no trace but the shape of the tree; signs, quotients and the grouping of sums and products
+stay as printed. Trees are equal when they print the same; where a node stood in the text (`span`) does not
+count.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ from radartrack.derive.units import RADIAN
 from radartrack.derive.variable import Variable
 
 Points = dict[str, npt.NDArray[np.float64]]
+SMALLEST_SHARE = 1e-24  # of the largest value, for what may be zero
 
 
 def sample(quantity: Quantity, count: int, seed: int = 0, *, correlated: bool = False) -> Points:
@@ -25,7 +26,14 @@ def sample(quantity: Quantity, count: int, seed: int = 0, *, correlated: bool = 
         Symbol name → array of shape (count,).
     """
     generator = np.random.Generator(np.random.Philox(seed))
-    return {symbol.name: _draw(symbol, count, generator, correlated=correlated) for symbol in quantity.symbols}
+    points: Points = {}
+    for symbol in quantity.symbols:
+        if symbol.at_most is None:
+            drawn = _draw(symbol, count, generator, correlated=correlated)
+        else:
+            drawn = _up_to(points[symbol.at_most.name], symbol, generator)
+        points[symbol.name] = np.floor(drawn) if symbol.whole else drawn
+    return points
 
 
 def _draw(
@@ -34,11 +42,21 @@ def _draw(
     uniform = generator.random(count)
     if symbol.is_correlation:
         return symbol.low + (symbol.high - symbol.low) * uniform if correlated else np.zeros(count)
+    if symbol.low == 0:
+        return np.where(generator.random(count) < 0.125, 0.0, symbol.high * SMALLEST_SHARE**uniform)
     if symbol.logarithmic:
         drawn = np.exp(np.log(symbol.low) + (np.log(symbol.high) - np.log(symbol.low)) * uniform)
         return np.clip(drawn, symbol.low, symbol.high)
     spread = symbol.low + (symbol.high - symbol.low) * uniform
     return _near_quarter_turns(spread, generator) if symbol.unit == RADIAN else spread
+
+
+def _up_to(
+    highest: npt.NDArray[np.float64], symbol: Variable, generator: np.random.Generator
+) -> npt.NDArray[np.float64]:
+    """Evenly spread from the lower end of the domain to another symbol, which whole numbers reach too."""
+    room = highest - symbol.low + symbol.whole
+    return np.minimum(symbol.low + room * generator.random(highest.shape), highest)
 
 
 def _near_quarter_turns(

@@ -1,0 +1,1 @@
+"""Checks printed formulas and claims against what was derived."""

@@ -1,0 +1,200 @@
+"""Compares a printed formula with the derived one and says what it found."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from radartrack.derive.checking.comparison import Comparison, Values
+from radartrack.derive.checking.counterexample import (
+    MATTERS,
+    counterexample,
+    find_difference,
+    worst_over_domain,
+)
+from radartrack.derive.checking.dimensions import WrongDimensions, check_dimension
+from radartrack.derive.checking.display import shown
+from radartrack.derive.checking.equality import proved_equal
+from radartrack.derive.checking.order import orders
+from radartrack.derive.checking.points import domain_points, generic_points, round_points
+from radartrack.derive.checking.printed import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.reference import Reference, refer
+from radartrack.derive.checking.relatives import Asked, conditions_that_help, other_quantities
+from radartrack.derive.checking.scale import scale_of
+from radartrack.derive.checking.suggestions import suggest
+from radartrack.derive.checking.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.tensor import Index
+from radartrack.derive.variable import Variable
+
+POINTS = 20
+SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
+SUGGESTIONS = 3
+
+
+def check(
+    name: str,
+    formula: str,
+    *,
+    latex: bool = False,
+    given: Mapping[str, str] | None = None,
+    let: Mapping[str, str] | None = None,
+) -> Verdict:
+    """Compare a printed formula with what was derived.
+
+    Args:
+        name: a quantity of the catalogue, `polar.covariance.linear`; one entry of it, `polar.covariance.linear[0,1]`;
+            a slice, `polar.hessian[:,0,1]`; or an expression over several.
+        formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
+        latex: whether it is LaTeX.
+        given: conditions under which to compare, `{"rho": "0"}`.
+        let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
+
+    Raises:
+        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownEntry: for an entry that the quantity does not have.
+        FormulaError: when the formula, a condition or a definition cannot be read.
+    """
+    reference = refer(name)
+    names = names_for(reference, let or {})
+    conditions = conditions_for(reference, given or {})
+    printed = read_printed(formula, names, reference.shape, latex=latex)
+    return Question(reference, printed, conditions).answer()
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What was found out about one entry."""
+
+    entry: Index
+    outcome: Outcome
+    values: Values | None = None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Question:
+    """A printed formula, what it is compared with, and under which conditions."""
+
+    reference: Reference
+    printed: Printed
+    conditions: Mapping[Symbol, Expr]
+
+    @property
+    def symbols(self) -> tuple[Variable, ...]:
+        """Those that the conditions leave."""
+        return tuple(symbol for symbol in self.reference.symbols if symbol not in self.conditions)
+
+    def answer(self) -> Verdict:
+        """The verdict on all entries together: the gravest of them."""
+        findings = [self._compare(entry) for entry, _ in self.printed.entries.items()]
+        worst = max(findings, key=lambda finding: _GRAVITY.index(finding.outcome))
+        conditions = tuple(f"{symbol} = {value}" for symbol, value in self.conditions.items())
+        verdict = Verdict(
+            verdict=worst.outcome,
+            quantity=self.reference.text,
+            printed=self.printed.text,
+            derived=shown(self.reference.entries.map(lambda entry: entry.xreplace(self.conditions))),
+            reason=_reason(worst, findings, conditions),
+            conditions=conditions,
+        )
+        wrong = [finding for finding in findings if finding.outcome in _WRONG]
+        return self._explained(verdict, wrong) if wrong else verdict
+
+    def derived_entry(self, entry: Index) -> Expr:
+        """The derived formula under the conditions."""
+        return self.reference.entries[entry].xreplace(self.conditions)
+
+    def printed_entry(self, entry: Index) -> Expr:
+        """The printed formula under the conditions."""
+        return self.printed.expressions[entry].xreplace(self.conditions)
+
+    def _compare(self, entry: Index) -> Finding:
+        printed, derived = self.printed_entry(entry), self.derived_entry(entry)
+        comparison = Comparison(printed, derived, self.symbols)
+        values = find_difference(comparison, self.symbols)
+        if values is not None:
+            return self._wrong(entry, values)
+        if proved_equal(printed, derived):
+            return Finding(entry, Outcome.EQUAL)
+        return _without_proof(entry, comparison, self.symbols)
+
+    def _wrong(self, entry: Index, values: Values) -> Finding:
+        try:
+            check_dimension(
+                self.printed.entries[entry], self.printed.names.dimensions, self.reference.dimensions[entry]
+            )
+        except WrongDimensions as error:
+            return Finding(entry, Outcome.WRONG_DIMENSIONS, values, str(error))
+        return Finding(entry, Outcome.DIFFERS, values)
+
+    def _explained(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
+        first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
+        edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
+        asked = Asked(self.reference, self.printed.expressions, self.conditions)
+        order = orders(
+            self.printed_entry(first.entry) - self.derived_entry(first.entry),
+            self.derived_entry(first.entry),
+            self.symbols,
+        )
+        return replace(
+            verdict,
+            counterexample=self._counterexample(first),
+            suggestions=(*edits, *other_quantities(asked)),
+            order=order,
+            remarks=conditions_that_help(asked),
+        )
+
+    def _suggestions(self, entry: Index) -> list[Suggestion]:
+        found = suggest(
+            self.printed.entries[entry], self.printed.names, self.derived_entry(entry), self.symbols, self.conditions
+        )
+        return [
+            Suggestion(found_one.formula, found_one.edit, entry, found_one.proved) for found_one in found[:SUGGESTIONS]
+        ]
+
+    def _counterexample(self, finding: Finding) -> Counterexample | None:
+        if finding.values is None:
+            return None
+        entry = finding.entry
+        comparison = Comparison(self.printed_entry(entry), self.derived_entry(entry), self.symbols)
+        scale = scale_of(self.reference, entry, self.symbols, dict(self.conditions))
+        worst = worst_over_domain(comparison, self.symbols, scale, finding.values.point)
+        elsewhere = comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
+        return counterexample(elsewhere or finding.values, entry, worst)
+
+
+_GRAVITY = (
+    Outcome.EQUAL,
+    Outcome.EQUAL_NUMERICALLY,
+    Outcome.UNDECIDED,
+    Outcome.DIFFERS,
+    Outcome.WRONG_DIMENSIONS,
+)
+_WRONG = {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
+
+
+def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Variable]) -> Finding:
+    points = (*round_points(symbols), *generic_points(symbols, POINTS), *domain_points(symbols, POINTS))
+    compared = [point for point in points if comparison.at(point) is not None]
+    for point in compared:
+        values = comparison.differ_at(point)
+        if values is not None:
+            return Finding(entry, Outcome.DIFFERS, values)
+    if not compared:
+        return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
+    return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved")
+
+
+def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:
+    under = f" when {' and '.join(conditions)}" if conditions else ""
+    where = f" in entry {list(worst.entry)}" if worst.entry else ""
+    wrong = sum(finding.outcome in _WRONG for finding in findings)
+    count = f" ({wrong} of {len(findings)} entries are wrong)" if wrong and len(findings) > 1 else ""
+    match worst.outcome:
+        case Outcome.EQUAL:
+            return f"proved equal{under}"
+        case Outcome.DIFFERS:
+            return f"differs from the derived formula{under}{where}{count}"
+        case _:
+            return f"{worst.reason}{under}{where}{count}"

@@ -1,0 +1,76 @@
+"""Tells by numbers of many digits whether two formulas differ, and where."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from radartrack.derive.checking.points import Point
+from radartrack.derive.evaluation import DIGITS, Evaluator, Number
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.tensor import Tensor
+
+MORE_DIGITS = 150
+NOISE = 1e-50
+
+
+@dataclass(frozen=True)
+class Values:
+    """What is printed and what was derived at one point."""
+
+    point: Point
+    printed: Number
+    derived: Number
+
+    @property
+    def difference(self) -> Number:
+        """Printed less derived."""
+        return self.printed - self.derived
+
+    @property
+    def relative(self) -> float:
+        """The difference by the derived value; by the printed one where that is zero."""
+        scale = abs(self.derived) or abs(self.printed)
+        return float(abs(self.difference) / scale) if scale else 0.0
+
+
+class Comparison:
+    """Two formulas in the same symbols, ready to be evaluated."""
+
+    def __init__(self, printed: Expr, derived: Expr, symbols: Sequence[Symbol]) -> None:
+        self._names = [symbol.name for symbol in symbols]
+        pair = Tensor((2,), (printed, derived))
+        self._evaluator = Evaluator(pair, symbols)
+        self._fine = Evaluator(pair, symbols, DIGITS + MORE_DIGITS)
+
+    def at(self, point: Point) -> Values | None:
+        """Both values; None where one of them is not a finite real number."""
+        return _values(self._evaluator, self._names, point)
+
+    def differ_at(self, point: Point) -> Values | None:
+        """Both values when they differ beyond the rounding of many digits, else None.
+
+        What is left of two equal formulas is rounding, which shrinks when more digits are carried.
+        """
+        values = self.at(point)
+        if values is None or values.relative <= NOISE:
+            return None
+        fine = _values(self._fine, self._names, point)
+        if fine is None or abs(fine.difference) < abs(values.difference) / 2:
+            return None
+        return fine
+
+
+def _values(evaluator: Evaluator, names: Sequence[str], point: Point) -> Values | None:
+    try:
+        printed, derived = evaluator([point[name] for name in names])
+    except (ArithmeticError, ValueError):
+        return None
+    if not all(_is_real(value) for value in (printed, derived)):
+        return None
+    return Values(point, printed, derived)
+
+
+def _is_real(value: Number) -> bool:
+    return not hasattr(value, "_mpc_") and math.isfinite(float(value)) if abs(value) < 1e300 else False

@@ -1,0 +1,222 @@
+"""The dimension of a printed formula: metres and seconds strictly, angles where something can be said.
+
+A derivative of a sine takes a radian away without a trace in print, so the sum r²σ_β² sin²β + σ_r² cos²β mixes rad² and 1
+and is right. Angles are therefore not compared between terms. What is checked: sines and cosines take an angle, never
+an angle squared; exponentials and hyperbolic functions take a number or an even power of an angle, as variances are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import (
+    Array,
+    Call,
+    Constant,
+    Name,
+    Negation,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+)
+from radartrack.derive.units import Unit
+
+SHOWN = 60
+
+
+class WrongDimensions(ValueError):
+    """Terms of different dimension are added, or a function is given what it cannot take."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """Powers of metre and second, and of the radian where it is known.
+
+    `free` marks a number on its own, which may stand for a value in any unit.
+    """
+
+    metre: Fraction = Fraction(0)
+    second: Fraction = Fraction(0)
+    radian: Fraction | None = Fraction(0)
+    free: bool = False
+
+    @classmethod
+    def of(cls, unit: Unit) -> Dimension:
+        """That of a unit."""
+        return cls(unit.metre, unit.second, unit.radian)
+
+    def __mul__(self, other: Dimension) -> Dimension:
+        radian = None if self.radian is None or other.radian is None else self.radian + other.radian
+        return Dimension(self.metre + other.metre, self.second + other.second, radian, self.free and other.free)
+
+    def __pow__(self, exponent: Fraction | int) -> Dimension:
+        radian = None if self.radian is None else self.radian * exponent
+        return Dimension(self.metre * exponent, self.second * exponent, radian, self.free)
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it has neither metres nor seconds."""
+        return not self.metre and not self.second
+
+    def agrees(self, other: Dimension) -> bool:
+        """Whether both have the same metres and seconds."""
+        return (self.metre, self.second) == (other.metre, other.second)
+
+    def __str__(self) -> str:
+        if self.is_number:
+            return "no unit" if not self.radian else str(Unit(radian=self.radian))
+        return str(Unit(self.metre, self.second))
+
+
+FREE = Dimension(free=True)
+ANGLE = Dimension(radian=Fraction(1))
+_PERIODIC = {"cos", "cot", "csc", "sec", "sin", "tan"}
+_GROWING = {"cosh", "coth", "exp", "expm1", "sinh", "tanh"}
+_TO_ANGLE = {"acos", "asin", "atan"}
+
+
+def check_dimension(tree: Tree, known: Mapping[str, Dimension], expected: Dimension) -> None:
+    """Compare the dimension of a scalar formula with that of a quantity.
+
+    Raises:
+        WrongDimensions: saying what does not fit.
+    """
+    found = dimension_of(tree, known)
+    if not found.free and not found.agrees(expected):
+        raise WrongDimensions(f"the formula has the unit {found}, the quantity {expected}")
+
+
+def dimension_of(tree: Tree, known: Mapping[str, Dimension]) -> Dimension:
+    """The dimension of a scalar formula.
+
+    Raises:
+        WrongDimensions: when it has none.
+    """
+    match tree:
+        case Number() | Constant():
+            return FREE
+        case Name(name):
+            return known[name]
+        case Sum(terms):
+            return _sum(terms, known)
+        case Product(factors):
+            return _product([dimension_of(factor, known) for factor in factors])
+        case Quotient(numerator, denominator):
+            return _product([dimension_of(numerator, known), dimension_of(denominator, known) ** -1])
+        case Negation(operand):
+            return dimension_of(operand, known)
+        case Power(base, exponent):
+            return _power(base, exponent, known)
+        case Call(function, arguments):
+            return _call(function, arguments, known)
+        case Array():
+            raise WrongDimensions("an array has no dimension of its own")
+
+
+def _product(parts: Sequence[Dimension]) -> Dimension:
+    result = FREE
+    for part in parts:
+        result = result * part
+    return result
+
+
+def _sum(terms: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
+    found = [(term, dimension_of(term, known)) for term in terms if not _is_zero(term)]
+    if not found:
+        return FREE
+    first_term, first = found[0]
+    for term, dimension in found[1:]:
+        if not dimension.agrees(first):
+            raise WrongDimensions(f"{_shown(first_term)} [{first}] and {_shown(term)} [{dimension}] cannot be added")
+    radians = {dimension.radian for _, dimension in found}
+    radian = radians.pop() if len(radians) == 1 else None
+    return Dimension(first.metre, first.second, radian, all(dimension.free for _, dimension in found))
+
+
+def _power(base: Tree, exponent: Tree, known: Mapping[str, Dimension]) -> Dimension:
+    if base == Constant("e"):
+        return _call("exp", (exponent,), known)
+    dimension, power = dimension_of(base, known), dimension_of(exponent, known)
+    if not power.is_number:
+        raise WrongDimensions(f"the exponent {_shown(exponent)} has the unit {power}")
+    value = _value(exponent)
+    if value is None:
+        if not dimension.is_number:
+            raise WrongDimensions(f"{_shown(base)} has the unit {dimension} and a variable exponent")
+        return Dimension(radian=None)
+    return dimension**value
+
+
+def _call(function: str, arguments: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
+    given = [dimension_of(argument, known) for argument in arguments]
+    if function == "abs":
+        return given[0]
+    if function == "sqrt":
+        return given[0] ** Fraction(1, 2)
+    if function in {"atan2", "hypot"}:
+        return _pair(function, arguments, given)
+    _check_argument(function, arguments[0], given[0])
+    return ANGLE if function in _TO_ANGLE else FREE if given[0].free else Dimension()
+
+
+def _pair(function: str, arguments: Sequence[Tree], given: Sequence[Dimension]) -> Dimension:
+    if not given[0].agrees(given[1]):
+        raise WrongDimensions(
+            f"{function} takes two of one unit, {_shown(arguments[0])} has {given[0]}, "
+            f"{_shown(arguments[1])} has {given[1]}"
+        )
+    return given[0] if function == "hypot" else ANGLE
+
+
+def _check_argument(function: str, argument: Tree, given: Dimension) -> None:
+    if not given.is_number or not _ANGLES.get(function, _any)(given.radian):
+        wanted = _WANTED.get(function, "a number")
+        raise WrongDimensions(f"{function} takes {wanted}; {_shown(argument)} has the unit {given}")
+
+
+def _angle(radian: Fraction | None) -> bool:
+    return radian is None or radian in {0, 1}
+
+
+def _even(radian: Fraction | None) -> bool:
+    return radian is None or radian % 2 == 0
+
+
+def _any(_radian: Fraction | None) -> bool:
+    return True
+
+
+_ANGLES: Mapping[str, Callable[[Fraction | None], bool]] = dict.fromkeys(_PERIODIC, _angle) | dict.fromkeys(
+    _GROWING, _even
+)
+_WANTED = dict.fromkeys(_PERIODIC, "an angle") | dict.fromkeys(_GROWING, "a number or an angle squared")
+
+
+def _is_zero(tree: Tree) -> bool:
+    return _value(tree) == 0
+
+
+def _value(tree: Tree) -> Fraction | None:
+    """The value of a formula of rational numbers."""
+    match tree:
+        case Number():
+            return tree.value
+        case Negation(operand):
+            value = _value(operand)
+            return None if value is None else -value
+        case Quotient(numerator, denominator):
+            above, below = _value(numerator), _value(denominator)
+            return None if above is None or not below else above / below
+        case _:
+            return None
+
+
+def _shown(tree: Tree) -> str:
+    text = to_text(tree)
+    return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."

@@ -1,0 +1,163 @@
+"""What a printed formula is compared with: a catalogue quantity, entries of one, or an expression over several.
+
+`polar.covariance.linear`, `polar.covariance.linear[0,1]`, `polar.hessian[:,0,1]`, `polar.map - polar.bias.second_order`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from radartrack.derive.catalogue import find
+from radartrack.derive.checking.dimensions import Dimension, dimension_of
+from radartrack.derive.formula.expression import to_expression
+from radartrack.derive.formula.text import read_text
+from radartrack.derive.formula.tree import Array, Tree
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Index, Tensor
+from radartrack.derive.variable import Variable
+
+MAX_CHARACTERS = 2000
+_MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
+_POSITION = re.compile(r"\s*(\d{1,3}|:)\s*")
+
+
+class UnknownEntry(ValueError):
+    """A quantity has no such entry, or an expression over quantities makes no sense."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """Entries of one quantity; `places` leads from an index here to the index in the quantity."""
+
+    quantity: Quantity
+    shape: Index
+    places: Tensor[Index]
+
+    def entry(self, index: Index) -> Expr:
+        """The derived formula of one entry; a scalar serves every index."""
+        return self.quantity.expression[self.places[index if self.shape else ()]]
+
+    def dimension(self, index: Index) -> Dimension:
+        """Its dimension."""
+        return Dimension.of(self.quantity.unit(self.places[index if self.shape else ()]))
+
+
+@dataclass(frozen=True)
+class Reference:
+    """One or more quantities, combined.
+
+    Attributes:
+        text: as it was asked for.
+        tree: the combination, over placeholders.
+        parts: what each placeholder stands for.
+    """
+
+    text: str
+    tree: Tree
+    parts: Mapping[str, Part]
+
+    @property
+    def part(self) -> Part | None:
+        """The part, when there is one and nothing is done with it."""
+        alone = len(self.parts) == 1 and self.tree in _PLACEHOLDERS
+        return next(iter(self.parts.values())) if alone else None
+
+    @property
+    def symbols(self) -> tuple[Variable, ...]:
+        """All symbols, each once."""
+        found: dict[str, Variable] = {}
+        for part in self.parts.values():
+            found.update({symbol.name: symbol for symbol in part.quantity.symbols})
+        return tuple(found.values())
+
+    @property
+    def shape(self) -> Index:
+        """The shape that a printed formula must have."""
+        return max((part.shape for part in self.parts.values()), key=len)
+
+    @cached_property
+    def entries(self) -> Tensor[Expr]:
+        """The derived formulas, exact."""
+        return Tensor.build(self.shape, lambda *index: self._entry(index))
+
+    @cached_property
+    def dimensions(self) -> Tensor[Dimension]:
+        """The dimension of each entry."""
+        return Tensor.build(self.shape, lambda *index: self._dimension(index))
+
+    def _entry(self, index: Index) -> Expr:
+        known: dict[str, Expr] = {symbol.name: symbol for symbol in self.symbols}
+        known |= {name: part.entry(index) for name, part in self.parts.items()}
+        result = to_expression(self.tree, known)
+        assert not isinstance(result, tuple)
+        return result
+
+    def _dimension(self, index: Index) -> Dimension:
+        known = {symbol.name: Dimension.of(symbol.unit) for symbol in self.symbols}
+        known |= {name: part.dimension(index) for name, part in self.parts.items()}
+        return dimension_of(self.tree, known)
+
+
+def refer(text: str) -> Reference:
+    """Read what is meant.
+
+    Raises:
+        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownEntry: for an index that the quantity does not have, or shapes that do not fit each other.
+        FormulaError: for an expression that cannot be read.
+    """
+    parts: dict[str, Part] = {}
+    names: dict[str, str] = {}
+
+    def placeholder(found: re.Match[str]) -> str:
+        name = names.setdefault(found[0], _placeholder(len(names)))
+        parts[name] = _part(find(found["name"]), found["index"])
+        return name
+
+    replaced = _MENTION.sub(placeholder, text[:MAX_CHARACTERS])
+    if not parts or len(text) > MAX_CHARACTERS:
+        find(text[:80].strip())
+        raise UnknownEntry(f"{text[:80]!r} names no quantity")
+    symbols = {symbol.name for part in parts.values() for symbol in part.quantity.symbols}
+    tree = read_text(replaced, symbols | set(parts))
+    if isinstance(tree, Array):
+        raise UnknownEntry(f"{text}: an expression over quantities is no array")
+    shapes = {part.shape for part in parts.values() if part.shape}
+    if len(shapes) > 1:
+        raise UnknownEntry(f"{text}: the shapes {' and '.join(map(str, sorted(shapes)))} do not fit each other")
+    return Reference(text.strip(), tree, parts)
+
+
+def _placeholder(number: int) -> str:
+    return f"quantity_{number}"
+
+
+_PLACEHOLDERS = {read_text(_placeholder(0), {_placeholder(0)})}
+
+
+def _part(quantity: Quantity, index: str | None) -> Part:
+    positions = [":"] * len(quantity.shape) if index is None else _positions(quantity, index)
+    choices = [range(n) if p == ":" else [int(p)] for p, n in zip(positions, quantity.shape, strict=True)]
+    shape = tuple(n for p, n in zip(positions, quantity.shape, strict=True) if p == ":")
+
+    def place(*free: int) -> Index:
+        rest = iter(free)
+        return tuple(next(rest) if p == ":" else chosen[0] for p, chosen in zip(positions, choices, strict=True))
+
+    return Part(quantity, shape, Tensor.build(shape, place))
+
+
+def _positions(quantity: Quantity, index: str) -> list[str]:
+    positions = [part.strip() for part in index.split(",")]
+    fits = len(positions) == len(quantity.shape) and all(
+        _POSITION.fullmatch(p) and (p == ":" or int(p) < n) for p, n in zip(positions, quantity.shape, strict=False)
+    )
+    if not fits:
+        shape = list(quantity.shape)
+        raise UnknownEntry(f"{quantity.name}[{index}]: the quantity has shape {shape}, indices count from 0")
+    return positions
+

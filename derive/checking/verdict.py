@@ -1,0 +1,110 @@
+"""What a check says, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from enum import StrEnum
+from typing import Any
+
+from radartrack.derive.tensor import Index
+
+
+class Outcome(StrEnum):
+    """The five verdicts."""
+
+    EQUAL = "equal"
+    EQUAL_NUMERICALLY = "equal_numerically"
+    DIFFERS = "differs"
+    WRONG_DIMENSIONS = "wrong_dimensions"
+    UNDECIDED = "undecided"
+
+    @property
+    def words(self) -> str:
+        """As it is said to people."""
+        return {
+            Outcome.EQUAL: "equal, proved",
+            Outcome.EQUAL_NUMERICALLY: "equal to 50 digits, not proved",
+            Outcome.DIFFERS: "differs",
+            Outcome.WRONG_DIMENSIONS: "wrong dimensions",
+            Outcome.UNDECIDED: "cannot decide",
+        }[self]
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """A point inside the domain where a printed formula is wrong.
+
+    Attributes:
+        point: the values of the symbols, in SI units and radians.
+        entry: which entry is compared; empty for a scalar.
+        printed: the value of the printed formula.
+        derived: the value of the derived one.
+        relative_difference: |printed - derived| / |derived|; by the printed value where the derived one is zero.
+        largest_relative_difference: the largest found over the domain of the quantity. That of a vector's entry is
+            taken relative to its norm, that of a covariance to the root of the product of the variances.
+        largest_at: where that is.
+    """
+
+    point: Mapping[str, float]
+    entry: Index
+    printed: float
+    derived: float
+    relative_difference: float
+    largest_relative_difference: float | None = None
+    largest_at: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Suggestion:
+    """What was probably meant.
+
+    Attributes:
+        formula: the printed formula after the edit, or the name of another quantity that it equals.
+        edit: what was changed, in words.
+        entry: which entry it is about.
+        proved: whether the result is proved equal to the derived formula.
+    """
+
+    formula: str
+    edit: str
+    entry: Index = ()
+    proved: bool = True
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The answer to one question.
+
+    Attributes:
+        verdict: one of five.
+        quantity: what the formula was compared with.
+        printed: the formula as it was read.
+        derived: what was derived, as text that can be checked in turn.
+        reason: why, in a sentence or two.
+        counterexample: where it is wrong, when it differs.
+        suggestions: what was probably meant, the likeliest first.
+        order: the leading order of the difference in the standard deviations, and that of the quantity itself.
+        conditions: under which it was compared: `rho = 0`.
+        remarks: what else was found: conditions under which it is equal, other quantities that it equals.
+    """
+
+    verdict: Outcome
+    quantity: str
+    printed: str
+    derived: str
+    reason: str
+    counterexample: Counterexample | None = None
+    suggestions: tuple[Suggestion, ...] = ()
+    order: tuple[int, int] | None = None
+    conditions: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def is_equal(self) -> bool:
+        """Whether the formula is right."""
+        return self.verdict in {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}
+
+    def record(self) -> dict[str, Any]:
+        """The verdict as plain data for JSON."""
+        return asdict(self) | {"verdict": self.verdict.value}

@@ -1,0 +1,215 @@
+"""The least-squares polynomial filter over k scans, from range or from range and range rate.
+
+The newest scan is number k. The state is the value and the first `degree` derivatives of the polynomial at a time
+that lies τ scans after the newest one, so with H_j its map to what scan j measures and Q_θ the inverse variances,
+
+    Q = Σ_j H_jᵀ Q_θ H_j,    R = Q⁻¹,    W_j = R H_jᵀ Q_θ.
+
+Everything is exact for a symbolic number of scans: the sums are closed, and R is the adjoint over the determinant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from math import factorial
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.power_sums import summed
+from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
+from radartrack.derive.tensor import Tensor
+from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, SECOND
+from radartrack.derive.variable import Variable
+
+MOST_SCANS = 1e6
+
+sigma_r = Variable("sigma_r", "standard deviation of the error of the range", METRE, 1e-3, 1e4)
+sigma_v = Variable("sigma_v", "standard deviation of the error of the range rate", METRE_PER_SECOND, 1e-4, 1e4)
+T = Variable("T", "time from scan to scan", SECOND, 1e-3, 1e3)
+C = Variable("C", "sigma_r^2/(T^2 sigma_v^2), the weight of the range rate", ONE, 0.0, 1e12)
+tau = Variable("tau", "scans from the newest one to the time of the estimate, less than 0 to smooth", ONE, -1e6, 1e6)
+
+
+def scans(fewest: int) -> Variable:
+    """The number of scans k, from the fewest on; the symbol is the same for every domain."""
+    return Variable("k", "number of scans", ONE, float(fewest), MOST_SCANS, whole=True)
+
+
+k = scans(1)
+j = Variable("j", "number of the scan that is weighted, 1 the oldest, k the newest", ONE, 1.0, MOST_SCANS, whole=True, at_most=k)
+
+RATIO = sigma_r**2 / (T**2 * sigma_v**2)
+
+
+@dataclass(frozen=True)
+class FiniteSample:
+    """The filter of one degree and one set of observations.
+
+    Attributes:
+        degree: of the polynomial; the state has degree + 1 components.
+        with_rate: whether the range rate is measured beside the range.
+    """
+
+    degree: int
+    with_rate: bool
+
+    @property
+    def size(self) -> int:
+        """The number of components of the state."""
+        return self.degree + 1
+
+    @property
+    def weight_of_rate(self) -> Expr:
+        """C, or 0 without the range rate."""
+        return C if self.with_rate else sp.Integer(0)
+
+    def range_row(self) -> list[Expr]:
+        """The range at scan j by the components of the state at the newest scan."""
+        return [((j - k) * T) ** n / sp.Integer(factorial(n)) for n in range(self.size)]
+
+    def rate_row(self) -> list[Expr]:
+        """The range rate at scan j by the components of the state at the newest scan."""
+        return [sp.Integer(0), *self.range_row()[:-1]]
+
+    @cached_property
+    def design(self) -> Tensor[Expr]:
+        """H_j, one row an observation."""
+        rows = [self.range_row(), self.rate_row()][: 1 + self.with_rate]
+        return Tensor.build((len(rows), self.size), lambda a, n: rows[a][n])
+
+    @cached_property
+    def precision(self) -> Tensor[Expr]:
+        """Q_θ of one scan: the inverse variances of its observations."""
+        inverse = [sigma_r**-2, C * T**2 / sigma_r**2]
+        rows = 1 + self.with_rate
+        return Tensor.build((rows, rows), lambda a, b: inverse[a] if a == b else sp.Integer(0))
+
+    @cached_property
+    def information(self) -> Tensor[Expr]:
+        """Q = Σ H_jᵀ Q_θ H_j."""
+        ranges, rates = self.information_of_ranges, self.information_of_rates
+        return Tensor.build(ranges.shape, lambda m, n: sp.factor(ranges[m, n] + rates[m, n]))
+
+    @cached_property
+    def information_of_ranges(self) -> Tensor[Expr]:
+        """What the ranges add to Q."""
+        return _gram(self.range_row(), sigma_r**-2)
+
+    @cached_property
+    def information_of_rates(self) -> Tensor[Expr]:
+        """What the range rates add to Q; nothing where they are not measured."""
+        return _gram(self.rate_row(), self.weight_of_rate * T**2 / sigma_r**2)
+
+    @cached_property
+    def covariance(self) -> Tensor[Expr]:
+        """R = Q⁻¹ at the newest scan: the adjoint over the determinant, as rational functions of k and C."""
+        ring = PolyRing([k, C], sp.QQ)
+        unit = {T: sp.Integer(1), sigma_r: sp.Integer(1)}
+        matrix = [
+            [ring.from_expr(sp.expand(self.information[m, n].xreplace(unit))) for n in range(self.size)]
+            for m in range(self.size)
+        ]
+        whole = determinant(matrix, ring).as_expr()
+
+        def entry(m: int, n: int) -> Expr:
+            minor = determinant(_without(matrix, n, m), ring).as_expr()
+            return sp.factor((-1) ** (m + n) * minor / whole) * sigma_r**2 / T ** (m + n)
+
+        return Tensor.build((self.size, self.size), entry)
+
+    @cached_property
+    def range_weights(self) -> Tensor[Expr]:
+        """What the range of scan j adds to each component, for one metre."""
+        return self._weights(self.range_row(), sigma_r**-2)
+
+    @cached_property
+    def rate_weights(self) -> Tensor[Expr]:
+        """What the range rate of scan j adds to each component, for one metre per second."""
+        return self._weights(self.rate_row(), self.weight_of_rate * T**2 / sigma_r**2)
+
+    def _weights(self, row: list[Expr], precision: Expr) -> Tensor[Expr]:
+        products = product(self.covariance, Tensor((self.size, 1), tuple(row)))
+        return Tensor((self.size,), tuple(sp.factor(entry * precision) for entry in products))
+
+    @cached_property
+    def transition(self) -> Tensor[Expr]:
+        """The state τ scans after the newest one by the state at the newest one."""
+        return Tensor.build(
+            (self.size, self.size),
+            lambda m, n: (tau * T) ** (n - m) / sp.Integer(factorial(n - m)) if n >= m else sp.Integer(0),
+        )
+
+    @cached_property
+    def lagged_covariance(self) -> Tensor[Expr]:
+        """The covariance of the estimate τ scans after the newest one."""
+        moved = product(self.transition, product(self.covariance, transposed(self.transition)))
+        return moved.map(sp.factor)
+
+    @cached_property
+    def lagged_range_weights(self) -> Tensor[Expr]:
+        """The weights of the range for the estimate τ scans after the newest one."""
+        return self._lagged(self.range_weights)
+
+    @cached_property
+    def lagged_rate_weights(self) -> Tensor[Expr]:
+        """The weights of the range rate for the estimate τ scans after the newest one."""
+        return self._lagged(self.rate_weights)
+
+    def _lagged(self, weights: Tensor[Expr]) -> Tensor[Expr]:
+        moved = product(self.transition, Tensor((self.size, 1), weights.entries))
+        return Tensor((self.size,), tuple(sp.factor(entry) for entry in moved))
+
+
+def fewest_scans(degree: int, *, with_rate: bool) -> int:
+    """The fewest scans that determine a polynomial: k distinct values give k data, values and slopes 2k (Hermite)."""
+    return (degree + 2) // 2 if with_rate else degree + 1
+
+
+def highest_degree(count: int, *, with_rate: bool) -> int:
+    """The highest degree that `count` scans determine."""
+    return 2 * count - 1 if with_rate else count - 1
+
+
+def product(first: Tensor[Expr], second: Tensor[Expr]) -> Tensor[Expr]:
+    """The matrix product."""
+    rows, inner = first.shape
+    a, b = dict(first.items()), dict(second.items())
+    return Tensor.build((rows, second.shape[1]), lambda m, n: sp.Add(*(a[m, i] * b[i, n] for i in range(inner))))
+
+
+def transposed(matrix: Tensor[Expr]) -> Tensor[Expr]:
+    """The transpose."""
+    return Tensor.build((matrix.shape[1], matrix.shape[0]), lambda m, n: matrix[n, m])
+
+
+def determinant(matrix: list[list[PolyElement]], ring: PolyRing) -> PolyElement:
+    """The determinant of polynomials, over the minors of the last rows, so that nothing is ever divided."""
+    minors = {(): ring.one}
+    size = len(matrix)
+    for taken in range(1, size + 1):
+        row = matrix[size - taken]
+        minors = {
+            columns: sum(
+                ((-1) ** place * row[column] * minors[columns[:place] + columns[place + 1 :]]
+                 for place, column in enumerate(columns)),
+                start=ring.zero,
+            )
+            for columns in combinations(range(size), taken)
+        }
+    return minors[tuple(range(size))]
+
+
+def _without(matrix: list[list[PolyElement]], row: int, column: int) -> list[list[PolyElement]]:
+    return [
+        [entry for n, entry in enumerate(entries) if n != column] for m, entries in enumerate(matrix) if m != row
+    ]
+
+
+def _gram(row: list[Expr], precision: Expr) -> Tensor[Expr]:
+    """Σ_j rowᵀ row × precision, over all scans; i = k − j counts them from the newest backwards."""
+    back = Symbol("i", integer=True)
+    backwards = [entry.xreplace({j: k - back}) for entry in row]
+    return Tensor.build(
+        (len(row), len(row)), lambda m, n: sp.factor(summed(backwards[m] * backwards[n], back, k) * precision)
+    )

@@ -1,0 +1,140 @@
+"""What the grammars of text and LaTeX share: each rule that is recognised becomes a node of the tree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TypeAlias
+
+from lark import Token, Transformer
+
+from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
+from radartrack.derive.formula.limits import check_number, check_size
+from radartrack.derive.formula.magnitude import check_magnitude
+from radartrack.derive.formula.shape import shape
+from radartrack.derive.formula.tree import (
+    Array,
+    Call,
+    Name,
+    Negation,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    with_span,
+)
+
+Part: TypeAlias = Token | Tree
+
+
+class TreeBuilder(Transformer[Token, Tree]):
+    """Makes nodes while the parser runs, so that nothing recurses; the methods are named as the rules."""
+
+    def number(self, parts: Sequence[Token]) -> Tree:
+        """A number as printed."""
+        check_number(parts[0], place(parts))
+        return Number(str(parts[0]), span=place(parts))
+
+    def name(self, parts: Sequence[Token]) -> Tree:
+        """A symbol."""
+        return Name(str(parts[0]), span=place(parts))
+
+    def bracketed(self, parts: Sequence[Part]) -> Tree:
+        """Something in brackets: itself, said to stand where the brackets do."""
+        (inner,) = trees(parts)
+        return with_span(inner, place(parts))
+
+    def absolute(self, parts: Sequence[Part]) -> Tree:
+        """Something between bars."""
+        return Call("abs", tuple(trees(parts)), span=place(parts))
+
+    def signed(self, parts: Sequence[Part]) -> Tree:
+        """Something after a sign."""
+        (operand,) = trees(parts)
+        return operand if parts[0] == "+" else Negation(operand, span=place(parts))
+
+    def sum(self, parts: Sequence[Part]) -> Tree:
+        """Terms between signs."""
+        terms: list[Tree] = []
+        sign: Token | None = None
+        for part in parts:
+            if isinstance(part, Token):
+                sign = part
+                continue
+            terms.append(self.signed([sign, part]) if sign else part)
+        return Sum(tuple(terms), span=place(parts))
+
+    def product(self, parts: Sequence[Part]) -> Tree:
+        """Factors, or factors and divisors from left to right: a*b/c*d is ((a*b)/c)*d."""
+        factors: list[Tree] = []
+        divides = False
+        for part in parts:
+            if isinstance(part, Token):
+                divides = part == "/"
+            elif divides:
+                factors = [_quotient(_product(factors), part)]
+                divides = False
+            else:
+                factors.append(part)
+        return _product(factors)
+
+    def power(self, parts: Sequence[Part]) -> Tree:
+        """A base and an exponent."""
+        base, exponent = trees(parts)
+        return Power(base, exponent, span=place(parts))
+
+    def array(self, parts: Sequence[Part]) -> Tree:
+        """Entries of a vector, or rows."""
+        return Array(tuple(trees(parts)), span=place(parts))
+
+
+def call(function: str, arguments: Iterable[Tree], span: Span) -> Tree:
+    """A function applied to as many arguments as it takes.
+
+    Raises:
+        FormulaError: for more or fewer.
+    """
+    given = tuple(arguments)
+    needed = NUMBER_OF_ARGUMENTS[function]
+    if len(given) != needed:
+        plural = "" if needed == 1 else "s"
+        raise FormulaError(f"{function} takes {needed} argument{plural}, here it has {len(given)}", span=span)
+    return Call(function, given, span=span)
+
+
+def trees(parts: Iterable[Part]) -> Iterator[Tree]:
+    """The parts that are trees."""
+    return (part for part in parts if not isinstance(part, Token))
+
+
+def place(parts: Sequence[Part]) -> Span:
+    """From where the first part begins to where the last one ends."""
+    return _span(parts[0])[0], _span(parts[-1])[1]
+
+
+def check_tree(tree: Tree) -> Tree:
+    """Let through a tree that is safe to work on.
+
+    Raises:
+        FormulaError: when it is too large, or has no meaning.
+    """
+    check_size(tree)
+    check_magnitude(tree)
+    shape(tree)
+    return tree
+
+
+def _span(part: Part) -> Span:
+    if isinstance(part, Token):
+        return part.start_pos or 0, part.end_pos or 0
+    return part.span or (0, 0)
+
+
+def _product(factors: Sequence[Tree]) -> Tree:
+    return factors[0] if len(factors) == 1 else Product(tuple(factors), span=place(factors))
+
+
+def _quotient(numerator: Tree, denominator: Tree) -> Tree:
+    return Quotient(numerator, denominator, span=place([numerator, denominator]))
