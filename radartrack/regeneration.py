@@ -21,7 +21,7 @@ from radartrack.verification.sampling import sample
 from radartrack.verification.ulp import errors
 
 RECORD = "accuracy.json"
-POINTS = 2000
+POINTS = 500
 PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
 
 Files = dict[str, str]

@@ -1,0 +1,2599 @@
+"""NumPy functions of the quantities spherical.*.
+
+Written by radartrack regenerate, generator 1, derivation 3a9881e071d89271; not to be edited.
+"""
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = [
+    "bias_averaged",
+    "bias_second_order",
+    "bias_truth",
+    "covariance_averaged",
+    "covariance_linear",
+    "covariance_second_order",
+    "covariance_truth",
+    "decorrelated_covariance",
+    "hessian",
+    "jacobian",
+    "map",
+    "posterior_covariance",
+    "posterior_estimate",
+    "unbiased_covariance",
+    "unbiased_estimate",
+]
+
+Floats = npt.NDArray[np.floating]
+
+
+def _floats(*arguments: npt.ArrayLike) -> tuple[Floats, ...]:
+    """The arguments as arrays of one type: float32 where every array is float32, else float64.
+
+    Python numbers follow the arrays; integers and anything narrower than float32 compute in float64.
+    """
+    typed = [np.asarray(argument) for argument in arguments if hasattr(argument, "dtype")]
+    single = bool(typed) and all(array.dtype == np.float32 for array in typed)
+    dtype = np.float32 if single else np.float64
+    arrays = (np.asarray(argument) for argument in arguments)
+    return tuple(array.astype(dtype, casting="same_kind", copy=False) for array in arrays)
+
+
+def _empty(arguments: tuple[Floats, ...], shape: tuple[int, ...]) -> Floats:
+    """Room for a result: the shape that the arguments broadcast to, then the tensor's own."""
+    return np.empty(np.broadcast_shapes(*(a.shape for a in arguments)) + shape, arguments[0].dtype)
+
+
+def map(*, r: npt.ArrayLike, beta: npt.ArrayLike, epsilon: npt.ArrayLike) -> Floats:
+    """Map from the measured quantities to coordinates.
+
+    Name: spherical.map.
+    Definition: h.
+    Conditioning: no expectation is taken.
+    Source: Gao et al. 2020 (1).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon)
+    r, beta, epsilon = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    result = _empty(arguments, (3,))
+    result[..., 0] = cos_epsilon * r * sin_beta
+    result[..., 1] = cos_beta * cos_epsilon * r
+    result[..., 2] = r * sin_epsilon
+    return result
+
+
+def jacobian(*, r: npt.ArrayLike, beta: npt.ArrayLike, epsilon: npt.ArrayLike) -> Floats:
+    """First derivatives of the map, [out, in].
+
+    Name: spherical.jacobian.
+    Definition: dh/dtheta.
+    Conditioning: no expectation is taken.
+    Source: Prosov (6)-(7).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit [m, m, m] × [1/m, 1/rad, 1/rad].
+
+    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon)
+    r, beta, epsilon = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = cos_epsilon * sin_beta
+    result[..., 0, 1] = cos_beta * cos_epsilon * r
+    result[..., 0, 2] = -r * sin_beta * sin_epsilon
+    result[..., 1, 0] = cos_beta * cos_epsilon
+    result[..., 1, 1] = -cos_epsilon * r * sin_beta
+    result[..., 1, 2] = -cos_beta * r * sin_epsilon
+    result[..., 2, 0] = sin_epsilon
+    result[..., 2, 1] = 0.0
+    result[..., 2, 2] = cos_epsilon * r
+    return result
+
+
+def hessian(*, r: npt.ArrayLike, beta: npt.ArrayLike, epsilon: npt.ArrayLike) -> Floats:
+    """Second derivatives of the map, [out, in, in].
+
+    Name: spherical.hessian.
+    Definition: d2h/dtheta2.
+    Conditioning: no expectation is taken.
+    Source: Prosov (6)-(7).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3, 3), unit [m, m, m] × [1/m, 1/rad, 1/rad] × [1/m, 1/rad,
+        1/rad].
+
+    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon)
+    r, beta, epsilon = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    result = _empty(arguments, (3, 3, 3))
+    result[..., 0, 0, 0] = 0.0
+    result[..., 0, 0, 1] = cos_beta * cos_epsilon
+    result[..., 0, 0, 2] = -sin_beta * sin_epsilon
+    result[..., 0, 1, 0] = result[..., 0, 0, 1]
+    result[..., 0, 1, 1] = -cos_epsilon * r * sin_beta
+    result[..., 0, 1, 2] = -cos_beta * r * sin_epsilon
+    result[..., 0, 2, 0] = result[..., 0, 0, 2]
+    result[..., 0, 2, 1] = result[..., 0, 1, 2]
+    result[..., 0, 2, 2] = result[..., 0, 1, 1]
+    result[..., 1, 0, 0] = 0.0
+    result[..., 1, 0, 1] = -cos_epsilon * sin_beta
+    result[..., 1, 0, 2] = -cos_beta * sin_epsilon
+    result[..., 1, 1, 0] = result[..., 1, 0, 1]
+    result[..., 1, 1, 1] = -cos_beta * cos_epsilon * r
+    result[..., 1, 1, 2] = r * sin_beta * sin_epsilon
+    result[..., 1, 2, 0] = result[..., 1, 0, 2]
+    result[..., 1, 2, 1] = result[..., 1, 1, 2]
+    result[..., 1, 2, 2] = result[..., 1, 1, 1]
+    result[..., 2, 0, 0] = 0.0
+    result[..., 2, 0, 1] = 0.0
+    result[..., 2, 0, 2] = cos_epsilon
+    result[..., 2, 1, 0] = 0.0
+    result[..., 2, 1, 1] = 0.0
+    result[..., 2, 1, 2] = 0.0
+    result[..., 2, 2, 0] = cos_epsilon
+    result[..., 2, 2, 1] = 0.0
+    result[..., 2, 2, 2] = -r * sin_epsilon
+    return result
+
+
+def bias_second_order(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Bias of the plain conversion to second order.
+
+    Name: spherical.bias.second_order.
+    Definition: L h.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Prosov (7).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 3 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    part_0_cos_beta_cos_epsilon = rho * sigma_beta * sigma_r
+    sigma_epsilon_squared = sigma_epsilon**2
+    part_0_cos_epsilon_sin_beta = -0.5 * r * sigma_beta**2 - 0.5 * r * sigma_epsilon_squared
+    result = _empty(arguments, (3,))
+    result[..., 0] = (
+        cos_beta * cos_epsilon * part_0_cos_beta_cos_epsilon
+        + cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
+    )
+    result[..., 1] = (
+        cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
+        - cos_epsilon * part_0_cos_beta_cos_epsilon * sin_beta
+    )
+    result[..., 2] = -0.5 * r * sigma_epsilon_squared * sin_epsilon
+    return result
+
+
+def bias_truth(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exact bias of the plain conversion h(z).
+
+    Name: spherical.bias.truth.
+    Definition: (e^L - 1) h.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Lerro & Bar-Shalom 1993.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 4 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    part_0_cos_beta_cos_epsilon = attenuation_beta * attenuation_epsilon * rho * sigma_beta * sigma_r
+    sum_1 = shortfall_beta * shortfall_epsilon - shortfall_beta - shortfall_epsilon
+    part_0_cos_epsilon_sin_beta = r * sum_1
+    result = _empty(arguments, (3,))
+    result[..., 0] = (
+        cos_beta * cos_epsilon * part_0_cos_beta_cos_epsilon
+        + cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
+    )
+    result[..., 1] = (
+        cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
+        - cos_epsilon * part_0_cos_beta_cos_epsilon * sin_beta
+    )
+    result[..., 2] = -r * shortfall_epsilon * sin_epsilon
+    return result
+
+
+def bias_averaged(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exact bias of the plain conversion, averaged over the truth.
+
+    Name: spherical.bias.averaged.
+    Definition: (e^2L - e^L) h.
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Lerro & Bar-Shalom 1993.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = shortfall_beta * shortfall_epsilon - shortfall_beta - shortfall_epsilon
+    part_0_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * r * sum_1
+    sum_2 = 2.0 * attenuation_beta * attenuation_epsilon - 1.0
+    sum_3 = 1.0 - 2.0 * attenuation_beta * attenuation_epsilon
+    result = _empty(arguments, (3,))
+    result[..., 0] = (
+        attenuation_beta * attenuation_epsilon * cos_beta * cos_epsilon * rho * sigma_beta * sigma_r * sum_2
+        + cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
+    )
+    result[..., 1] = (
+        attenuation_beta * attenuation_epsilon * cos_epsilon * rho * sigma_beta * sigma_r * sin_beta * sum_3
+        + cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
+    )
+    result[..., 2] = -attenuation_epsilon * r * shortfall_epsilon * sin_epsilon
+    return result
+
+
+def covariance_linear(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Covariance of the linearised conversion.
+
+    Name: spherical.covariance.linear.
+    Definition: J K J'.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Prosov (9); Gao et al. 2020 (1).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    r_squared = r**2
+    sigma_beta_squared = sigma_beta**2
+    part_00_cos_beta2_cos_epsilon2 = r_squared * sigma_beta_squared
+    part_00_cos_beta_cos_epsilon2_sin_beta = 2.0 * r * rho * sigma_beta * sigma_r
+    sigma_epsilon_squared = sigma_epsilon**2
+    part_00_sin_beta2_sin_epsilon2 = r_squared * sigma_epsilon_squared
+    part_01_cos_beta2_cos_epsilon2 = r * rho * sigma_beta * sigma_r
+    sigma_r_squared = sigma_r**2
+    part_01_cos_beta_cos_epsilon2_sin_beta = sigma_r_squared - r_squared * sigma_beta_squared
+    part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - r_squared * sigma_epsilon_squared
+    cos_beta_squared = cos_beta**2
+    cos_epsilon_squared = cos_epsilon**2
+    sin_beta_squared = sin_beta**2
+    sin_epsilon_squared = sin_epsilon**2
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        cos_beta * cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_epsilon_squared * sigma_r_squared * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        - cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + cos_beta * part_00_sin_beta2_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2
+    )
+    result[..., 0, 2] = (
+        cos_beta * cos_epsilon * part_01_cos_beta2_cos_epsilon2 * sin_epsilon
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        cos_beta_squared * cos_epsilon_squared * sigma_r_squared
+        - cos_beta * cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+    )
+    result[..., 1, 2] = (
+        cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+        - cos_epsilon * part_01_cos_beta2_cos_epsilon2 * sin_beta * sin_epsilon
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_00_sin_beta2_sin_epsilon2
+        + sigma_r_squared * sin_epsilon_squared
+    )
+    return result
+
+
+def covariance_second_order(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Covariance of the conversion's quadratic Taylor polynomial.
+
+    Name: spherical.covariance.second_order.
+    Definition: J K J' + tr(G_a K G_b K)/2.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Bar-Shalom & Li 1995.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    r_squared = r**2
+    sigma_beta_squared = sigma_beta**2
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    part_00_cos_beta2_cos_epsilon2 = (
+        r_squared * sigma_beta_squared
+        + rho_squared * sigma_beta_squared * sigma_r_squared
+        + sigma_beta_squared * sigma_r_squared
+    )
+    sigma_epsilon_squared = sigma_epsilon**2
+    part_00_cos_beta2_sin_epsilon2 = r_squared * sigma_beta_squared * sigma_epsilon_squared
+    product_1 = sigma_beta * sigma_beta_squared
+    part_00_cos_beta_cos_epsilon2_sin_beta = (
+        2.0 * r * rho * sigma_beta * sigma_r
+        - 2.0 * product_1 * r * rho * sigma_r
+    )
+    part_00_cos_beta_sin_beta_sin_epsilon2 = 2.0 * r * rho * sigma_beta * sigma_epsilon_squared * sigma_r
+    product_2 = 0.5 * r_squared * sigma_beta_squared**2
+    product_3 = 0.5 * r_squared * sigma_epsilon_squared**2
+    part_00_cos_epsilon2_sin_beta2 = product_2 + product_3 + sigma_r_squared
+    product_4 = r_squared * sigma_epsilon_squared
+    product_5 = sigma_epsilon_squared * sigma_r_squared
+    part_00_sin_beta2_sin_epsilon2 = product_4 + product_5
+    product_6 = r * rho * sigma_beta * sigma_r
+    part_01_cos_beta2_cos_epsilon2 = product_6 - product_1 * r * rho * sigma_r
+    part_01_cos_beta2_sin_epsilon2 = r * rho * sigma_beta * sigma_epsilon_squared * sigma_r
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        product_2
+        - r_squared * sigma_beta_squared
+        - rho_squared * sigma_beta_squared * sigma_r_squared
+        - sigma_beta_squared * sigma_r_squared
+        + product_3
+        + sigma_r_squared
+    )
+    part_01_cos_beta_sin_beta_sin_epsilon2 = (
+        product_4
+        - r_squared * sigma_beta_squared * sigma_epsilon_squared
+        + product_5
+    )
+    part_02_cos_beta_cos_epsilon_sin_epsilon = (
+        product_6
+        - r * rho * sigma_beta * sigma_epsilon_squared * sigma_r
+    )
+    part_02_cos_epsilon_sin_beta_sin_epsilon = (
+        product_3
+        - r_squared * sigma_epsilon_squared
+        - sigma_epsilon_squared * sigma_r_squared
+        + sigma_r_squared
+    )
+    part_22_sin_epsilon2 = product_3 + sigma_r_squared
+    cos_beta_squared = cos_beta**2
+    cos_epsilon_squared = cos_epsilon**2
+    sin_epsilon_squared = sin_epsilon**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        cos_beta * cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_00_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        - cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2 * sin_beta_squared
+        - part_01_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+        + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_01_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+    )
+    result[..., 0, 2] = (
+        cos_beta * cos_epsilon * part_02_cos_beta_cos_epsilon_sin_epsilon * sin_epsilon
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
+        - cos_beta * cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        - cos_beta * part_00_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 1, 2] = (
+        cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+        - cos_epsilon * part_02_cos_beta_cos_epsilon_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_00_sin_beta2_sin_epsilon2
+        + part_22_sin_epsilon2 * sin_epsilon_squared
+    )
+    return result
+
+
+def covariance_truth(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exact covariance of the plain conversion h(z).
+
+    Name: spherical.covariance.truth.
+    Definition: C = e^L(h h') - (e^L h)(e^L h)'.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Lerro & Bar-Shalom 1993.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 2.82183e+15 ulp from 50-digit arithmetic at 2000 points of this domain (float64,
+    independent errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
+    attenuation_epsilon = np.exp(-sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    attenuation_beta_squared = attenuation_beta**2
+    attenuation_epsilon_squared = attenuation_epsilon**2
+    product_1 = attenuation_beta_squared * attenuation_epsilon_squared
+    sum_1 = attenuation_beta_squared - attenuation_epsilon + product_1
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    product_2 = attenuation_beta * attenuation_beta_squared
+    sum_2 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta * attenuation_epsilon_squared
+        + attenuation_beta_squared
+        + attenuation_epsilon_squared
+        + attenuation_epsilon_squared * product_2
+        + product_1
+        + product_2
+    )
+    r_squared = r**2
+    part_00_cos_beta2_cos_epsilon2 = (
+        attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
+        + 0.25 * r_squared * shortfall_beta * sum_2
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+    )
+    attenuation_beta_squared_squared = attenuation_beta_squared**2
+    sum_3 = 1.0 + attenuation_epsilon
+    sum_4 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta * attenuation_epsilon
+        + attenuation_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon
+        + attenuation_epsilon
+        + attenuation_epsilon * product_2
+        + product_2
+    )
+    part_00_cos_beta2_sin_epsilon2 = (
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_3
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+    )
+    sum_5 = -1.0 - attenuation_epsilon_squared
+    shortfall_beta_squared = shortfall_beta**2
+    product_3 = shortfall_beta * shortfall_beta_squared
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    shortfall_beta_squared_squared = shortfall_beta_squared**2
+    sum_6 = (
+        2.0 * attenuation_beta * attenuation_epsilon * product_3 * shortfall_epsilon
+        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_3
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared
+        + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared
+        + attenuation_beta * product_3 * shortfall_epsilon_squared
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared
+        + 0.5 * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
+        + 0.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared
+        + product_2 * shortfall_beta * shortfall_epsilon_squared
+        + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared
+    )
+    sum_7 = (
+        0.25
+        + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 0.25 * attenuation_beta_squared_squared
+        + 0.25 * attenuation_epsilon_squared
+    )
+    part_00_cos_epsilon2_sin_beta2 = (
+        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
+        + r_squared * sum_6
+        + sigma_r_squared * sum_7
+    )
+    sum_8 = -1.0 - attenuation_epsilon
+    sum_9 = (
+        1.0
+        + attenuation_beta_squared_squared
+        + attenuation_beta_squared_squared * attenuation_epsilon
+        + attenuation_epsilon
+    )
+    part_00_sin_beta2_sin_epsilon2 = (
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
+        + 0.25 * r_squared * shortfall_epsilon * sum_9
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_9
+    )
+    sum_10 = attenuation_beta_squared - 2.0 * attenuation_epsilon + product_1
+    sum_11 = (
+        attenuation_epsilon
+        - 2.0 * attenuation_beta_squared
+        - 2.0 * attenuation_beta_squared * attenuation_epsilon_squared
+    )
+    sum_12 = 1.0 + attenuation_epsilon_squared
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * attenuation_beta_squared * r_squared * sum_10
+        + attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_12
+    )
+    part_01_cos_beta_sin_beta_sin_epsilon2 = (
+        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
+        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_3
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_3
+    )
+    part_02_cos_epsilon_sin_beta_sin_epsilon = (
+        attenuation_beta * attenuation_epsilon_squared * sigma_r_squared
+        - attenuation_beta * attenuation_epsilon * r_squared * shortfall_epsilon
+        - attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared
+    )
+    part_22_cos_epsilon2 = (
+        0.5 * r_squared * shortfall_epsilon * sum_3
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_3
+    )
+    sum_13 = 0.5 + 0.5 * attenuation_epsilon_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_13
+    cos_epsilon_squared = cos_epsilon**2
+    sin_epsilon_squared = sin_epsilon**2
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    sum_14 = (
+        attenuation_epsilon
+        - attenuation_beta_squared
+        - attenuation_beta_squared * attenuation_epsilon_squared
+    )
+    sum_15 = 2.0 * attenuation_epsilon - 1.0
+    sum_16 = 1.0 - 2.0 * attenuation_epsilon
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_1
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_3
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        attenuation_beta_squared * cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_1
+        + attenuation_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_14
+        + attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_3
+        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_8
+        + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+    )
+    result[..., 0, 2] = (
+        attenuation_beta * attenuation_epsilon * cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_15
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_14
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_8
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 1, 2] = (
+        attenuation_beta * attenuation_epsilon * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_16
+        + cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_22_cos_epsilon2
+        + part_22_sin_epsilon2 * sin_epsilon_squared
+    )
+    return result
+
+
+def covariance_averaged(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exact covariance of the plain conversion, averaged over the truth.
+
+    Name: spherical.covariance.averaged.
+    Definition: e^L C.
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 2.82183e+15 ulp from 50-digit arithmetic at 2000 points of this domain (float64,
+    independent errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-sigma_beta_squared)
+    shortfall_beta = -np.expm1(-sigma_beta_squared)
+    attenuation_epsilon = np.exp(-sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    attenuation_beta_squared = attenuation_beta**2
+    product_1 = -9.0 * attenuation_beta_squared * attenuation_epsilon
+    attenuation_epsilon_squared = attenuation_epsilon**2
+    product_2 = attenuation_epsilon * attenuation_epsilon_squared
+    product_3 = attenuation_beta * attenuation_beta_squared
+    attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    sum_1 = (
+        16.0 * attenuation_epsilon_squared_squared * product_3
+        - 9.0 * attenuation_beta_squared * product_2
+        - attenuation_epsilon
+        - product_2
+        + 16.0 * product_3
+        + product_1
+    )
+    product_4 = -attenuation_beta_squared * attenuation_epsilon
+    product_5 = -attenuation_beta_squared * product_2
+    product_6 = -attenuation_beta * attenuation_epsilon
+    product_7 = -attenuation_beta * product_2
+    product_8 = attenuation_beta * attenuation_epsilon_squared_squared
+    r_squared = r**2
+    sum_2 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon_squared_squared
+        + attenuation_epsilon_squared_squared
+        + attenuation_epsilon_squared_squared * product_3
+        + product_3
+        + product_4
+        + product_5
+        + product_6
+        + product_7
+        + product_8
+    )
+    product_9 = 2.0 * attenuation_beta * attenuation_epsilon_squared_squared
+    sum_3 = (
+        2.0
+        + 2.0 * attenuation_beta
+        + 2.0 * attenuation_beta_squared
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
+        + 2.0 * attenuation_epsilon_squared_squared
+        + 2.0 * attenuation_epsilon_squared_squared * product_3
+        + 2.0 * product_3
+        + product_4
+        + product_5
+        + product_6
+        + product_7
+        + product_9
+    )
+    part_00_cos_beta2_cos_epsilon2 = (
+        0.25 * attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
+        + 0.25 * r_squared * shortfall_beta * sum_2
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_3
+    )
+    sum_4 = (
+        16.0 * attenuation_epsilon * product_3
+        - 9.0 * attenuation_beta_squared * attenuation_epsilon_squared
+        - attenuation_epsilon
+        - attenuation_epsilon_squared
+        + 16.0 * attenuation_epsilon_squared * product_3
+        + 16.0 * product_2 * product_3
+        + 16.0 * product_3
+        + product_1
+    )
+    product_10 = attenuation_beta * product_2
+    sum_5 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta_squared
+        + attenuation_beta_squared * product_2
+        + attenuation_epsilon
+        + attenuation_epsilon * product_3
+        + attenuation_epsilon_squared
+        + attenuation_epsilon_squared * product_3
+        + product_10
+        + product_2
+        + product_2 * product_3
+        + product_3
+    )
+    product_11 = 2.0 * attenuation_beta * product_2
+    product_12 = attenuation_beta * attenuation_epsilon
+    product_13 = attenuation_beta * attenuation_epsilon_squared
+    sum_6 = (
+        2.0
+        + 2.0 * attenuation_beta
+        + 2.0 * attenuation_beta_squared
+        + 2.0 * attenuation_beta_squared * product_2
+        + 2.0 * attenuation_epsilon
+        + 2.0 * attenuation_epsilon * product_3
+        + 2.0 * attenuation_epsilon_squared
+        + 2.0 * attenuation_epsilon_squared * product_3
+        + 2.0 * product_2
+        + 2.0 * product_2 * product_3
+        + 2.0 * product_3
+        + attenuation_beta_squared * attenuation_epsilon
+        + attenuation_beta_squared * attenuation_epsilon_squared
+        + product_11
+        + product_12
+        + product_13
+    )
+    part_00_cos_beta2_sin_epsilon2 = (
+        0.25 * attenuation_beta * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_4
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_6
+    )
+    shortfall_beta_squared = shortfall_beta**2
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
+    product_14 = shortfall_beta * shortfall_beta_squared
+    product_15 = shortfall_epsilon * shortfall_epsilon_squared
+    sum_7 = (
+        12.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta
+        - 12.0 * attenuation_beta * product_2 * shortfall_beta_squared * shortfall_epsilon
+        - 16.0 * attenuation_epsilon_squared_squared * product_3
+        - 16.0 * product_3 * shortfall_epsilon_squared_squared
+        - 2.0 * attenuation_epsilon_squared_squared * product_14
+        - 3.0 * attenuation_beta * attenuation_epsilon * product_15 * shortfall_beta_squared
+        - 3.0 * attenuation_epsilon_squared * product_14 * shortfall_epsilon_squared
+        - 32.0 * product_2 * product_3 * shortfall_epsilon
+        - 4.0 * product_14 * product_2 * shortfall_epsilon
+        - 56.0 * attenuation_epsilon * product_15 * product_3
+        - 6.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta_squared
+        - 72.0 * attenuation_epsilon_squared * product_3 * shortfall_epsilon_squared
+        - 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
+        - attenuation_epsilon * product_14 * product_15
+        + 18.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
+        + 24.0 * attenuation_beta_squared * product_2 * shortfall_beta * shortfall_epsilon
+        + 6.0 * attenuation_beta_squared * attenuation_epsilon * product_15 * shortfall_beta
+    )
+    attenuation_beta_squared_squared = attenuation_beta_squared**2
+    shortfall_beta_squared_squared = shortfall_beta_squared**2
+    sum_8 = (
+        3.75 * attenuation_beta * attenuation_epsilon * product_14 * product_15
+        + 5.25 * attenuation_beta * attenuation_epsilon_squared * product_14 * shortfall_epsilon_squared
+        + 5.25 * attenuation_beta_squared * attenuation_epsilon * product_15 * shortfall_beta_squared
+        + 6.75 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
+        + 1.5 * attenuation_beta * attenuation_epsilon_squared_squared * product_14
+        + 3.0 * attenuation_beta * product_14 * product_2 * shortfall_epsilon
+        + 1.5 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared
+        + 3.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared * shortfall_epsilon
+        + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
+        + 1.5 * attenuation_beta_squared_squared * attenuation_epsilon * product_15
+        + 1.5 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + 3.0 * attenuation_epsilon * product_15 * product_3 * shortfall_beta
+        + 3.0 * attenuation_epsilon_squared * product_3 * shortfall_beta * shortfall_epsilon_squared
+        + 1.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
+        + attenuation_beta * product_14 * shortfall_epsilon_squared_squared
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared_squared
+        + attenuation_epsilon * product_15 * shortfall_beta_squared_squared
+        + 0.5 * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared
+        + product_2 * shortfall_beta_squared_squared * shortfall_epsilon
+        + product_3 * shortfall_beta * shortfall_epsilon_squared_squared
+        + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
+    )
+    sum_9 = (
+        0.5
+        - 0.25 * attenuation_beta * attenuation_epsilon
+        - 0.25 * attenuation_beta * product_2
+        - 0.25 * attenuation_epsilon * product_3
+        - 0.25 * product_2 * product_3
+        + 0.5 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
+        + 0.5 * attenuation_beta_squared_squared
+        + 0.5 * attenuation_epsilon_squared_squared
+    )
+    part_00_cos_epsilon2_sin_beta2 = (
+        0.25 * attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared * sum_7
+        + r_squared * sum_8
+        + sigma_r_squared * sum_9
+    )
+    sum_10 = (
+        9.0 * attenuation_beta_squared * attenuation_epsilon
+        - 16.0 * attenuation_epsilon * product_3
+        - 16.0 * attenuation_epsilon_squared * product_3
+        - 16.0 * product_2 * product_3
+        - 16.0 * product_3
+        - attenuation_epsilon
+        - attenuation_epsilon_squared
+        + 9.0 * attenuation_beta_squared * attenuation_epsilon_squared
+    )
+    product_16 = -attenuation_epsilon * product_3
+    product_17 = -attenuation_epsilon_squared * product_3
+    product_18 = -attenuation_beta * attenuation_epsilon_squared
+    sum_11 = (
+        1.0
+        + attenuation_beta_squared_squared
+        + attenuation_beta_squared_squared * attenuation_epsilon
+        + attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + attenuation_beta_squared_squared * product_2
+        + attenuation_epsilon
+        + attenuation_epsilon_squared
+        + product_16
+        + product_17
+        + product_18
+        + product_2
+        + product_6
+    )
+    sum_12 = (
+        2.0
+        + 2.0 * attenuation_beta_squared_squared
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 2.0 * attenuation_beta_squared_squared * product_2
+        + 2.0 * attenuation_epsilon
+        + 2.0 * attenuation_epsilon_squared
+        + 2.0 * product_2
+        + product_16
+        + product_17
+        + product_18
+        + product_6
+    )
+    part_00_sin_beta2_sin_epsilon2 = (
+        0.25 * attenuation_beta * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_10
+        + 0.25 * r_squared * shortfall_epsilon * sum_11
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_12
+    )
+    sum_13 = attenuation_beta - attenuation_epsilon - product_2 + product_8
+    sum_14 = (
+        9.0 * attenuation_epsilon
+        - 16.0 * attenuation_beta
+        - 16.0 * attenuation_beta * attenuation_epsilon_squared_squared
+        + 9.0 * product_2
+    )
+    sum_15 = 2.0 * attenuation_beta - attenuation_epsilon - product_2 + product_9
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * product_3 * r_squared * sum_13
+        + 0.5 * product_3 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_14
+        + 0.5 * product_3 * sigma_r_squared * sum_15
+    )
+    sum_16 = (
+        attenuation_beta
+        - attenuation_epsilon
+        - attenuation_epsilon_squared
+        + product_10
+        + product_12
+        + product_13
+    )
+    sum_17 = (
+        9.0 * attenuation_epsilon
+        - 16.0 * attenuation_beta
+        - 16.0 * attenuation_beta * attenuation_epsilon
+        - 16.0 * attenuation_beta * attenuation_epsilon_squared
+        - 16.0 * attenuation_beta * product_2
+        + 9.0 * attenuation_epsilon_squared
+    )
+    sum_18 = (
+        2.0 * attenuation_beta
+        - attenuation_epsilon
+        - attenuation_epsilon_squared
+        + 2.0 * attenuation_beta * attenuation_epsilon
+        + 2.0 * attenuation_beta * attenuation_epsilon_squared
+        + product_11
+    )
+    part_01_cos_beta_sin_beta_sin_epsilon2 = (
+        0.5 * product_3 * r_squared * shortfall_epsilon * sum_16
+        + 0.5 * product_3 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_17
+        + 0.5 * product_3 * shortfall_epsilon * sigma_r_squared * sum_18
+    )
+    sum_19 = 1.0 - 2.0 * attenuation_epsilon
+    sum_20 = 2.0 * attenuation_epsilon - 1.0
+    part_02_cos_epsilon_sin_beta_sin_epsilon = (
+        2.0 * attenuation_beta * product_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_19
+        - attenuation_beta * product_2 * r_squared * shortfall_epsilon
+        + attenuation_beta * product_2 * sigma_r_squared * sum_20
+    )
+    sum_21 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
+    part_22_cos_epsilon2 = (
+        0.5 * (1.0 + product_2) * r_squared * shortfall_epsilon
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_21
+    )
+    sum_22 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_23 = 1.0 - 0.5 * attenuation_epsilon - 0.5 * product_2 + attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_22 + sigma_r_squared * sum_23
+    sum_24 = (
+        4.0 * attenuation_beta
+        - 3.0 * attenuation_epsilon
+        - 3.0 * product_2
+        + 4.0 * attenuation_beta * attenuation_epsilon_squared_squared
+    )
+    cos_epsilon_squared = cos_epsilon**2
+    sum_25 = (
+        4.0 * attenuation_beta
+        - 3.0 * attenuation_epsilon
+        - 3.0 * attenuation_epsilon_squared
+        + 4.0 * attenuation_beta * attenuation_epsilon
+        + 4.0 * attenuation_beta * attenuation_epsilon_squared
+        + 4.0 * attenuation_beta * product_2
+    )
+    sin_epsilon_squared = sin_epsilon**2
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    sum_26 = (
+        3.0 * attenuation_epsilon
+        - 4.0 * attenuation_beta
+        - 4.0 * attenuation_beta * attenuation_epsilon_squared_squared
+        + 3.0 * product_2
+    )
+    sum_27 = (
+        3.0 * attenuation_epsilon
+        - 4.0 * attenuation_beta
+        - 4.0 * attenuation_beta * attenuation_epsilon
+        - 4.0 * attenuation_beta * attenuation_epsilon_squared
+        - 4.0 * attenuation_beta * product_2
+        + 3.0 * attenuation_epsilon_squared
+    )
+    sum_28 = 4.0 * attenuation_epsilon - 3.0
+    sum_29 = 3.0 - 4.0 * attenuation_epsilon
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        cos_beta * cos_epsilon_squared * product_3 * r * rho * sigma_beta * sigma_r * sin_beta * sum_24
+        + cos_beta * product_3 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_25
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + 0.5 * cos_beta_squared * cos_epsilon_squared * product_3 * r * rho * sigma_beta * sigma_r * sum_24
+        + 0.5 * cos_beta_squared * product_3 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_25
+        + 0.5 * cos_epsilon_squared * product_3 * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_26
+        + 0.5 * product_3 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_27
+    )
+    result[..., 0, 2] = (
+        attenuation_beta * cos_beta * cos_epsilon * product_2 * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_28
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        cos_beta * cos_epsilon_squared * product_3 * r * rho * sigma_beta * sigma_r * sin_beta * sum_26
+        + cos_beta * product_3 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_27
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 1, 2] = (
+        attenuation_beta * cos_epsilon * product_2 * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_29
+        + cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_22_cos_epsilon2
+        + part_22_sin_epsilon2 * sin_epsilon_squared
+    )
+    return result
+
+
+def unbiased_estimate(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exactly unbiased estimate of the position.
+
+    Name: spherical.unbiased.estimate.
+    Definition: u = e^-L h.
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Mo et al. 1998.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 4 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    term_1 = 1.0 / attenuation_beta
+    term_2 = 1.0 / attenuation_epsilon
+    part_0_cos_beta_cos_epsilon = -rho * sigma_beta * sigma_r * term_1 * term_2
+    part_0_cos_epsilon_sin_beta = r * term_1 * term_2
+    result = _empty(arguments, (3,))
+    result[..., 0] = (
+        cos_beta * cos_epsilon * part_0_cos_beta_cos_epsilon
+        + cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
+    )
+    result[..., 1] = (
+        cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
+        - cos_epsilon * part_0_cos_beta_cos_epsilon * sin_beta
+    )
+    result[..., 2] = r * sin_epsilon * term_2
+    return result
+
+
+def unbiased_covariance(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Error covariance of the unbiased estimate u.
+
+    Name: spherical.unbiased.covariance.
+    Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h').
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Mo et al. 1998.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 2.82183e+15 ulp from 50-digit arithmetic at 2000 points of this domain (float64,
+    independent errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
+    attenuation_epsilon = np.exp(-sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    term_1 = 1.0 / attenuation_epsilon
+    term_2 = 1.0 / attenuation_beta**2
+    attenuation_beta_squared = attenuation_beta**2
+    attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
+    product_1 = attenuation_beta_squared_cubed * attenuation_epsilon
+    attenuation_epsilon_squared = attenuation_epsilon**2
+    product_2 = attenuation_epsilon * attenuation_epsilon_squared
+    product_3 = attenuation_beta_squared_cubed * product_2
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    sum_1 = 1.0 + 2.0 * attenuation_beta_squared * attenuation_epsilon + product_1 + product_3
+    product_4 = attenuation_beta * attenuation_beta_squared
+    sum_2 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta * attenuation_epsilon_squared
+        + attenuation_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon_squared
+        + attenuation_epsilon_squared
+        + attenuation_epsilon_squared * product_4
+        + product_4
+    )
+    r_squared = r**2
+    part_00_cos_beta2_cos_epsilon2 = (
+        0.25 * r_squared * shortfall_beta * sum_2
+        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_1 * term_1 * term_2
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+    )
+    attenuation_beta_squared_squared = attenuation_beta_squared**2
+    sum_3 = 1.0 + attenuation_epsilon
+    product_5 = attenuation_beta_squared * attenuation_epsilon
+    sum_4 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta * attenuation_epsilon
+        + attenuation_beta_squared
+        + attenuation_epsilon
+        + attenuation_epsilon * product_4
+        + product_4
+        + product_5
+    )
+    part_00_cos_beta2_sin_epsilon2 = (
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_3
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+    )
+    sum_5 = -1.0 - attenuation_epsilon_squared
+    shortfall_beta_squared = shortfall_beta**2
+    shortfall_beta_squared_cubed = shortfall_beta_squared * shortfall_beta_squared**2
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    product_6 = attenuation_beta * attenuation_beta_squared**2
+    shortfall_beta_squared_squared = shortfall_beta_squared**2
+    product_7 = shortfall_beta * shortfall_beta_squared
+    product_8 = shortfall_epsilon * shortfall_epsilon_squared
+    product_9 = shortfall_beta * shortfall_beta_squared**2
+    sum_6 = (
+        12.0 * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
+        + 12.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon
+        + 138.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
+        + 16.0 * attenuation_epsilon_squared * product_6 * shortfall_beta * shortfall_epsilon
+        + 166.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon
+        + 173.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
+        + 184.0 * attenuation_epsilon_squared * product_4 * product_7 * shortfall_epsilon
+        + 212.0 * attenuation_epsilon * product_4 * product_7 * shortfall_epsilon_squared
+        + 24.0 * attenuation_beta * product_2 * product_9
+        + 24.0 * attenuation_beta * product_8 * product_9
+        + 24.0 * attenuation_beta_squared_squared * product_2 * shortfall_beta_squared
+        + 24.0 * product_6 * product_8 * shortfall_beta
+        + 4.0 * attenuation_beta_squared_cubed * product_8
+        + 4.0 * product_2 * shortfall_beta_squared_cubed
+        + 4.0 * product_8 * shortfall_beta_squared_cubed
+        + 44.0 * attenuation_epsilon * product_6 * shortfall_beta * shortfall_epsilon_squared
+        + 54.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared_squared
+        + 56.0 * product_2 * product_4 * product_7
+        + 6.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_epsilon_squared
+        + 60.0 * attenuation_beta_squared * product_8 * shortfall_beta_squared_squared
+        + 60.0 * attenuation_beta_squared_squared * product_8 * shortfall_beta_squared
+        + 72.0 * attenuation_beta * attenuation_epsilon * product_9 * shortfall_epsilon_squared
+        + 72.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_epsilon
+        + 80.0 * product_4 * product_7 * product_8
+        + 96.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
+    )
+    sum_7 = (
+        0.25
+        + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 0.25 * attenuation_beta_squared_squared
+        + 0.25 * attenuation_epsilon_squared
+    )
+    part_00_cos_epsilon2_sin_beta2 = (
+        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
+        + 0.25 * r_squared * sum_6 * term_1 * term_2
+        + sigma_r_squared * sum_7
+    )
+    sum_8 = -1.0 - attenuation_epsilon
+    sum_9 = (
+        1.0
+        + attenuation_beta_squared_squared
+        + attenuation_beta_squared_squared * attenuation_epsilon
+        + attenuation_epsilon
+    )
+    part_00_sin_beta2_sin_epsilon2 = (
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
+        + 0.25 * r_squared * shortfall_epsilon * sum_9
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_9
+    )
+    sum_10 = 1.0 + attenuation_epsilon_squared
+    sum_11 = 2.0 - 4.0 * attenuation_beta_squared * attenuation_epsilon + product_1 + product_3
+    sum_12 = (
+        -1.0
+        - 2.0 * attenuation_beta_squared * attenuation_epsilon
+        - 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon
+        - 2.0 * attenuation_beta_squared_cubed * product_2
+    )
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_10
+        + 0.5 * r_squared * sum_11 * term_1 * term_2
+        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_12 * term_1 * term_2
+    )
+    part_01_cos_beta_sin_beta_sin_epsilon2 = (
+        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
+        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_3
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_3
+    )
+    product_10 = -attenuation_beta_squared * attenuation_epsilon
+    term_3 = 1.0 / attenuation_beta
+    sum_13 = 1.0 - attenuation_beta_squared * attenuation_epsilon_squared + product_10
+    part_02_cos_epsilon_sin_beta_sin_epsilon = (
+        attenuation_beta * attenuation_epsilon_squared * sigma_r_squared
+        - attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared
+        + r_squared * shortfall_epsilon * sum_13 * term_1 * term_3
+    )
+    part_22_cos_epsilon2 = (
+        0.5 * r_squared * shortfall_epsilon * sum_3
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_3
+    )
+    sum_14 = 0.5 + 0.5 * attenuation_epsilon_squared
+    part_22_sin_epsilon2 = (
+        0.5 * (2.0 + attenuation_epsilon) * r_squared * shortfall_epsilon_squared * term_1
+        + sigma_r_squared * sum_14
+    )
+    sin_epsilon_squared = sin_epsilon**2
+    sum_15 = product_1 - 1.0 + product_3
+    cos_epsilon_squared = cos_epsilon**2
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    sum_16 = (
+        1.0
+        - attenuation_beta_squared_cubed * attenuation_epsilon
+        - attenuation_beta_squared_cubed * product_2
+    )
+    sum_17 = 2.0 * attenuation_beta_squared * product_2 - 1.0 + attenuation_epsilon + product_10
+    sum_18 = 1.0 - 2.0 * attenuation_beta_squared * product_2 - attenuation_epsilon + product_5
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_3
+        + 2.0 * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_15 * term_1 * term_2
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_3
+        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_8
+        + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_15 * term_1 * term_2
+        + cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_16 * term_1 * term_2
+    )
+    result[..., 0, 2] = (
+        cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_17 * term_1 * term_3
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_8
+        + 2.0 * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_16 * term_1 * term_2
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 1, 2] = (
+        cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+        + cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_18 * term_1 * term_3
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_22_cos_epsilon2
+        + part_22_sin_epsilon2 * sin_epsilon_squared
+    )
+    return result
+
+
+def posterior_estimate(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Posterior mean of the position under a flat prior.
+
+    Name: spherical.posterior.estimate.
+    Definition: e^L h.
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Duan et al. 2004 modified unbiased.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    part_0_cos_beta_cos_epsilon = attenuation_beta * attenuation_epsilon * rho * sigma_beta * sigma_r
+    part_0_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * r
+    result = _empty(arguments, (3,))
+    result[..., 0] = (
+        cos_beta * cos_epsilon * part_0_cos_beta_cos_epsilon
+        + cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
+    )
+    result[..., 1] = (
+        cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
+        - cos_epsilon * part_0_cos_beta_cos_epsilon * sin_beta
+    )
+    result[..., 2] = attenuation_epsilon * r * sin_epsilon
+    return result
+
+
+def posterior_covariance(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Posterior covariance of the position under a flat prior.
+
+    Name: spherical.posterior.covariance.
+    Definition: e^L(h h') - (e^L h)(e^L h)'.
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Duan et al. 2004 modified unbiased.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 2.82183e+15 ulp from 50-digit arithmetic at 2000 points of this domain (float64,
+    independent errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
+    attenuation_epsilon = np.exp(-sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    attenuation_beta_squared = attenuation_beta**2
+    attenuation_epsilon_squared = attenuation_epsilon**2
+    product_1 = attenuation_beta_squared * attenuation_epsilon_squared
+    sum_1 = attenuation_beta_squared - attenuation_epsilon + product_1
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    product_2 = attenuation_beta * attenuation_beta_squared
+    sum_2 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta * attenuation_epsilon_squared
+        + attenuation_beta_squared
+        + attenuation_epsilon_squared
+        + attenuation_epsilon_squared * product_2
+        + product_1
+        + product_2
+    )
+    r_squared = r**2
+    part_00_cos_beta2_cos_epsilon2 = (
+        attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
+        + 0.25 * r_squared * shortfall_beta * sum_2
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+    )
+    attenuation_beta_squared_squared = attenuation_beta_squared**2
+    sum_3 = 1.0 + attenuation_epsilon
+    sum_4 = (
+        1.0
+        + attenuation_beta
+        + attenuation_beta * attenuation_epsilon
+        + attenuation_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon
+        + attenuation_epsilon
+        + attenuation_epsilon * product_2
+        + product_2
+    )
+    part_00_cos_beta2_sin_epsilon2 = (
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_3
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+    )
+    sum_5 = -1.0 - attenuation_epsilon_squared
+    shortfall_beta_squared = shortfall_beta**2
+    product_3 = shortfall_beta * shortfall_beta_squared
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    shortfall_beta_squared_squared = shortfall_beta_squared**2
+    sum_6 = (
+        2.0 * attenuation_beta * attenuation_epsilon * product_3 * shortfall_epsilon
+        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_3
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared
+        + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared
+        + attenuation_beta * product_3 * shortfall_epsilon_squared
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared
+        + 0.5 * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
+        + 0.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared
+        + product_2 * shortfall_beta * shortfall_epsilon_squared
+        + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared
+    )
+    sum_7 = (
+        0.25
+        + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 0.25 * attenuation_beta_squared_squared
+        + 0.25 * attenuation_epsilon_squared
+    )
+    part_00_cos_epsilon2_sin_beta2 = (
+        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
+        + r_squared * sum_6
+        + sigma_r_squared * sum_7
+    )
+    sum_8 = -1.0 - attenuation_epsilon
+    sum_9 = (
+        1.0
+        + attenuation_beta_squared_squared
+        + attenuation_beta_squared_squared * attenuation_epsilon
+        + attenuation_epsilon
+    )
+    part_00_sin_beta2_sin_epsilon2 = (
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
+        + 0.25 * r_squared * shortfall_epsilon * sum_9
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_9
+    )
+    sum_10 = attenuation_beta_squared - 2.0 * attenuation_epsilon + product_1
+    sum_11 = (
+        attenuation_epsilon
+        - 2.0 * attenuation_beta_squared
+        - 2.0 * attenuation_beta_squared * attenuation_epsilon_squared
+    )
+    sum_12 = 1.0 + attenuation_epsilon_squared
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * attenuation_beta_squared * r_squared * sum_10
+        + attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_12
+    )
+    part_01_cos_beta_sin_beta_sin_epsilon2 = (
+        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
+        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_3
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_3
+    )
+    part_02_cos_epsilon_sin_beta_sin_epsilon = (
+        attenuation_beta * attenuation_epsilon_squared * sigma_r_squared
+        - attenuation_beta * attenuation_epsilon * r_squared * shortfall_epsilon
+        - attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared
+    )
+    part_22_cos_epsilon2 = (
+        0.5 * r_squared * shortfall_epsilon * sum_3
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_3
+    )
+    sum_13 = 0.5 + 0.5 * attenuation_epsilon_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_13
+    cos_epsilon_squared = cos_epsilon**2
+    sin_epsilon_squared = sin_epsilon**2
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    sum_14 = (
+        attenuation_epsilon
+        - attenuation_beta_squared
+        - attenuation_beta_squared * attenuation_epsilon_squared
+    )
+    sum_15 = 2.0 * attenuation_epsilon - 1.0
+    sum_16 = 1.0 - 2.0 * attenuation_epsilon
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_1
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_3
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        attenuation_beta_squared * cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_1
+        + attenuation_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_14
+        + attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_3
+        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_8
+        + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+    )
+    result[..., 0, 2] = (
+        attenuation_beta * attenuation_epsilon * cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_15
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_14
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_8
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 1, 2] = (
+        attenuation_beta * attenuation_epsilon * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_16
+        + cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_22_cos_epsilon2
+        + part_22_sin_epsilon2 * sin_epsilon_squared
+    )
+    return result
+
+
+def decorrelated_covariance(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+    predicted_sigma_r: npt.ArrayLike,
+    predicted_sigma_beta: npt.ArrayLike,
+    predicted_sigma_epsilon: npt.ArrayLike,
+    predicted_rho: npt.ArrayLike,
+) -> Floats:
+    """Covariance of the unbiased estimate u, averaged over a prediction.
+
+    Name: spherical.decorrelated.covariance.
+    Definition: e^Lp [e^L(u u') - h h'].
+    Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
+    Source: Bordonaro et al. 2014 decorrelated.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+        predicted_sigma_r: standard deviation of the prediction of r [m], 0.001 to 10000.
+        predicted_sigma_beta: standard deviation of the prediction of beta [rad], 1e-09 to 1.
+        predicted_sigma_epsilon: standard deviation of the prediction of epsilon [rad], 1e-09 to 1.
+        predicted_rho: correlation of the predictions of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3, 3), unit m^2.
+
+    Accuracy: at most 7.6626e+15 ulp from 50-digit arithmetic at 2000 points of this domain (float64,
+    independent errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    predicted_sigma_beta_squared = predicted_sigma_beta**2
+    attenuation_predicted_beta = np.exp(-0.5 * predicted_sigma_beta_squared)
+    shortfall_predicted_beta = -np.expm1(-0.5 * predicted_sigma_beta_squared)
+    attenuation_predicted_epsilon = np.exp(-2.0 * predicted_sigma_epsilon**2)
+    shortfall_predicted_epsilon = -np.expm1(-2.0 * predicted_sigma_epsilon**2)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-sigma_beta_squared)
+    shortfall_beta = -np.expm1(-sigma_beta_squared)
+    attenuation_epsilon = np.exp(-sigma_epsilon**2)
+    shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    term_1 = 1.0 / attenuation_epsilon
+    attenuation_epsilon_squared = attenuation_epsilon**2
+    product_1 = attenuation_epsilon_squared * attenuation_predicted_epsilon
+    sum_1 = 1.0 + product_1
+    attenuation_predicted_beta_squared = attenuation_predicted_beta**2
+    attenuation_predicted_beta_squared_squared = attenuation_predicted_beta_squared**2
+    product_2 = -attenuation_epsilon * attenuation_predicted_epsilon
+    product_3 = attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon
+    sum_2 = attenuation_beta - attenuation_epsilon + product_2 + product_3
+    predicted_rho_squared = predicted_rho**2
+    predicted_sigma_r_squared = predicted_sigma_r**2
+    term_2 = 1.0 / attenuation_beta
+    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
+    product_4 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared
+    product_5 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
+    product_6 = attenuation_predicted_beta * attenuation_predicted_beta_squared
+    product_7 = 12.0 * attenuation_beta * attenuation_epsilon * product_6 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_8 = shortfall_predicted_beta * shortfall_predicted_beta_squared
+    product_9 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_8 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    product_10 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared
+    product_11 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    shortfall_beta_squared = shortfall_beta**2
+    product_12 = 12.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_predicted_beta_squared
+    product_13 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared
+    product_14 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_15 = 18.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_16 = 2.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
+    shortfall_predicted_beta_squared_squared = shortfall_predicted_beta_squared**2
+    product_17 = 2.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared_squared
+    product_18 = 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
+    product_19 = 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon_squared
+    product_20 = 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
+    product_21 = 2.0 * attenuation_beta * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
+    product_22 = 2.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_23 = 2.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta_squared
+    product_24 = 2.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_predicted_beta_squared_squared
+    product_25 = 2.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon
+    product_26 = 2.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon
+    product_27 = 2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared
+    product_28 = 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_29 = 3.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    attenuation_beta_squared = attenuation_beta**2
+    product_30 = 4.0 * attenuation_beta_squared * attenuation_epsilon * product_6 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_31 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_8 * shortfall_epsilon * shortfall_predicted_epsilon
+    product_32 = 4.0 * attenuation_beta_squared * attenuation_predicted_epsilon * product_6 * shortfall_epsilon_squared * shortfall_predicted_beta
+    product_33 = 4.0 * attenuation_beta_squared * product_6 * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_34 = 4.0 * attenuation_beta_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_epsilon_squared
+    product_35 = 4.0 * attenuation_beta_squared * attenuation_predicted_beta * product_8 * shortfall_epsilon_squared * shortfall_predicted_epsilon
+    product_36 = 4.0 * attenuation_beta * attenuation_epsilon_squared * product_6 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_37 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta
+    product_38 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_8 * shortfall_beta * shortfall_predicted_epsilon
+    product_39 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon
+    product_40 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
+    product_41 = 4.0 * attenuation_epsilon_squared * product_6 * shortfall_beta_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_42 = 4.0 * attenuation_epsilon_squared * attenuation_predicted_beta * product_8 * shortfall_beta_squared * shortfall_predicted_epsilon
+    product_43 = 4.0 * attenuation_predicted_epsilon * product_6 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta
+    product_44 = 4.0 * product_6 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_45 = 4.0 * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta_squared * shortfall_epsilon_squared
+    product_46 = 4.0 * attenuation_predicted_beta * product_8 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
+    product_47 = 6.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_48 = 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_epsilon_squared * shortfall_predicted_beta_squared
+    product_49 = 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_50 = 6.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_51 = 6.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_52 = 6.0 * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared
+    product_53 = 6.0 * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_54 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_6 * shortfall_beta * shortfall_predicted_beta
+    product_55 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta
+    product_56 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_6 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
+    product_57 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta * shortfall_epsilon
+    product_58 = 8.0 * attenuation_beta * attenuation_predicted_epsilon * product_6 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta
+    product_59 = 8.0 * attenuation_beta * product_6 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_60 = 8.0 * attenuation_beta * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta * shortfall_epsilon_squared
+    product_61 = 8.0 * attenuation_beta * attenuation_predicted_beta * product_8 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
+    product_62 = 8.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_6 * shortfall_beta_squared * shortfall_predicted_beta
+    product_63 = 8.0 * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta_squared
+    product_64 = 8.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_6 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta
+    product_65 = 8.0 * attenuation_epsilon * product_6 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_66 = 8.0 * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta_squared * shortfall_epsilon
+    product_67 = 8.0 * attenuation_epsilon * attenuation_predicted_beta * product_8 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon
+    product_68 = attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_69 = attenuation_beta_squared * attenuation_predicted_epsilon * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
+    product_70 = attenuation_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_71 = attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_72 = attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_predicted_epsilon
+    product_73 = attenuation_epsilon_squared * shortfall_beta_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_74 = attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
+    product_75 = attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
+    product_76 = attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
+    product_77 = shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    sum_3 = (
+        product_10
+        + product_11
+        + product_12
+        + product_13
+        + product_14
+        + product_15
+        + product_16
+        + product_17
+        + product_18
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_23
+        + product_24
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_29
+        + product_30
+        + product_31
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_36
+        + product_37
+        + product_38
+        + product_39
+        + product_4
+        + product_40
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_47
+        + product_48
+        + product_49
+        + product_5
+        + product_50
+        + product_51
+        + product_52
+        + product_53
+        + product_54
+        + product_55
+        + product_56
+        + product_57
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_62
+        + product_63
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_68
+        + product_69
+        + product_7
+        + product_70
+        + product_71
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_9
+    )
+    r_squared = r**2
+    sum_4 = (
+        1.0
+        + attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon
+        + attenuation_beta_squared * attenuation_predicted_beta_squared_squared
+        + product_1
+    )
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    product_78 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared
+    product_79 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_80 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_81 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_6 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
+    product_82 = 16.0 * attenuation_beta * attenuation_epsilon * product_6 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_83 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta * shortfall_epsilon
+    product_84 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_8 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
+    product_85 = 2.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared
+    product_86 = 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_87 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_88 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
+    product_89 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_90 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_6 * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_91 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * product_8 * shortfall_predicted_epsilon
+    product_92 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
+    product_93 = 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    product_94 = 6.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
+    product_95 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * product_6 * shortfall_epsilon * shortfall_predicted_beta
+    product_96 = 8.0 * attenuation_beta_squared * attenuation_epsilon * product_6 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_97 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_epsilon
+    product_98 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_8 * shortfall_epsilon * shortfall_predicted_epsilon
+    product_99 = 8.0 * attenuation_beta * attenuation_epsilon_squared * product_6 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon
+    product_100 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_8 * shortfall_beta * shortfall_predicted_epsilon
+    product_101 = attenuation_beta_squared * attenuation_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
+    sum_5 = (
+        12.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_predicted_beta_squared
+        + 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8 * shortfall_beta
+        + 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_6 * shortfall_beta * shortfall_predicted_beta
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_predicted_beta_squared_squared
+        + 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared
+        + 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared_squared
+        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_8
+        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_6 * shortfall_predicted_beta
+        + product_10
+        + product_100
+        + product_101
+        + product_11
+        + product_12
+        + product_13
+        + product_14
+        + product_16
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_23
+        + product_24
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_37
+        + product_39
+        + product_40
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_48
+        + product_49
+        + product_51
+        + product_52
+        + product_53
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_62
+        + product_63
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_69
+        + product_70
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_78
+        + product_79
+        + product_80
+        + product_81
+        + product_82
+        + product_83
+        + product_84
+        + product_85
+        + product_86
+        + product_87
+        + product_88
+        + product_89
+        + product_90
+        + product_91
+        + product_92
+        + product_93
+        + product_94
+        + product_95
+        + product_96
+        + product_97
+        + product_98
+        + product_99
+    )
+    part_00_cos_beta2_cos_epsilon2 = (
+        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_1 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_2 * term_1
+        + 0.25 * predicted_sigma_r_squared * sum_3 * term_1 * term_2
+        + 0.25 * r_squared * sum_3 * term_1 * term_2
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_4 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_5 * term_1 * term_2
+    )
+    sum_6 = (
+        2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon
+        + 2.0 * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
+        + attenuation_epsilon_squared * shortfall_predicted_epsilon
+        + attenuation_predicted_epsilon * shortfall_epsilon_squared
+        + shortfall_epsilon_squared * shortfall_predicted_epsilon
+    )
+    product_102 = -attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon
+    product_103 = attenuation_epsilon * attenuation_predicted_epsilon
+    sum_7 = attenuation_beta - attenuation_epsilon + product_102 + product_103
+    sum_8 = (
+        product_10
+        + product_11
+        + product_13
+        + product_14
+        + product_15
+        + product_16
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_29
+        + product_30
+        + product_31
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_36
+        + product_38
+        + product_39
+        + product_40
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_47
+        + product_48
+        + product_49
+        + product_50
+        + product_51
+        + product_52
+        + product_53
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_68
+        + product_69
+        + product_7
+        + product_70
+        + product_71
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_78
+        + product_81
+        + product_83
+        + product_85
+        + product_88
+        + product_9
+        + product_92
+        + product_95
+        + product_97
+    )
+    product_104 = 2.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_epsilon_squared
+    product_105 = 2.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
+    product_106 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_epsilon
+    sum_9 = (
+        2.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
+        + 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_epsilon * shortfall_predicted_epsilon
+        + product_10
+        + product_100
+        + product_101
+        + product_104
+        + product_105
+        + product_106
+        + product_11
+        + product_13
+        + product_14
+        + product_16
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_39
+        + product_40
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_48
+        + product_49
+        + product_51
+        + product_52
+        + product_53
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_69
+        + product_70
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_78
+        + product_79
+        + product_80
+        + product_81
+        + product_82
+        + product_83
+        + product_84
+        + product_85
+        + product_86
+        + product_87
+        + product_88
+        + product_89
+        + product_90
+        + product_91
+        + product_92
+        + product_93
+        + product_94
+        + product_95
+        + product_96
+        + product_97
+        + product_98
+        + product_99
+    )
+    sum_10 = (
+        product_10
+        + product_100
+        + product_101
+        + product_11
+        + product_13
+        + product_14
+        + product_16
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_39
+        + product_40
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_48
+        + product_49
+        + product_51
+        + product_52
+        + product_53
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_69
+        + product_70
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_78
+        + product_79
+        + product_80
+        + product_81
+        + product_82
+        + product_83
+        + product_84
+        + product_85
+        + product_86
+        + product_87
+        + product_88
+        + product_89
+        + product_90
+        + product_91
+        + product_92
+        + product_93
+        + product_94
+        + product_95
+        + product_96
+        + product_97
+        + product_98
+        + product_99
+    )
+    part_00_cos_beta2_sin_epsilon2 = (
+        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_6 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_7 * term_1
+        + 0.25 * predicted_sigma_r_squared * sum_8 * term_1 * term_2
+        + 0.25 * r_squared * sum_8 * term_1 * term_2
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_9 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_10 * term_1 * term_2
+    )
+    sum_11 = -1.0 - attenuation_epsilon_squared * attenuation_predicted_epsilon
+    sum_12 = attenuation_epsilon - attenuation_beta + product_102 + product_103
+    product_107 = 2.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_epsilon * shortfall_predicted_epsilon
+    product_108 = 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
+    sum_13 = (
+        product_10
+        + product_104
+        + product_105
+        + product_107
+        + product_108
+        + product_11
+        + product_12
+        + product_13
+        + product_14
+        + product_15
+        + product_17
+        + product_18
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_23
+        + product_24
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_29
+        + product_30
+        + product_31
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_36
+        + product_38
+        + product_4
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_47
+        + product_48
+        + product_49
+        + product_5
+        + product_50
+        + product_51
+        + product_52
+        + product_53
+        + product_54
+        + product_55
+        + product_56
+        + product_57
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_62
+        + product_63
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_68
+        + product_69
+        + product_7
+        + product_70
+        + product_71
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_9
+    )
+    part_00_cos_epsilon2_sin_beta2 = (
+        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_11 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_12 * term_1
+        + 0.25 * predicted_sigma_r_squared * sum_13 * term_1 * term_2
+        + 0.25 * r_squared * sum_13 * term_1 * term_2
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_4 * term_1 * term_2
+    )
+    sum_14 = (
+        -2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon
+        - 2.0 * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
+        - attenuation_epsilon_squared * shortfall_predicted_epsilon
+        - attenuation_predicted_epsilon * shortfall_epsilon_squared
+        - shortfall_epsilon_squared * shortfall_predicted_epsilon
+    )
+    sum_15 = attenuation_epsilon - attenuation_beta + product_2 + product_3
+    sum_16 = (
+        product_10
+        + product_104
+        + product_105
+        + product_106
+        + product_107
+        + product_108
+        + product_11
+        + product_13
+        + product_14
+        + product_15
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_25
+        + product_26
+        + product_27
+        + product_28
+        + product_29
+        + product_30
+        + product_31
+        + product_32
+        + product_33
+        + product_34
+        + product_35
+        + product_36
+        + product_38
+        + product_39
+        + product_41
+        + product_42
+        + product_43
+        + product_44
+        + product_45
+        + product_46
+        + product_47
+        + product_48
+        + product_49
+        + product_50
+        + product_51
+        + product_52
+        + product_53
+        + product_58
+        + product_59
+        + product_60
+        + product_61
+        + product_64
+        + product_65
+        + product_66
+        + product_67
+        + product_68
+        + product_69
+        + product_7
+        + product_70
+        + product_71
+        + product_72
+        + product_73
+        + product_74
+        + product_75
+        + product_76
+        + product_77
+        + product_78
+        + product_81
+        + product_83
+        + product_85
+        + product_88
+        + product_9
+        + product_92
+        + product_95
+        + product_97
+    )
+    part_00_sin_beta2_sin_epsilon2 = (
+        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_14 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_15 * term_1
+        + 0.25 * predicted_sigma_r_squared * sum_16 * term_1 * term_2
+        + 0.25 * r_squared * sum_16 * term_1 * term_2
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_10 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_9 * term_1 * term_2
+    )
+    part_00_cos_beta_cos_epsilon2_sin_beta = (
+        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_2 * term_1
+        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_1 * term_1
+    )
+    part_00_cos_beta_sin_beta_sin_epsilon2 = (
+        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_7 * term_1
+        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_6 * term_1
+    )
+    part_01_cos_beta2_cos_epsilon2 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_1 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_2 * term_1
+    )
+    part_01_cos_beta2_sin_epsilon2 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_6 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_7 * term_1
+    )
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_11 * term_1
+        + 2.0 * attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_12 * term_1
+        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11 * term_1
+        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_1 * term_1
+        + 0.5 * attenuation_predicted_beta_squared_squared * predicted_sigma_r_squared * sum_2 * term_1
+        + 0.5 * attenuation_predicted_beta_squared_squared * r_squared * sum_2 * term_1
+    )
+    part_01_cos_beta_sin_beta_sin_epsilon2 = (
+        2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_14 * term_1
+        + 2.0 * attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_15 * term_1
+        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_14 * term_1
+        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_6 * term_1
+        + 0.5 * attenuation_predicted_beta_squared_squared * predicted_sigma_r_squared * sum_7 * term_1
+        + 0.5 * attenuation_predicted_beta_squared_squared * r_squared * sum_7 * term_1
+    )
+    part_01_cos_epsilon2_sin_beta2 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_11 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_12 * term_1
+    )
+    part_01_sin_beta2_sin_epsilon2 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_14 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_15 * term_1
+    )
+    part_02_cos_beta_cos_epsilon_sin_epsilon = (
+        attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * r * rho * sigma_beta * sigma_r
+        - 2.0 * attenuation_predicted_beta * attenuation_predicted_epsilon * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * shortfall_epsilon
+    )
+    part_02_cos_epsilon_sin_beta_sin_epsilon = (
+        attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * sigma_r_squared
+        - attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r
+        - attenuation_predicted_beta * attenuation_predicted_epsilon * predicted_sigma_r_squared * shortfall_epsilon
+        - attenuation_predicted_beta * attenuation_predicted_epsilon * r_squared * shortfall_epsilon
+        + attenuation_predicted_beta * attenuation_predicted_epsilon * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * shortfall_epsilon
+    )
+    part_11_cos_beta_cos_epsilon2_sin_beta = (
+        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_12 * term_1
+        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_11 * term_1
+    )
+    part_11_cos_beta_sin_beta_sin_epsilon2 = (
+        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_15 * term_1
+        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_14 * term_1
+    )
+    sum_17 = 1.0 + product_103
+    part_22_cos_epsilon2 = (
+        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_17 * term_1
+        + 0.5 * r_squared * shortfall_epsilon * sum_17 * term_1
+        + 0.5 * sigma_r_squared * sum_6 * term_1
+    )
+    sum_18 = shortfall_epsilon - shortfall_epsilon * shortfall_predicted_epsilon + shortfall_predicted_epsilon
+    part_22_sin_epsilon2 = (
+        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_18 * term_1
+        + 0.5 * r_squared * shortfall_epsilon * sum_18 * term_1
+        + 0.5 * sigma_r_squared * sum_1 * term_1
+    )
+    cos_beta_squared = cos_beta**2
+    cos_epsilon_squared = cos_epsilon**2
+    sin_epsilon_squared = sin_epsilon**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, (3, 3))
+    result[..., 0, 0] = (
+        cos_beta * cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_00_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 1] = (
+        cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2
+        + cos_beta_squared * part_01_cos_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_01_cos_epsilon2_sin_beta2 * sin_beta_squared
+        + part_01_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 0, 2] = (
+        cos_beta * cos_epsilon * part_02_cos_beta_cos_epsilon_sin_epsilon * sin_epsilon
+        + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        cos_beta * cos_epsilon_squared * part_11_cos_beta_cos_epsilon2_sin_beta * sin_beta
+        + cos_beta * part_11_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
+        + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
+        + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
+        + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
+    )
+    result[..., 1, 2] = (
+        cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+        - cos_epsilon * part_02_cos_beta_cos_epsilon_sin_epsilon * sin_beta * sin_epsilon
+    )
+    result[..., 2, 0] = result[..., 0, 2]
+    result[..., 2, 1] = result[..., 1, 2]
+    result[..., 2, 2] = (
+        cos_epsilon_squared * part_22_cos_epsilon2
+        + part_22_sin_epsilon2 * sin_epsilon_squared
+    )
+    return result

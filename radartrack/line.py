@@ -1,0 +1,395 @@
+"""Straight lines through tracks, and the measurement deviations that they show.
+
+A target on a straight course at constant speed draws a straight line x = slope t + intercept, and likewise in
+y. `fit` finds such lines, `measurement_std` the deviations of the measured coordinates about them, as printed
+by Gao, Dong and Zhang (2020), and in the form that is consistent. `to_plane` converts plots to coordinates
+first.
+
+All arrays compute in float64, whatever they come in. Tracks are vectorised: the last axis runs over the plots
+of a track, all the others over tracks.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any, Literal, NamedTuple, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from radartrack import chi_square
+from radartrack.generated import line as formulas
+from radartrack.generated import spherical
+from radartrack.validation import (
+    ANGLE,
+    RANGE,
+    Domain,
+    broadcast_shape,
+    one_of,
+    real_arrays,
+    require_trailing_shape,
+    require_within,
+)
+
+Method: TypeAlias = Literal["ordinary", "perpendicular", "reweighted"]
+StdMethod: TypeAlias = Literal["consistent", "printed"]
+Floats: TypeAlias = NDArray[np.float64]
+Flags: TypeAlias = NDArray[np.bool_]
+Counts: TypeAlias = NDArray[np.intp]
+
+TIME = Domain(" s", 1e100, 1e10, "squares of larger numbers overflow", signed=True)
+COORDINATE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow", signed=True)
+WEIGHT = Domain("", 1e50, 1e10, "their products with squares overflow")
+GUARD = float(np.sqrt(np.finfo(np.float64).eps))
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """Straight lines x = slope t + intercept, one a track.
+
+    Attributes:
+        mean_t: weighted mean of the times [s], shape (...).
+        mean_x: weighted mean of the coordinates [m], shape (...); the line passes through both means.
+        slope: slope [m/s], shape (...); infinite for a vertical line, NaN where the plots determine no line.
+        weights: weight of each squared distance in the sum that the line makes least, shape (..., n).
+        iterations: number of weighted solutions, shape (...); 0 without reweighting.
+        converged: whether the line is determined and, with reweighting, the stopping rule was met, shape
+            (...).
+    """
+
+    mean_t: Floats
+    mean_x: Floats
+    slope: Floats
+    weights: Floats
+    iterations: Counts
+    converged: Flags
+
+    @property
+    def intercept(self) -> Floats:
+        """The coordinate at time zero [m], shape (...); not finite where the slope is not."""
+        with np.errstate(invalid="ignore"):
+            return formulas.intercept(k=self.slope, mean_x=self.mean_t, mean_y=self.mean_x).astype(np.float64)
+
+    def at(self, t: ArrayLike) -> Floats:
+        """The coordinate [m] at times of shape (..., m)."""
+        elapsed = np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
+        with np.errstate(invalid="ignore"):
+            return self.mean_x[..., np.newaxis] + self.slope[..., np.newaxis] * elapsed
+
+    def residual(self, t: ArrayLike, x: ArrayLike) -> Floats:
+        """How far x lies above the line [m], shape (..., n)."""
+        elapsed = np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
+        with np.errstate(invalid="ignore"):
+            return (
+                np.asarray(x, np.float64)
+                - self.mean_x[..., np.newaxis]
+                - self.slope[..., np.newaxis] * elapsed
+            )
+
+    def distance(self, t: ArrayLike, x: ArrayLike) -> Floats:
+        """Perpendicular distance from the line in the plane of t and x, as pure numbers; (3) of Gao et al.
+
+        Positive above the line, for a vertical one to its left; shape (..., n).
+        """
+        cosine, sine = _direction(self.slope[..., np.newaxis])
+        elapsed = np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
+        return (np.asarray(x, np.float64) - self.mean_x[..., np.newaxis]) * cosine - elapsed * sine
+
+
+class _Sums(NamedTuple):
+    """Weighted means, and weighted sums of squares and products about them."""
+
+    mean_t: Floats
+    mean_x: Floats
+    S_tt: Floats
+    S_tx: Floats
+    S_xx: Floats
+
+
+def fit(
+    t: ArrayLike,
+    x: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    method: Method = "ordinary",
+    max_iterations: int = 100,
+) -> Fit:
+    """Fit a straight line to each track.
+
+    "ordinary" makes the squares of the residuals along x least; "perpendicular" those of the distances at
+    right angles to the line (Gao et al. 2020, (4)), which is only sensible for t and x in one unit;
+    "reweighted" is the printed iteration of Gao et al. 2020, 2.1: from the perpendicular line on, each plot
+    gets the weight 1/|l| of its distance l, divided by the sum of all, the squares of the weighted distances
+    are made least (5), and so on until the sum of the weighted distances (7) is no longer less than the time
+    before. The line of the last step is returned.
+
+    A distance counts in a weight as at least 1.5e-8 times the root mean square distance of the plots from the
+    first line (the square root of the machine precision), so that a plot on the line does not divide by zero;
+    where all plots lie on the line the weights are equal. Plots that determine no line give NaN, and
+    `converged` is False: for "ordinary" identical times, for the others plots that coincide or scatter alike
+    in all directions.
+
+    Args:
+        t: times [s], shape (..., n), n at least 2.
+        x: coordinates [m], shape (..., n); broadcasts with t.
+        weights: weights of the squared distances, not negative, at least one of a track positive; shape (...,
+            n). Not for "reweighted", which makes its own.
+        method: which squares are made least.
+        max_iterations: the largest number of weighted solutions of "reweighted".
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, the shapes do not broadcast, or there are too few plots.
+    """
+    chosen: Method = one_of("method", method, get_args(Method))
+    if chosen == "reweighted" and weights is not None:
+        raise ValueError("weights must be None for method 'reweighted', which computes them; got an array")
+    require_count("max_iterations", max_iterations)
+    given = {"t": t, "x": x, "weights": 1.0 if weights is None else weights}
+    arrays = _plots(given, {"t": TIME, "x": COORDINATE, "weights": WEIGHT}, least=2)
+    if not np.all(arrays["weights"].sum(axis=-1) > 0):
+        raise ValueError("weights must have a positive sum for each track; got a track of zeros")
+    if chosen == "reweighted":
+        return _reweighted(arrays["t"], arrays["x"], max_iterations)
+    return _solved(arrays["t"], arrays["x"], arrays["weights"], chosen)
+
+
+class Interval(NamedTuple):
+    """Limits of a confidence interval for the deviations of x and y [m], shape (..., 2) each."""
+
+    lower: Floats
+    upper: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class MeasurementStd:
+    """Standard deviations of the measured coordinates of tracks.
+
+    Attributes:
+        x: standard deviation along x [m], shape (...).
+        y: standard deviation along y [m], shape (...).
+        degrees_of_freedom: of each variance; None for the printed method, which has no such count.
+        converged: whether both lines were found, shape (...).
+    """
+
+    x: Floats
+    y: Floats
+    degrees_of_freedom: int | None
+    converged: Flags
+
+    @property
+    def position(self) -> Floats:
+        """Root mean square of both, (10) of Gao et al. [m], shape (...)."""
+        return formulas.position_std(sigma_x=self.x, sigma_y=self.y).astype(np.float64)
+
+    def bound(self, multiple: float) -> Floats:
+        """So many times the deviations of x, y and position [m], shape (..., 3).
+
+        A Gaussian error stays within twice its true deviation in 95.4 % and within three times in 99.7 % of
+        cases.
+        """
+        return multiple * np.stack([self.x, self.y, self.position], axis=-1)
+
+    def interval(self, confidence: float = 0.95) -> Interval:
+        """Confidence interval for the true deviations along x and y, for independent Gaussian errors.
+
+        Raises:
+            ValueError: for the printed method, and for a confidence that is not between 0 and 1.
+        """
+        if self.degrees_of_freedom is None:
+            raise ValueError(
+                "interval needs method 'consistent'; the printed deviations have no known distribution"
+            )
+        if not 0 < confidence < 1:
+            raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
+        estimates = np.stack([self.x, self.y], axis=-1)
+        tails = (1 + confidence) / 2, (1 - confidence) / 2
+        low, high = (chi_square.quantile(tail, self.degrees_of_freedom) for tail in tails)
+        scale = np.sqrt(self.degrees_of_freedom)
+        return Interval(estimates * scale / np.sqrt(low), estimates * scale / np.sqrt(high))
+
+
+def measurement_std(
+    t: ArrayLike,
+    x: ArrayLike,
+    y: ArrayLike,
+    method: StdMethod = "consistent",
+    *,
+    max_iterations: int = 100,
+) -> MeasurementStd:
+    """Estimate the standard deviations of the measured coordinates about a straight course at constant speed.
+
+    "consistent" fits x and y to t by ordinary least squares and divides the sum of the squared residuals by n
+    - 2; its square is unbiased at every speed. "printed" is Gao et al. 2020, (8) to (10): the standard
+    deviation of the absolute distances from reweighted perpendicular lines in the planes of (t, x) and (t,
+    y). It estimates about 0.603/sqrt(1 + speed^2) of the deviation, the speed along the coordinate being
+    taken as a pure number, and is offered to study the paper, not to be used.
+
+    Args:
+        t: times [s], shape (..., n), n at least 3.
+        x: coordinates [m], shape (..., n).
+        y: coordinates [m], shape (..., n).
+        method: which estimate.
+        max_iterations: of the reweighted lines of the printed method.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, the shapes do not broadcast, or there are too few plots.
+    """
+    chosen: StdMethod = one_of("method", method, get_args(StdMethod))
+    domains = {"t": TIME, "x": COORDINATE, "y": COORDINATE}
+    arrays = _plots({"t": t, "x": x, "y": y}, domains, least=3)
+    times, coordinates = arrays["t"], (arrays["x"], arrays["y"])
+    if chosen == "printed":
+        lines = [
+            fit(times, values, method="reweighted", max_iterations=max_iterations) for values in coordinates
+        ]
+        distances = [line.distance(times, values) for line, values in zip(lines, coordinates, strict=True)]
+        along_x, along_y = (np.abs(distance).std(axis=-1, ddof=1) for distance in distances)
+        return MeasurementStd(along_x, along_y, None, lines[0].converged & lines[1].converged)
+    lines = [fit(times, values) for values in coordinates]
+    freedom = int(formulas.ordinary_degrees_of_freedom(n=times.shape[-1]))
+    squares = [
+        np.sum(line.residual(times, values) ** 2, -1) for line, values in zip(lines, coordinates, strict=True)
+    ]
+    along_x, along_y = (np.sqrt(total / freedom) for total in squares)
+    return MeasurementStd(along_x, along_y, freedom, lines[0].converged & lines[1].converged)
+
+
+def to_plane(
+    r: ArrayLike, azimuth: ArrayLike, elevation: ArrayLike = 0.0, *, site: ArrayLike = (0.0, 0.0)
+) -> tuple[Floats, Floats]:
+    """Convert plots to x and y in a common plane, (1) of Gao et al. without the height.
+
+    A two-coordinate radar measures no elevation; with 0 in its place, as in the paper, a target at height h
+    and slant range r appears r - sqrt(r^2 - h^2) too far out.
+
+    Args:
+        r: slant range [m].
+        azimuth: azimuth [rad], clockwise from the y axis.
+        elevation: elevation [rad].
+        site: x and y of the radar [m], shape (..., 2); broadcasts with the plots.
+
+    Returns:
+        x and y [m], of the shape that the arguments broadcast to.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, or the shapes do not broadcast.
+    """
+    arrays = real_arrays({"r": r, "azimuth": azimuth, "elevation": elevation, "site": site})
+    for name, domain in (("r", RANGE), ("azimuth", ANGLE), ("elevation", ANGLE), ("site", COORDINATE)):
+        require_within(name, arrays[name], domain)
+    origin = arrays.pop("site").astype(np.float64)
+    require_trailing_shape("site", origin, (2,))
+    broadcast_shape({**arrays, "site": origin[..., 0]})
+    exact = {name: array.astype(np.float64) for name, array in arrays.items()}
+    position = spherical.map(r=exact["r"], beta=exact["azimuth"], epsilon=exact["elevation"])
+    plane = position[..., :2] + origin
+    return plane[..., 0], plane[..., 1]
+
+
+def require_count(name: str, given: object, least: int = 1) -> None:
+    """Check that an argument is a whole number.
+
+    Raises:
+        TypeError: it is not.
+        ValueError: it is less than allowed.
+    """
+    if isinstance(given, bool) or not isinstance(given, int):
+        raise TypeError(f"{name} must be a whole number; got {given!r}")
+    if given < least:
+        raise ValueError(f"{name} must be at least {least}; got {given}")
+
+
+def _plots(given: Mapping[str, ArrayLike], domains: Mapping[str, Domain], least: int) -> dict[str, Floats]:
+    """The arguments as float64 of one shape, checked."""
+    arrays = {name: array.astype(np.float64) for name, array in real_arrays(given).items()}
+    for name, array in arrays.items():
+        require_within(name, array, domains[name])
+    shape = broadcast_shape(arrays)
+    if not shape or shape[-1] < least:
+        raise ValueError(f"t must have at least {least} plots on its last axis; got the shape {shape}")
+    return {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
+
+
+def _sums(t: Floats, x: Floats, weights: Floats) -> _Sums:
+    """Differences from the first plot vanish where plots coincide, and spare large time stamps."""
+    share = weights / weights.sum(axis=-1, keepdims=True)
+    elapsed, moved = t - t[..., :1], x - x[..., :1]
+    mean_elapsed = np.sum(share * elapsed, axis=-1, keepdims=True)
+    mean_moved = np.sum(share * moved, axis=-1, keepdims=True)
+    elapsed, moved = elapsed - mean_elapsed, moved - mean_moved
+    means = t[..., 0] + mean_elapsed[..., 0], x[..., 0] + mean_moved[..., 0]
+    products = (elapsed * elapsed, elapsed * moved, moved * moved)
+    return _Sums(*means, *(np.sum(share * product, axis=-1) for product in products))
+
+
+def _solved(t: Floats, x: Floats, weights: Floats, method: Method) -> Fit:
+    sums = _sums(t, x, weights)
+    slope = _ordinary_slope(sums) if method == "ordinary" else _perpendicular_slope(sums)
+    none = np.zeros(slope.shape, np.intp)
+    return Fit(sums.mean_t, sums.mean_x, slope, weights, none, ~np.isnan(slope))
+
+
+def _ordinary_slope(sums: _Sums) -> Floats:
+    known = sums.S_tt > 0
+    slope = formulas.ordinary_slope(S_tt=np.where(known, sums.S_tt, 1.0), S_tx=sums.S_tx)
+    return np.where(known, slope, np.nan)
+
+
+def _perpendicular_slope(sums: _Sums) -> Floats:
+    """The generated root, and its limits where the mixed sum vanishes."""
+    tilted = sums.S_tx != 0
+    with np.errstate(over="ignore"):
+        slope = formulas.slope(S_xx=sums.S_tt, S_xy=np.where(tilted, sums.S_tx, 1.0), S_yy=sums.S_xx)
+    straight = np.select([sums.S_tt > sums.S_xx, sums.S_tt < sums.S_xx], [0.0, np.inf], np.nan)
+    return np.where(tilted, slope, straight)
+
+
+def _direction(slope: Floats) -> tuple[Floats, Floats]:
+    """Cosine and sine of the inclination; the sine of a vertical line is 1."""
+    vertical = np.isinf(slope)
+    cosine = 1.0 / np.hypot(1.0, slope)
+    return cosine, np.where(vertical, np.sign(slope), np.where(vertical, 0.0, slope) * cosine)
+
+
+def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
+    """The printed iteration on all tracks at once; a track that has met the stopping rule is left alone."""
+    t_rows, x_rows = (values.reshape(-1, t.shape[-1]) for values in (t, x))
+    line = _solved(t_rows, x_rows, np.ones_like(t_rows), "perpendicular")
+    floor = GUARD * np.sqrt(np.mean(line.distance(t_rows, x_rows) ** 2, axis=-1, keepdims=True))
+    active = np.flatnonzero(line.converged)
+    line = replace(line, converged=np.zeros_like(line.converged))
+    before = np.full(len(t_rows), np.inf)
+    for _ in range(max_iterations):
+        times, values = t_rows[active], x_rows[active]
+        shares = _shares(_taken(line, active).distance(times, values), floor[active])
+        better = _solved(times, values, shares**2, "perpendicular")
+        total = np.sum(shares * np.abs(better.distance(times, values)), axis=-1)
+        stops = ~(total < before[active])
+        line = _put(line, active, replace(better, iterations=line.iterations[active] + 1, converged=stops))
+        before[active] = total
+        active = active[~stops]
+    return _map(line, lambda field: field.reshape(t.shape[:-1] + field.shape[1:]))
+
+
+def _shares(distance: Floats, floor: Floats) -> Floats:
+    """The printed weights 1/|l| over their sum, with the guard; equal ones where every distance is zero."""
+    inverse = 1.0 / np.where(floor > 0, np.maximum(np.abs(distance), floor), 1.0)
+    return inverse / inverse.sum(axis=-1, keepdims=True)
+
+
+def _map(line: Fit, change: Callable[[NDArray[Any]], NDArray[Any]]) -> Fit:
+    return Fit(*(change(getattr(line, field.name)) for field in fields(line)))
+
+
+def _taken(line: Fit, index: Counts) -> Fit:
+    return _map(line, lambda field: field[index])
+
+
+def _put(line: Fit, index: Counts, other: Fit) -> Fit:
+    """The fit with some tracks replaced by others."""
+    merged = _map(line, np.copy)
+    for field in fields(line):
+        getattr(merged, field.name)[index] = getattr(other, field.name)
+    return merged
