@@ -8,10 +8,12 @@ from functools import cache
 
 from radartrack.derive import (
     conversion,
+    expansion,
     finite_sample_quantities,
     fusion,
     kinematics,
     line,
+    plane_motion,
     regression,
     straight_track,
 )
@@ -25,6 +27,8 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     fusion.quantities,
     finite_sample_quantities.quantities,
     kinematics.quantities,
+    plane_motion.quantities,
+    expansion.quantities,
 )
 
 

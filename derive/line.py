@@ -281,6 +281,6 @@ def scalar(
         word,
         lambda: Tensor((), (derive(),)),
         rewriting,
-        unit,
-        is_difference,
+        common_unit=unit,
+        is_difference=is_difference,
     )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import typer
 
+from radartrack.commands.audit import audit
+from radartrack.commands.check import check
 from radartrack.commands.list_quantities import list_quantities
 from radartrack.commands.regenerate import regenerate
 from radartrack.commands.show import show
@@ -17,3 +19,5 @@ app = typer.Typer(
 app.command()(regenerate)
 app.command(name="list")(list_quantities)
 app.command()(show)
+app.command(context_settings={"ignore_unknown_options": True})(check)  # a formula may begin with a minus sign
+app.command()(audit)

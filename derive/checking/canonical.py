@@ -1,17 +1,16 @@
-"""Fractions of exponential polynomials with roots and inverse functions adjoined: the form in which equality is proved.
+"""Fractions of exponential polynomials with roots and inverse functions adjoined: the form that proves equality.
 
-Polynomials, sines, cosines, exponentials and hyperbolic functions are exponential polynomials. What is none becomes a
-generator: a root, with its defining relation w^n = a; an inverse function or a logarithm, known by its arguments alone.
-Two formulas are proved equal when the numerator of their difference vanishes modulo the relations.
+Polynomials, sines, cosines, exponentials and hyperbolic functions are exponential polynomials. What is none becomes
+a generator: a root, with its defining relation w^n = a; an inverse function or a logarithm, known by its arguments
+alone. Two formulas are proved equal when the numerator of their difference vanishes modulo the relations.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import reduce
-from math import gcd
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import ExponentialPolynomial, ring_over
@@ -110,7 +109,7 @@ class Field:
         return self._vanishes(value, len(self.generators))
 
     def _vanishes(self, value: Quotient, known: int) -> bool:
-        """Split the numerator by powers of the latest generator modulo its relation; every part must vanish."""
+        """Split the numerator by powers of the latest generator, modulo its relation; each part must vanish."""
         if not value.numerator:
             return True
         if not known:
@@ -249,7 +248,10 @@ class Field:
         ]
         inside = ExponentialPolynomial(
             self._ring,
-            {e: _divided(c, [power * degree for power in shared]) for e, c in radicand.numerator.terms.items()},
+            {
+                e: _divided(c, [power * degree for power in shared])
+                for e, c in radicand.numerator.terms.items()
+            },
         )
         outside = self._ground(self._ring.from_dict({tuple(shared): self._ring.domain.one}))
         return outside, Quotient(inside, radicand.denominators)
@@ -333,7 +335,9 @@ def _is_polynomial(expression: Expr) -> bool:
     if isinstance(expression, sp.Add | sp.Mul):
         return all(map(_is_polynomial, expression.args))
     if isinstance(expression, sp.Pow):
-        return isinstance(expression.exp, sp.Integer) and expression.exp > 0 and _is_polynomial(expression.base)
+        return (
+            isinstance(expression.exp, sp.Integer) and expression.exp > 0 and _is_polynomial(expression.base)
+        )
     return isinstance(expression, Symbol | sp.Rational)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from radartrack.derive.checking.comparison import Comparison, Values
 from radartrack.derive.checking.counterexample import (
@@ -43,8 +44,8 @@ def check(
     """Compare a printed formula with what was derived.
 
     Args:
-        name: a quantity of the catalogue, `polar.covariance.linear`; one entry of it, `polar.covariance.linear[0,1]`;
-            a slice, `polar.hessian[:,0,1]`; or an expression over several.
+        name: a quantity of the catalogue, `polar.covariance.linear`; one entry of it,
+            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several.
         formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
         latex: whether it is LaTeX.
         given: conditions under which to compare, `{"rho": "0"}`.
@@ -80,10 +81,16 @@ class Question:
     printed: Printed
     conditions: Mapping[Symbol, Expr]
 
-    @property
+    @cached_property
     def symbols(self) -> tuple[Variable, ...]:
-        """Those that the conditions leave."""
-        return tuple(symbol for symbol in self.reference.symbols if symbol not in self.conditions)
+        """Those that the conditions leave and that occur."""
+        part = self.reference.part
+        derived = [*self.reference.entries, *(part.quantity.expression if part else ())]
+        expressions = (
+            expression.xreplace(self.conditions) for expression in (*derived, *self.printed.expressions)
+        )
+        used = set[Symbol]().union(*(expression.free_symbols for expression in expressions))
+        return tuple(symbol for symbol in self.reference.symbols if symbol in used)
 
     def answer(self) -> Verdict:
         """The verdict on all entries together: the gravest of them."""
@@ -130,7 +137,9 @@ class Question:
 
     def _explained(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
-        edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
+        edits = [
+            suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)
+        ]
         asked = Asked(self.reference, self.printed.expressions, self.conditions)
         order = orders(
             self.printed_entry(first.entry) - self.derived_entry(first.entry),
@@ -139,6 +148,8 @@ class Question:
         )
         return replace(
             verdict,
+            reason=verdict.reason
+            + (f": {edits[0].edit}" if edits and first.outcome is Outcome.DIFFERS else ""),
             counterexample=self._counterexample(first),
             suggestions=(*edits, *other_quantities(asked)),
             order=order,
@@ -146,12 +157,10 @@ class Question:
         )
 
     def _suggestions(self, entry: Index) -> list[Suggestion]:
-        found = suggest(
-            self.printed.entries[entry], self.printed.names, self.derived_entry(entry), self.symbols, self.conditions
-        )
-        return [
-            Suggestion(found_one.formula, found_one.edit, entry, found_one.proved) for found_one in found[:SUGGESTIONS]
-        ]
+        symbols = [symbol for symbol in self.reference.symbols if symbol not in self.conditions]
+        printed, derived = self.printed.entries[entry], self.derived_entry(entry)
+        found = suggest(printed, self.printed.names, derived, symbols, self.conditions)
+        return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
 
     def _counterexample(self, finding: Finding) -> Counterexample | None:
         if finding.values is None:
@@ -160,8 +169,10 @@ class Question:
         comparison = Comparison(self.printed_entry(entry), self.derived_entry(entry), self.symbols)
         scale = scale_of(self.reference, entry, self.symbols, dict(self.conditions))
         worst = worst_over_domain(comparison, self.symbols, scale, finding.values.point)
-        elsewhere = comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
-        return counterexample(elsewhere or finding.values, entry, worst)
+        elsewhere = (
+            comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
+        )
+        return counterexample(elsewhere or finding.values, entry, worst, self.symbols)
 
 
 _GRAVITY = (
@@ -183,7 +194,9 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
             return Finding(entry, Outcome.DIFFERS, values)
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
-    return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved")
+    return Finding(
+        entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved"
+    )
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:
@@ -195,6 +208,6 @@ def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[st
         case Outcome.EQUAL:
             return f"proved equal{under}"
         case Outcome.DIFFERS:
-            return f"differs from the derived formula{under}{where}{count}"
+            return f"differs{under}{where}{count}"
         case _:
             return f"{worst.reason}{under}{where}{count}"

@@ -43,7 +43,9 @@ class Worst:
     point: Point
 
 
-def worst_over_domain(comparison: Comparison, symbols: Sequence[Variable], scale: Scale, start: Point) -> Worst:
+def worst_over_domain(
+    comparison: Comparison, symbols: Sequence[Variable], scale: Scale, start: Point
+) -> Worst:
     """The largest difference relative to the scale among points of the domain, improved along each symbol."""
 
     def measured(point: Point) -> Worst:
@@ -62,7 +64,7 @@ def worst_over_domain(comparison: Comparison, symbols: Sequence[Variable], scale
     return best
 
 
-def counterexample(values: Values, entry: Index, worst: Worst | None) -> Counterexample:
+def counterexample(values: Values, entry: Index, worst: Worst, symbols: Sequence[Variable]) -> Counterexample:
     """The point and the worst of the domain as data."""
     return Counterexample(
         point=values.point,
@@ -70,8 +72,9 @@ def counterexample(values: Values, entry: Index, worst: Worst | None) -> Counter
         printed=float(values.printed),
         derived=float(values.derived),
         relative_difference=values.relative,
-        largest_relative_difference=worst.relative if worst else None,
-        largest_at=worst.point if worst else {},
+        units={symbol.name: str(symbol.unit) for symbol in symbols},
+        largest_relative_difference=worst.relative,
+        largest_at=worst.point,
     )
 
 

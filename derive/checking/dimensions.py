@@ -1,8 +1,9 @@
 """The dimension of a printed formula: metres and seconds strictly, angles where something can be said.
 
-A derivative of a sine takes a radian away without a trace in print, so the sum r²σ_β² sin²β + σ_r² cos²β mixes rad² and 1
-and is right. Angles are therefore not compared between terms. What is checked: sines and cosines take an angle, never
-an angle squared; exponentials and hyperbolic functions take a number or an even power of an angle, as variances are.
+A derivative of a sine takes a radian away without a trace in print, so the sum r²σ_β² sin²β + σ_r² cos²β mixes rad²
+and 1 and is right. Angles are therefore not compared between terms. What is checked: sines and cosines take an
+angle, never an angle squared; exponentials and hyperbolic functions take a number or an even power of an angle, as
+variances are.
 """
 
 from __future__ import annotations
@@ -53,7 +54,9 @@ class Dimension:
 
     def __mul__(self, other: Dimension) -> Dimension:
         radian = None if self.radian is None or other.radian is None else self.radian + other.radian
-        return Dimension(self.metre + other.metre, self.second + other.second, radian, self.free and other.free)
+        return Dimension(
+            self.metre + other.metre, self.second + other.second, radian, self.free and other.free
+        )
 
     def __pow__(self, exponent: Fraction | int) -> Dimension:
         radian = None if self.radian is None else self.radian * exponent
@@ -133,7 +136,9 @@ def _sum(terms: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
     first_term, first = found[0]
     for term, dimension in found[1:]:
         if not dimension.agrees(first):
-            raise WrongDimensions(f"{_shown(first_term)} [{first}] and {_shown(term)} [{dimension}] cannot be added")
+            raise WrongDimensions(
+                f"{_shown(first_term)} [{first}] and {_shown(term)} [{dimension}] cannot be added"
+            )
     radians = {dimension.radian for _, dimension in found}
     radian = radians.pop() if len(radians) == 1 else None
     return Dimension(first.metre, first.second, radian, all(dimension.free for _, dimension in found))

@@ -84,9 +84,15 @@ def everywhere(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]
         for other in sorted(kinds):
             if other != name:
                 alike = 0.0 if kinds[other] == kinds.get(name) else 0.5
-                yield Alternative(rebuild(tree, _swap_names(name, other)), f"{name} and {other} swapped", 1.8 + alike)
-                yield Alternative(rebuild(tree, _rename(name, other)), f"{name} should be {other}", 1.9 + alike)
-        yield Alternative(rebuild(tree, _put(name, Negation(Name(name)))), f"the sign of {name} everywhere", 1.9)
+                yield Alternative(
+                    rebuild(tree, _swap_names(name, other)), f"{name} and {other} swapped", 1.8 + alike
+                )
+                yield Alternative(
+                    rebuild(tree, _rename(name, other)), f"{name} should be {other}", 1.9 + alike
+                )
+        yield Alternative(
+            rebuild(tree, _put(name, Negation(Name(name)))), f"the sign of {name} everywhere", 1.9
+        )
         squared = Power(Name(name), Number("2"))
         yield Alternative(rebuild(tree, _put(name, squared)), f"{name} should be {name}**2 everywhere", 2.0)
         root = rebuild(tree, _root_of(name))
@@ -163,7 +169,9 @@ def _signs(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
     for place, term in enumerate(terms):
         other = term.operand if isinstance(term, Negation) else Negation(term)
         flipped = Sum((*terms[:place], other, *terms[place + 1 :]))
-        yield Alternative(flipped, f"the sign of {_shown(term.operand if isinstance(term, Negation) else term)}", 1.0)
+        yield Alternative(
+            flipped, f"the sign of {_shown(term.operand if isinstance(term, Negation) else term)}", 1.0
+        )
 
 
 def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
@@ -210,9 +218,13 @@ def _brackets_removed(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
 
 
 def _fractions(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
-    yield Alternative(Quotient(denominator, numerator), f"the fraction upside down: {_shown(denominator)} above", 1.4)
+    yield Alternative(
+        Quotient(denominator, numerator), f"the fraction upside down: {_shown(denominator)} above", 1.4
+    )
     yield Alternative(numerator, f"an extra divisor: {_shown(denominator)}", 1.2)
-    yield Alternative(Product((numerator, denominator)), f"a product, not a fraction: {_shown(denominator)}", 1.3)
+    yield Alternative(
+        Product((numerator, denominator)), f"a product, not a fraction: {_shown(denominator)}", 1.3
+    )
     match numerator:
         case Sum(terms):
             yield _bracket(Sum((*terms[:-1], Quotient(terms[-1], denominator))))
@@ -240,7 +252,9 @@ def _sign_of_sum(operand: Tree) -> Iterator[Alternative]:
 def _swap_functions(first: str, second: str) -> Callable[[Tree], Tree]:
     other = {first: second, second: first}
     return lambda node: (
-        replace(node, function=other[node.function]) if isinstance(node, Call) and node.function in other else node
+        replace(node, function=other[node.function])
+        if isinstance(node, Call) and node.function in other
+        else node
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import islice
+from itertools import cycle, islice
 
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND
 from radartrack.derive.variable import Variable
@@ -36,7 +36,7 @@ _ROUND: Mapping[str, float] = {
     "T": 10.0,
     "C": 2.0,
 }
-_BY_UNIT = {METRE: 1e3, RADIAN: math.radians(40), METRE_PER_SECOND: 100.0, SECOND: 10.0, ONE: 2.0}
+_BY_UNIT = {METRE: 1e3, RADIAN: math.radians(10), METRE_PER_SECOND: 100.0, SECOND: 10.0, ONE: 1.0}
 # How the round point is varied until a difference matters: the range divided, the deviations of ranges and of angles
 # multiplied, the angles turned.
 _VARIATIONS = (
@@ -55,7 +55,10 @@ _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
 def round_points(symbols: Sequence[Variable]) -> Iterator[Point]:
     """Round points inside the domain, the plainest first; later ones have larger errors and other directions."""
     for variation in _VARIATIONS:
-        yield _ordered(symbols, {symbol.name: _rounded(symbol, *variation) for symbol in symbols})
+        values = {
+            s.name: _rounded(s, prime, *variation) for s, prime in zip(symbols, cycle(_PRIMES), strict=False)
+        }
+        yield _ordered(symbols, values)
 
 
 def domain_points(symbols: Sequence[Variable], count: int) -> list[Point]:
@@ -68,9 +71,9 @@ def generic_points(symbols: Sequence[Variable], count: int) -> list[Point]:
     return list(_spread(symbols, count, _ordinary, whole=False))
 
 
-def _rounded(symbol: Variable, nearer: float, rougher: float, wider: float, turn: float) -> float:
+def _rounded(symbol: Variable, prime: int, nearer: float, rougher: float, wider: float, turn: float) -> float:
     name = symbol.name.removeprefix("predicted_")
-    value = _ROUND.get(name, _BY_UNIT.get(symbol.unit, 2.0))
+    value = _ROUND.get(name, _BY_UNIT.get(symbol.unit, 1.0) * prime)
     if symbol.unit == RADIAN:
         value = value * wider if name.startswith("sigma") else value + turn
     elif name == "sigma_r":
@@ -124,7 +127,11 @@ def _ordinary(symbol: Variable) -> tuple[float, float]:
 
 def _ordered(symbols: Sequence[Variable], point: Point) -> Point:
     """The point, moved where one symbol would exceed another that bounds it."""
-    bounded = {s.name: min(point[s.name], point[s.at_most.name]) for s in symbols if s.at_most and s.at_most.name in point}
+    bounded = {
+        s.name: min(point[s.name], point[s.at_most.name])
+        for s in symbols
+        if s.at_most and s.at_most.name in point
+    }
     return point | bounded
 
 

@@ -128,7 +128,9 @@ def refer(text: str) -> Reference:
         raise UnknownEntry(f"{text}: an expression over quantities is no array")
     shapes = {part.shape for part in parts.values() if part.shape}
     if len(shapes) > 1:
-        raise UnknownEntry(f"{text}: the shapes {' and '.join(map(str, sorted(shapes)))} do not fit each other")
+        raise UnknownEntry(
+            f"{text}: the shapes {' and '.join(map(str, sorted(shapes)))} do not fit each other"
+        )
     return Reference(text.strip(), tree, parts)
 
 
@@ -146,7 +148,9 @@ def _part(quantity: Quantity, index: str | None) -> Part:
 
     def place(*free: int) -> Index:
         rest = iter(free)
-        return tuple(next(rest) if p == ":" else chosen[0] for p, chosen in zip(positions, choices, strict=True))
+        return tuple(
+            next(rest) if p == ":" else chosen[0] for p, chosen in zip(positions, choices, strict=True)
+        )
 
     return Part(quantity, shape, Tensor.build(shape, place))
 
@@ -154,10 +158,10 @@ def _part(quantity: Quantity, index: str | None) -> Part:
 def _positions(quantity: Quantity, index: str) -> list[str]:
     positions = [part.strip() for part in index.split(",")]
     fits = len(positions) == len(quantity.shape) and all(
-        _POSITION.fullmatch(p) and (p == ":" or int(p) < n) for p, n in zip(positions, quantity.shape, strict=False)
+        _POSITION.fullmatch(p) and (p == ":" or int(p) < n)
+        for p, n in zip(positions, quantity.shape, strict=False)
     )
     if not fits:
         shape = list(quantity.shape)
         raise UnknownEntry(f"{quantity.name}[{index}]: the quantity has shape {shape}, indices count from 0")
     return positions
-

@@ -1,12 +1,13 @@
 """Finds the smallest edits of a printed formula that make it right.
 
-From what the whole formula should be worth at some points follows, step by step down the tree, what each of its parts
-would have to be worth there. An edit of a part is right when it is worth that: so thousands are screened in no time, and
-a factor or term that is missing shows in the ratio or the difference. What passes is proved.
+From what the whole formula should be worth at some points follows, step by step down the tree, what each of its
+parts would have to be worth there. An edit of a part is right when it is worth that: so thousands are screened in no
+time, and a factor or term that is missing shows in the ratio or the difference. What passes is proved.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from operator import sub, truediv
@@ -46,6 +47,7 @@ DIGITS = 20
 FACTORS = 13
 FIRST_EDITS = 150
 ENOUGH = 5
+FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
 LARGE = 60  # nodes from which two edits at once are not looked for
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
 MOST_COMPLEX = 6
@@ -73,7 +75,9 @@ def suggest(
 ) -> list[Edited]:
     """The edits that make a printed formula equal to the derived one, the smallest first."""
     points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
-    values = {name: _values(value.xreplace(conditions), symbols, points) for name, value in names.values.items()}
+    values = {
+        name: _values(value.xreplace(conditions), symbols, points) for name, value in names.values.items()
+    }
     target = _values(derived, symbols, points)
     if target is None:
         return []
@@ -120,7 +124,9 @@ class _Search:
         for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
             for second in self._single(first.tree):
                 if second.tree != tree and second.cost < 2:
-                    yield _Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
+                    yield _Candidate(
+                        second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1
+                    )
 
     def _needs(self, tree: Tree) -> Iterator[tuple[Path, Tree, Tree | None, Values]]:
         """Every part with what it would have to be worth, where that can be said."""
@@ -157,13 +163,16 @@ class _Search:
     def _number(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
         """A number that should be another."""
         if not isinstance(node, Number) or isinstance(parent, Negation):
-            constant = isinstance(node, Negation | Quotient) and all(isinstance(c, Number) for c in children(node))
+            constant = isinstance(node, Negation | Quotient) and all(
+                isinstance(c, Number) for c in children(node)
+            )
             if not constant:
                 return
         monomial = self._fitter.fit(needed)
         if monomial is not None and monomial.is_number:
             tree = number_tree(monomial.number)
-            yield Alternative(tree, f"{to_text(node)} should be {to_text(tree)}", 1.0)
+            cost = 1.0 if monomial.number > 0 else 1.6
+            yield Alternative(tree, f"{to_text(node)} should be {to_text(tree)}", cost)
 
     def _sign_or_factor(self, node: Tree, parent: Tree | None, ratio: Monomial) -> Iterator[Alternative]:
         if ratio.complexity > MOST_COMPLEX:
@@ -233,7 +242,9 @@ def _times(node: Tree, factor: Monomial) -> Tree:
 
 
 def _product(first: Tree, second: Tree) -> Tree:
-    parts = [part for tree in (first, second) for part in (tree.factors if isinstance(tree, Product) else (tree,))]
+    parts = [
+        part for tree in (first, second) for part in (tree.factors if isinstance(tree, Product) else (tree,))
+    ]
     kept = tuple(part for part in parts if part != Number("1")) or (Number("1"),)
     return kept[0] if len(kept) == 1 else Product(kept)
 
@@ -247,9 +258,10 @@ def _confirmed(
 ) -> Iterator[Edited]:
     """Those that are proved, each formula once; one that cannot be proved is said to be so."""
     seen: set[str] = set()
+    best = math.inf
     for candidate in candidates:
         formula = to_text(_tidied(candidate.tree))
-        if formula in seen or len(seen) >= ENOUGH:
+        if formula in seen or len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
             continue
         try:
             expression = names.read(candidate.tree).xreplace(conditions)
@@ -258,12 +270,15 @@ def _confirmed(
         seen.add(formula)
         proved = proved_equal(expression, derived)
         if proved or _confirmed_by_numbers(expression, derived, symbols):
+            best = min(best, candidate.cost)
             yield Edited(formula, candidate.words, candidate.cost, proved)
 
 
 def _tidied(tree: Tree) -> Tree:
     """The tree with x for x**1."""
-    return rebuild(tree, lambda node: node.base if isinstance(node, Power) and node.exponent == Number("1") else node)
+    return rebuild(
+        tree, lambda node: node.base if isinstance(node, Power) and node.exponent == Number("1") else node
+    )
 
 
 def _confirmed_by_numbers(expression: Expr, derived: Expr, symbols: Sequence[Variable]) -> bool:

@@ -41,6 +41,7 @@ class Counterexample:
         printed: the value of the printed formula.
         derived: the value of the derived one.
         relative_difference: |printed - derived| / |derived|; by the printed value where the derived one is zero.
+        units: of the symbols.
         largest_relative_difference: the largest found over the domain of the quantity. That of a vector's entry is
             taken relative to its norm, that of a covariance to the root of the product of the variances.
         largest_at: where that is.
@@ -51,6 +52,7 @@ class Counterexample:
     printed: float
     derived: float
     relative_difference: float
+    units: Mapping[str, str] = field(default_factory=dict)
     largest_relative_difference: float | None = None
     largest_at: Mapping[str, float] = field(default_factory=dict)
 

@@ -1,0 +1,2 @@
+def page(audits: object) -> str:
+    return ""

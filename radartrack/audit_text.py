@@ -1,0 +1,106 @@
+"""What an audit found, in words: one line of reasons and numbers for each record of a claim."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+Record = Mapping[str, Any]
+
+WORDS = {
+    "equal": "equal",
+    "equal_numerically": "equal, not proved",
+    "differs": "differs",
+    "wrong_dimensions": "wrong dimensions",
+    "undecided": "undecided",
+}
+WRONG = ("differs", "wrong_dimensions")
+HUGE = 1e4
+
+
+def explanation(record: Record) -> Iterator[tuple[str, str]]:
+    """Pairs of heading and text that explain a record beyond its reason."""
+    if example := record["counterexample"]:
+        yield "for example", _example(example)
+        if worst := _worst(example):
+            yield "at worst", worst
+    if record["order"]:
+        yield "order", order(*record["order"])
+    for remark in record["remarks"]:
+        yield "but", remark
+    for suggestion in record["suggestions"]:
+        yield "perhaps meant", _suggestion(suggestion)
+
+
+def conditions(record: Record) -> str:
+    """Under which conditions or at which values a claim was decided."""
+    values = ", ".join(f"{name} = {value}" for name, value in record.get("at", {}).items())
+    return " and ".join(record["conditions"]) or values
+
+
+def order(difference: int, quantity: int) -> str:
+    """What the leading orders tell."""
+    if difference <= quantity:
+        return (
+            f"the difference is of order {_power(difference)}, as is the quantity itself"
+            if (difference == quantity)
+            else f"the difference is of order {_power(difference)}, the quantity only of order {_power(quantity)}"
+        )
+    return f"the difference is of order {_power(difference)} in the deviations, the quantity of order {_power(quantity)}"
+
+
+def quantity_value(value: float, unit: str) -> str:
+    """A value for people: angles in degrees, lengths in kilometres where they are long."""
+    if unit == "rad":
+        return f"{number(math.degrees(value))}°"
+    if unit == "m" and abs(value) >= 1000:
+        return f"{number(value / 1000)} km"
+    return number(value) if unit == "1" else f"{number(value)} {unit}"
+
+
+def number(value: float) -> str:
+    """Six digits."""
+    return f"{value:.6g}"
+
+
+def percent(relative: float) -> str:
+    """A relative difference."""
+    if relative > HUGE:
+        return f"a factor of {relative:.1e}"
+    return f"{relative * 100:.3g} %"
+
+
+def _power(exponent: int) -> str:
+    return {0: "1", 1: "σ"}.get(exponent, f"σ^{exponent}")
+
+
+def _example(example: Record) -> str:
+    units = example["units"]
+    values = [
+        f"{name} = {quantity_value(value, units.get(name, '1'))}" for name, value in example["point"].items()
+    ]
+    entry = f" entry {list(example['entry'])}:" if example["entry"] else ""
+    place = f"at {', '.join(values)}:" if values else ""
+    compared = f"printed {number(example['printed'])}, derived {number(example['derived'])}"
+    return f"{place}{entry} {compared}, relative difference {percent(example['relative_difference'])}".strip()
+
+
+def _worst(example: Record) -> str:
+    relative = example["largest_relative_difference"]
+    if relative is None:
+        return ""
+    units = example["units"]
+    values = (
+        f"{name} = {quantity_value(value, units.get(name, '1'))}"
+        for name, value in example["largest_at"].items()
+    )
+    return f"{percent(relative)} over the domain, at {', '.join(values)}"
+
+
+def _suggestion(suggestion: Record) -> str:
+    entry = f"entry {list(suggestion['entry'])}: " if suggestion["entry"] else ""
+    unproved = "" if suggestion["proved"] else " (equal to 50 digits, not proved)"
+    if suggestion["edit"].startswith("this is "):
+        return f"{entry}{suggestion['edit']}{unproved}"
+    return f"{entry}{suggestion['formula']}   [{suggestion['edit']}]{unproved}"

@@ -1,0 +1,82 @@
+"""`radartrack check`: compare a printed formula with the derived one."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated
+
+import typer
+
+EXIT = {"equal": 0, "equal_numerically": 0, "differs": 1, "wrong_dimensions": 1, "undecided": 3}
+COLOURS = {"equal": "green", "equal_numerically": "green", "differs": "red", "wrong_dimensions": "red"}
+
+
+def check(
+    name: Annotated[
+        str, typer.Argument(help="A quantity, one entry of it, or an expression over quantities.")
+    ],
+    formula: Annotated[str, typer.Argument(help="The printed formula; arrays as nested lists.")],
+    latex: Annotated[bool, typer.Option("--latex", help="The formula is LaTeX.")] = False,
+    given: Annotated[list[str] | None, typer.Option(help="A condition: rho=0. May be repeated.")] = None,
+    let: Annotated[
+        list[str] | None, typer.Option(help="The paper's own name: D_beta=sigma_beta**2. May be repeated.")
+    ] = None,
+    timeout: Annotated[
+        float, typer.Option(help="Seconds after which the check is given up.", min=0.1)
+    ] = 20.0,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the verdict as JSON.")] = False,
+) -> None:
+    """Say whether a printed formula is right, where it is wrong, and what was probably meant.
+
+    Exit 0 when it is equal, 1 when it differs, 2 when it cannot be read, 3 when nothing can be decided in time.
+    """
+    from radartrack.derive.checking.claims import Claim, UnreadableClaim
+    from radartrack.derive.checking.deadline import Decider
+
+    claim = Claim(
+        id="formula",
+        quantity=name,
+        formula="" if latex else formula,
+        latex=formula if latex else "",
+        given=_pairs(given or [], "--given"),
+        let=_pairs(let or [], "--let"),
+    )
+    try:
+        with Decider(timeout) as decider:
+            record = decider.decide(claim)
+    except UnreadableClaim as error:
+        typer.echo(str(error).removeprefix("claim 'formula': "), err=True)
+        raise typer.Exit(2) from None
+    if as_json:
+        typer.echo(json.dumps(record, indent=2, ensure_ascii=False))
+    else:
+        _tell(record, latex=latex)
+    raise typer.Exit(EXIT[record["verdict"]])
+
+
+def _pairs(given: list[str], option: str) -> dict[str, str]:
+    """`name=value` as a mapping."""
+    pairs: dict[str, str] = {}
+    for one in given:
+        name, sign, value = one.partition("=")
+        if not sign or not name.strip() or not value.strip():
+            raise typer.BadParameter(f"{one!r} must be name=formula, such as rho=0", param_hint=option)
+        if name.strip() in pairs:
+            raise typer.BadParameter(f"{name.strip()} is given twice", param_hint=option)
+        pairs[name.strip()] = value.strip()
+    return pairs
+
+
+def _tell(record: dict[str, object], *, latex: bool) -> None:
+    from radartrack import audit_text
+
+    verdict = str(record["verdict"])
+    if latex:
+        typer.echo(f"read as: {record['printed']}")
+    typer.echo(
+        f"{typer.style(audit_text.WORDS[verdict], fg=COLOURS.get(verdict), bold=True)}: {record['reason']}"
+    )
+    if verdict != "equal":
+        typer.echo(f"derived: {record['derived']}")
+    for heading, text in audit_text.explanation(record):
+        typer.echo(f"{heading}: {text}")
