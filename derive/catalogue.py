@@ -13,6 +13,7 @@ from radartrack.derive import (
     fusion,
     kinematics,
     line,
+    observation,
     plane_motion,
     regression,
     straight_track,
@@ -21,6 +22,7 @@ from radartrack.derive.quantity import Quantity
 
 FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     conversion.quantities,
+    observation.quantities,
     line.quantities,
     regression.quantities,
     straight_track.quantities,

@@ -3,33 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from typing import Any
 
 from radartrack.derive import taylor, words
 from radartrack.derive.closed import Closed
-from radartrack.derive.exponential import ExponentialPolynomial
+from radartrack.derive.exponential import ExponentialPolynomial, NotExponentialPolynomial
 from radartrack.derive.model import Model
 from radartrack.derive.models import models
 from radartrack.derive.quantity import Conditioning, Quantity, Source
+from radartrack.derive.series import Truncated
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import Unit
 from radartrack.derive.variable import Variable
 
 Axes = tuple[tuple[Unit, ...], ...]
+Word = Callable[[Any], Tensor[Any]]
+ORDERS = {2: "second_order", 4: "fourth_order"}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Conversion:
     """A model with what its quantities share."""
 
     model: Model
 
     @cached_property
-    def calculus(self) -> Closed:
-        """Map and expectations in closed form."""
-        return Closed(self.model)
+    def closed(self) -> Closed | None:
+        """Map and expectations in closed form; None for a map that is not polynomial × trigonometric."""
+        try:
+            return Closed(self.model)
+        except NotExponentialPolynomial:
+            return None
+
+    @cache  # noqa: B019 - a conversion lives as long as its quantities
+    def truncated(self, order: int) -> Truncated:
+        """Map and expectations to an even order in the deviations."""
+        return Truncated(self.model, order)
 
     @property
     def inward(self) -> tuple[Unit, ...]:
@@ -55,9 +67,16 @@ class Conversion:
         """A moment of the Taylor polynomial."""
         return expansion(self.model.map, self.model.measured, self.model.covariance)
 
-    def word(self, word: Callable[[Closed], Tensor[ExponentialPolynomial]]) -> Tensor[Expr]:
-        """A word in the operator, in closed form."""
-        return word(self.calculus).map(ExponentialPolynomial.expression)
+    def exact(self, word: Word) -> Tensor[Expr]:
+        """A word in closed form."""
+        if self.closed is None:
+            raise NotExponentialPolynomial(f"the map of {self.model.name} has no closed forms; ask for an order")
+        return word(self.closed).map_distinct(ExponentialPolynomial.expression)
+
+    def to_order(self, word: Word, order: int) -> Tensor[Expr]:
+        """A word to an even order in the deviations."""
+        calculus = self.truncated(order)
+        return word(calculus).map_distinct(calculus.total)
 
 
 @dataclass(frozen=True)
@@ -71,7 +90,10 @@ class Row:
     source: Source
     axes: Callable[[Conversion], Axes]
     symbols: Callable[[Conversion], tuple[Variable, ...]]
-    derive: Callable[[Conversion], Tensor[Expr]]
+    derive: Callable[[Any], Tensor[Any]]
+
+
+Derivation = Callable[[Conversion], Tensor[Expr]]
 
 
 def _vector(conversion: Conversion) -> Axes:
@@ -89,7 +111,7 @@ MO = Source("Mo et al.", 1998)
 DUAN = Source("Duan et al.", 2004, "modified unbiased")
 BORDONARO = Source("Bordonaro et al.", 2014, "decorrelated")
 
-ROWS = (
+EXPANSION = (
     Row(
         "map",
         "map from the measured quantities to coordinates",
@@ -131,26 +153,6 @@ ROWS = (
         lambda c: c.taylor(taylor.second_order_bias),
     ),
     Row(
-        "bias.truth",
-        "exact bias of the plain conversion h(z)",
-        "(e^L - 1) h",
-        Conditioning.TRUTH,
-        LERRO,
-        _vector,
-        lambda c: c.noisy,
-        lambda c: c.word(words.bias_truth),
-    ),
-    Row(
-        "bias.averaged",
-        "exact bias of the plain conversion, averaged over the truth",
-        "(e^2L - e^L) h",
-        Conditioning.MEASUREMENT,
-        LERRO,
-        _vector,
-        lambda c: c.noisy,
-        lambda c: c.word(words.bias_averaged),
-    ),
-    Row(
         "covariance.linear",
         "covariance of the linearised conversion",
         "J K J'",
@@ -170,6 +172,29 @@ ROWS = (
         lambda c: c.noisy,
         lambda c: c.taylor(taylor.second_order_covariance),
     ),
+)
+
+WORDS = (
+    Row(
+        "bias.truth",
+        "exact bias of the plain conversion h(z)",
+        "(e^L - 1) h",
+        Conditioning.TRUTH,
+        LERRO,
+        _vector,
+        lambda c: c.noisy,
+        words.bias_truth,
+    ),
+    Row(
+        "bias.averaged",
+        "exact bias of the plain conversion, averaged over the truth",
+        "(e^2L - e^L) h",
+        Conditioning.MEASUREMENT,
+        LERRO,
+        _vector,
+        lambda c: c.noisy,
+        words.bias_averaged,
+    ),
     Row(
         "covariance.truth",
         "exact covariance of the plain conversion h(z)",
@@ -178,7 +203,7 @@ ROWS = (
         LERRO,
         _square,
         lambda c: c.noisy,
-        lambda c: c.word(words.covariance_truth),
+        words.covariance_truth,
     ),
     Row(
         "covariance.averaged",
@@ -188,7 +213,7 @@ ROWS = (
         Source("Lerro & Bar-Shalom", 1993, "and Prosov (11)"),
         _square,
         lambda c: c.noisy,
-        lambda c: c.word(words.covariance_averaged),
+        words.covariance_averaged,
     ),
     Row(
         "unbiased.estimate",
@@ -198,7 +223,7 @@ ROWS = (
         MO,
         _vector,
         lambda c: c.noisy,
-        lambda c: c.word(words.unbiased_estimate),
+        words.unbiased_estimate,
     ),
     Row(
         "unbiased.covariance",
@@ -208,7 +233,7 @@ ROWS = (
         MO,
         _square,
         lambda c: c.noisy,
-        lambda c: c.word(words.unbiased_covariance),
+        words.unbiased_covariance,
     ),
     Row(
         "posterior.estimate",
@@ -218,7 +243,7 @@ ROWS = (
         DUAN,
         _vector,
         lambda c: c.noisy,
-        lambda c: c.word(words.posterior_estimate),
+        words.posterior_estimate,
     ),
     Row(
         "posterior.covariance",
@@ -228,7 +253,7 @@ ROWS = (
         DUAN,
         _square,
         lambda c: c.noisy,
-        lambda c: c.word(words.covariance_truth),
+        words.covariance_truth,
     ),
     Row(
         "decorrelated.covariance",
@@ -238,15 +263,21 @@ ROWS = (
         BORDONARO,
         _square,
         lambda c: c.predicted,
-        lambda c: c.word(words.decorrelated_covariance),
+        words.decorrelated_covariance,
     ),
 )
 
 
 def quantities_of(model: Model) -> list[Quantity]:
-    """Every quantity of a model; nothing is derived before it is asked for."""
+    """Every quantity of a model; nothing is derived before it is asked for.
+
+    A map without closed forms has the second- and fourth-order series of each word in their place.
+    """
     shared = Conversion(model)
-    return [_quantity(shared, row) for row in ROWS]
+    expansion = [_quantity(shared, row, row.derive) for row in EXPANSION]
+    if shared.closed is not None:
+        return [*expansion, *(_quantity(shared, row, _exactly(row)) for row in WORDS)]
+    return [*expansion, *(_to_order(shared, row, order) for row in WORDS for order in ORDERS)]
 
 
 def quantities() -> list[Quantity]:
@@ -254,7 +285,33 @@ def quantities() -> list[Quantity]:
     return [quantity for model in models().values() for quantity in quantities_of(model)]
 
 
-def _quantity(shared: Conversion, row: Row) -> Quantity:
+def word_to_order(model: Model, name: str, order: int) -> Tensor[Expr]:
+    """A word such as `bias.truth` or `covariance.averaged` to any even order in the deviations.
+
+    Raises:
+        ValueError: for an unknown word, or an order that is not even and positive.
+    """
+    known = {row.name: row for row in WORDS}
+    if name not in known:
+        raise ValueError(f"name must be one of {', '.join(known)}; given {name!r}")
+    return Conversion(model).to_order(known[name].derive, order)
+
+
+def _exactly(row: Row) -> Derivation:
+    return lambda shared: shared.exact(row.derive)
+
+
+def _to_order(shared: Conversion, row: Row, order: int) -> Quantity:
+    named = replace(
+        row,
+        name=f"{row.name}.{ORDERS[order]}",
+        meaning=f"{row.meaning.replace('exact ', '').replace('exactly ', '')}, to {ORDERS[order].replace('_', ' ')}",
+        word=f"{row.word} to sigma^{order}",
+    )
+    return _quantity(shared, named, lambda conversion: conversion.to_order(row.derive, order))
+
+
+def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:
     return Quantity(
         name=f"{shared.model.name}.{row.name}",
         meaning=row.meaning,
@@ -263,5 +320,5 @@ def _quantity(shared: Conversion, row: Row) -> Quantity:
         conditioning=row.conditioning,
         source=row.source if row.name != "map" else shared.model.source,
         word=row.word,
-        derivation=lambda: row.derive(shared),
+        derivation=lambda: derive(shared),
     )

@@ -17,6 +17,7 @@ FUNCTIONS: dict[type[Expr], str] = {
     sp.expm1: "np.expm1",
     sp.hypot: "np.hypot",
     sp.log: "np.log",
+    sp.ratio: "_ratio",
     sp.sin: "np.sin",
     sp.sinh: "np.sinh",
     sp.tan: "np.tan",

@@ -29,6 +29,7 @@ from sympy import (
     cos,
     cosh,
     diff,
+    erf,
     exp,
     expand,
     factor,
@@ -81,6 +82,7 @@ __all__ = [
     "cos",
     "cosh",
     "diff",
+    "erf",
     "exp",
     "expand",
     "expm1",
@@ -93,6 +95,7 @@ __all__ = [
     "latex",
     "log",
     "pi",
+    "ratio",
     "sin",
     "sinh",
     "sqrt",
@@ -100,6 +103,7 @@ __all__ = [
     "tan",
     "tanh",
     "together",
+    "unguarded",
 ]
 
 
@@ -121,6 +125,24 @@ class hypot(Function):  # noqa: N801 - SymPy's functions are written like the fu
     def fdiff(self, argindex: int = 1) -> Expr:
         """The derivative by either argument."""
         return self.args[argindex - 1] / hypot(*self.args)
+
+
+class ratio(Function):  # noqa: N801 - SymPy's functions are written like the function they are
+    """x/y where y is not zero, and zero where it is: for derivatives that do not exist everywhere."""
+
+    nargs = 2
+
+
+def unguarded(expression: Expr) -> Expr:
+    """Ratios as quotients and hypot as the root of a sum of squares."""
+    if not expression.args:
+        return expression
+    arguments = [unguarded(argument) for argument in expression.args]
+    if isinstance(expression, ratio):
+        return arguments[0] / arguments[1]
+    if isinstance(expression, hypot):
+        return sqrt(arguments[0] ** 2 + arguments[1] ** 2)
+    return expression.func(*arguments)
 
 
 def is_float(expression: Expr) -> bool:

@@ -13,6 +13,8 @@ def term_sizes(expression: Expr) -> Expr:
     """
     if isinstance(expression, sp.Add | sp.Mul):
         return expression.func(*(term_sizes(argument) for argument in expression.args))
+    if isinstance(expression, sp.ratio):
+        return sp.ratio(term_sizes(expression.args[0]), sp.Abs(expression.args[1]))
     if isinstance(expression, sp.Pow) and expression.exp.is_positive:
         return term_sizes(expression.base) ** expression.exp
     return sp.Abs(expression)

@@ -44,6 +44,16 @@ def _empty(arguments: tuple[Floats, ...], shape: tuple[int, ...]) -> Floats:
 '''
 
 
+RATIO = '''
+
+def _ratio(above: Floats, below: Floats) -> Floats:
+    """above / below, and zero where below is zero."""
+    shape = np.broadcast_shapes(np.shape(above), np.shape(below))
+    quotient = np.zeros(shape, np.result_type(above, below))
+    return np.divide(above, below, out=quotient, where=below != 0)
+'''
+
+
 @dataclass(frozen=True)
 class Function:
     """A quantity as a NumPy function.
@@ -133,8 +143,9 @@ def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str
     header = (
         f'"""{title}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; not to be edited.\n"""\n'
     )
-    parts = [f"{header}\n{PRELUDE}", *(function.text(accuracy[function.quantity.name]) for function in functions)]
-    body = "\n\n".join(parts)
+    written = [function.text(accuracy[function.quantity.name]) for function in functions]
+    helpers = PRELUDE + (RATIO if any("_ratio(" in text for text in written) else "")
+    body = "\n\n".join([f"{header}\n{helpers}", *written])
     return body.replace("\nFloats = ", f"\n__all__ = [\n{names}]\n\nFloats = ", 1)
 
 
