@@ -1,0 +1,99 @@
+"""What each quantity of a measurement model means, as expectations over errors drawn from their distribution.
+
+Nothing here knows a closed form. θ is the true value, w ~ N(0, K) its measurement error, z = θ + w; a
+measurement-conditioned quantity averages over θ = z − w, a prediction-conditioned one over θ = θₚ − wₚ.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+
+import numpy as np
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.models import models
+from radartrack.derive.units import RADIAN
+from tests import maps
+from tests.conversions import generated
+from tests.quadrature import Gaussian, Point, square
+
+POLYNOMIAL_ORDER = 4  # exact to degree seven; the square of range times range rate has degree four
+
+
+@dataclass(frozen=True)
+class Expectations:
+    """A model at given errors; `order` nodes an angle."""
+
+    model: str
+    errors: Mapping[str, float]
+    order: int
+
+    @cached_property
+    def noise(self) -> Gaussian:
+        return self._gaussian("")
+
+    @cached_property
+    def prediction(self) -> Gaussian:
+        return self._gaussian("predicted_")
+
+    def _gaussian(self, prefix: str) -> Gaussian:
+        variables = models()[self.model].measured
+        orders = {v.name: self.order if v.unit == RADIAN else POLYNOMIAL_ORDER for v in variables}
+        names = maps.measured(self.model)
+        return Gaussian.of(names, maps.covariance(self.model, self.errors, prefix), orders)
+
+    @property
+    def h(self) -> Callable[[Point], np.ndarray]:
+        return partial(maps.position, self.model)
+
+    def u(self, point: Point) -> np.ndarray:
+        """The unbiased estimate as generated: its own test is that E[u(θ + w)] = h(θ)."""
+        quantity = catalogue()[f"{self.model}.unbiased.estimate"]
+        return generated(quantity)(**{symbol.name: point[symbol.name] for symbol in quantity.symbols})
+
+
+def bias_truth(of: Expectations, truth: Point) -> np.ndarray:
+    return of.noise.expectation(lambda z: of.h(z) - of.h(truth), truth)
+
+
+def bias_averaged(of: Expectations, z: Point) -> np.ndarray:
+    return of.noise.expectation(lambda truth: bias_truth(of, truth), z, sign=-1)
+
+
+def covariance_truth(of: Expectations, truth: Point) -> np.ndarray:
+    return of.noise.covariance(of.h, truth)
+
+
+def covariance_averaged(of: Expectations, z: Point) -> np.ndarray:
+    return of.noise.expectation(lambda truth: covariance_truth(of, truth), z, sign=-1)
+
+
+def posterior_estimate(of: Expectations, z: Point) -> np.ndarray:
+    return of.noise.expectation(of.h, z, sign=-1)
+
+
+def posterior_covariance(of: Expectations, z: Point) -> np.ndarray:
+    return of.noise.covariance(of.h, z, sign=-1)
+
+
+def unbiased_covariance(of: Expectations, z: Point) -> np.ndarray:
+    return of.noise.expectation(lambda truth: square(of.u(z) - of.h(truth)), z, sign=-1)
+
+
+def decorrelated_covariance(of: Expectations, predicted: Point) -> np.ndarray:
+    def given_truth(truth: Point) -> np.ndarray:
+        return of.noise.expectation(lambda z: square(of.u(z) - of.h(truth)), truth)
+
+    return of.prediction.expectation(given_truth, predicted, sign=-1)
+
+
+DEFINITIONS: dict[str, Callable[[Expectations, Point], np.ndarray]] = {
+    "bias.truth": bias_truth,
+    "bias.averaged": bias_averaged,
+    "covariance.truth": covariance_truth,
+    "covariance.averaged": covariance_averaged,
+    "posterior.estimate": posterior_estimate,
+    "posterior.covariance": posterior_covariance,
+    "unbiased.covariance": unbiased_covariance,
+    "decorrelated.covariance": decorrelated_covariance,
+}

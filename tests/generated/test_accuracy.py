@@ -1,0 +1,75 @@
+"""Generated code against the formula as derived, in arithmetic of fifty digits."""
+
+import functools
+import json
+import re
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import radartrack.generated
+from radartrack.derive.evaluation import Evaluator
+from radartrack.derive.quantity import Quantity
+from radartrack.verification.sampling import Points, sample
+from radartrack.verification.ulp import errors
+from tests import conversions
+
+POINTS = 100
+HEADROOM = 1.0
+LARGEST = {"polar": 8.0}
+LARGEST_ELSEWHERE = 16.0
+RECORD = json.loads((Path(radartrack.generated.__path__[0]) / "accuracy.json").read_text())
+
+
+@functools.cache
+def largest_error(quantity: Quantity) -> float:
+    """Over points that the generator did not see when it measured."""
+    return float(errors(conversions.generated(quantity), quantity, sample(quantity, POINTS, seed=20)).max())
+
+
+def exact(quantity: Quantity, points: Points) -> np.ndarray:
+    evaluator = Evaluator(quantity.expression, quantity.symbols)
+    rows = zip(*(points[symbol.name].tolist() for symbol in quantity.symbols), strict=True)
+    return np.array([[float(value) for value in evaluator(row)] for row in rows]).reshape(-1, *quantity.shape)
+
+
+@pytest.mark.parametrize("quantity", conversions.QUANTITIES, ids=conversions.ids)
+def test_the_error_is_within_the_bound_of_the_contract(quantity: Quantity):
+    assert largest_error(quantity) <= LARGEST.get(quantity.module, LARGEST_ELSEWHERE)
+
+
+@pytest.mark.parametrize("quantity", conversions.QUANTITIES, ids=conversions.ids)
+def test_the_stated_error_holds_at_points_that_were_not_measured(quantity: Quantity):
+    assert largest_error(quantity) <= RECORD[quantity.name]["ulp"] + HEADROOM
+
+
+@pytest.mark.parametrize("quantity", conversions.QUANTITIES, ids=conversions.ids)
+def test_the_docstring_states_the_recorded_error(quantity: Quantity):
+    stated = re.search(r"Accuracy: at most (\S+) ulp", conversions.generated(quantity).__doc__ or "")
+    assert stated is not None
+    assert float(stated[1]) == pytest.approx(RECORD[quantity.name]["ulp"], rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    "quantity",
+    [q for q in conversions.QUANTITIES if any(s.is_correlation for s in q.symbols)],
+    ids=conversions.ids,
+)
+def test_correlated_errors_cost_no_digits_beside_the_independent_ones(quantity: Quantity):
+    points = sample(quantity, POINTS, seed=21, correlated=True)
+    independent = {s.name: points[s.name] * (not s.is_correlation) for s in quantity.symbols}
+    expected = exact(quantity, points)
+    scale = conversions.scale(quantity, exact(quantity, independent)) + np.abs(expected)
+    assert (np.abs(conversions.generated(quantity)(**points) - expected) / scale).max() < 1e-13
+
+
+def test_the_record_knows_every_generated_function_and_no_other():
+    functions = {
+        f"{path.stem}.{name}"
+        for path in Path(radartrack.generated.__path__[0]).glob("[a-z]*.py")
+        for name in import_module(f"radartrack.generated.{path.stem}").__all__
+    }
+    module_and_function = (name.partition(".") for name in RECORD)
+    assert {f"{module}.{function.replace('.', '_')}" for module, _, function in module_and_function} == functions

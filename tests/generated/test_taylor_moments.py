@@ -1,0 +1,111 @@
+"""Jacobian, Hessian and the moments of Taylor polynomials, from derivatives that mpmath takes of the plain map.
+
+A moment of the Taylor polynomial of degree n is a polynomial's: few Gauss-Hermite nodes give it exactly. Along the
+line from the point to a node the polynomial's coefficients are the derivatives in one variable.
+"""
+
+import itertools
+from collections.abc import Callable
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radartrack.derive.quantity import Quantity
+from tests import conversions, maps
+from tests.examples import share
+from tests.quadrature import Gaussian, Point, square
+
+DIGITS = 60
+
+
+def map_itself(model: str, point: Point) -> np.ndarray:
+    with mpmath.workdps(DIGITS):
+        return np.array([float(value) for value in maps.evaluated(model, mpmath, point)])
+
+
+def jacobian(model: str, point: Point) -> np.ndarray:
+    return derivatives(model, point, 1)
+
+
+def hessian(model: str, point: Point) -> np.ndarray:
+    return derivatives(model, point, 2)
+
+
+def derivatives(model: str, point: Point, order: int) -> np.ndarray:
+    """All partial derivatives of one order, shape [out, in, ...]."""
+    at = tuple(point[name] for name in maps.measured(model))
+    size = len(maps.evaluated(model, np, point))
+    result = np.empty((size, *[len(at)] * order))
+    for index in np.ndindex(result.shape):
+        orders = tuple(index[1:].count(i) for i in range(len(at)))
+        with mpmath.workdps(DIGITS):
+            result[index] = mpmath.diff(lambda *z, a=index[0]: maps.MAPS[model](mpmath, *z)[a], at, orders)
+    return result
+
+
+def taylor_values(model: str, point: Point, degree: int) -> tuple[np.ndarray, np.ndarray]:
+    """h_n(θ + w) − h(θ) at nodes w, h_n the Taylor polynomial of a degree, and the weights of the nodes."""
+    names = maps.measured(model)
+    rule = Gaussian.of(names, maps.covariance(model, point), dict.fromkeys(names, degree + 1))
+    nodes = np.stack([rule.offsets[name] for name in names], axis=-1)
+    return np.array([_along(model, point, node, degree) for node in nodes]), rule.weights
+
+
+def _along(model: str, point: Point, node: np.ndarray, degree: int) -> list[float]:
+    names = maps.measured(model)
+    with mpmath.workdps(DIGITS):
+        start = [mpmath.mpf(point[name]) for name in names]
+
+        def coordinate(a: int, s: mpmath.mpf) -> mpmath.mpf:
+            return maps.MAPS[model](mpmath, *(x + s * w for x, w in zip(start, node.tolist(), strict=True)))[a]
+
+        series = (mpmath.taylor(lambda s, a=a: coordinate(a, s), 0, degree) for a in itertools.count())
+        return [float(sum(terms[1:])) for terms in itertools.islice(series, len(maps.evaluated(model, np, point)))]
+
+
+def mean_of(degree: int) -> Callable[[str, Point], np.ndarray]:
+    def moment(model: str, point: Point) -> np.ndarray:
+        values, weights = taylor_values(model, point, degree)
+        return weights @ values
+
+    return moment
+
+
+def covariance_of(degree: int) -> Callable[[str, Point], np.ndarray]:
+    def moment(model: str, point: Point) -> np.ndarray:
+        values, weights = taylor_values(model, point, degree)
+        return np.tensordot(weights, square(values - weights @ values), axes=1)
+
+    return moment
+
+
+DERIVATIVES = {"map": map_itself, "jacobian": jacobian, "hessian": hessian}
+MOMENTS = {
+    "bias.second_order": mean_of(2),
+    "bias.fourth_order": mean_of(4),
+    "covariance.linear": covariance_of(1),
+    "covariance.second_order": covariance_of(2),
+}
+
+
+@pytest.mark.parametrize("quantity", conversions.of(*DERIVATIVES), ids=conversions.ids)
+@given(data=st.data())
+@share(0.2)
+def test_derivatives_are_those_of_the_plain_map(quantity: Quantity, data: st.DataObject):
+    point = data.draw(conversions.points(quantity))
+    expected = DERIVATIVES[conversions.row(quantity)](quantity.module, point)
+    computed = conversions.generated(quantity)(**point)
+    np.testing.assert_array_less(np.abs(computed - expected), 1e-14 * conversions.scale(quantity, expected) + 1e-40)
+
+
+@pytest.mark.parametrize("quantity", conversions.of(*MOMENTS), ids=conversions.ids)
+@given(data=st.data())
+@share(0.06)
+def test_the_moment_is_that_of_the_taylor_polynomial(quantity: Quantity, data: st.DataObject):
+    point = data.draw(conversions.points(quantity))
+    expected = MOMENTS[conversions.row(quantity)](quantity.module, point)
+    error = np.abs(conversions.generated(quantity)(**point) - expected) / conversions.scale(quantity, expected)
+    assert error.max() < 1e-12

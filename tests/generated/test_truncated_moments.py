@@ -1,0 +1,76 @@
+"""Moments of a map without closed forms, cut off at an order, from the exact moments of its Taylor polynomial.
+
+To fourth order in the deviations a moment depends on derivatives up to the fourth: the map's Taylor polynomial of
+that degree, for which the exact words are polynomials, has the same moment once that is cut off.
+"""
+
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+
+from radartrack.derive import words
+from radartrack.derive.closed import Closed
+from radartrack.derive.exponential import ExponentialPolynomial
+from radartrack.derive.models import models
+from radartrack.derive.quantity import Quantity
+from tests import conversions, maps
+
+DEGREES = {"second_order": 2, "fourth_order": 4}
+WORDS: dict[str, Callable[[Any], Any]] = {
+    "bias.truth": words.bias_truth,
+    "bias.averaged": words.bias_averaged,
+    "covariance.truth": words.covariance_truth,
+    "covariance.averaged": words.covariance_averaged,
+    "unbiased.estimate": words.unbiased_estimate,
+    "unbiased.covariance": words.unbiased_covariance,
+    "posterior.estimate": words.posterior_estimate,
+    "posterior.covariance": words.covariance_truth,
+    "decorrelated.covariance": words.decorrelated_covariance,
+}
+TRUNCATED = {f"{word}.{order}" for word in WORDS for order in DEGREES}
+SEVENTH = sympy.Rational(1, 7)
+POINT = {"r": sympy.Integer(900), "u": 2 * SEVENTH, "v": -3 * SEVENTH}
+NOISE = {"sigma_r": 150.0, "sigma_u": 0.05, "sigma_v": 0.08, "rho": 0.6}
+NOISE |= {"predicted_sigma_r": 90.0, "predicted_sigma_u": 0.07, "predicted_sigma_v": 0.03, "predicted_rho": -0.7}
+
+
+def taylor_polynomial(expression: sympy.Expr, variables: tuple[sympy.Symbol, ...]) -> sympy.Expr:
+    at = {variable: POINT[variable.name] for variable in variables}
+    total = sympy.Integer(0)
+    for powers in itertools.product(range(5), repeat=len(variables)):
+        if sum(powers) <= 4:
+            steps = [(variable, power) for variable, power in zip(variables, powers, strict=True) if power]
+            slope = expression.diff(*steps) if steps else expression
+            factors = ((variable - at[variable]) ** power for variable, power in steps)
+            total += slope.subs(at) * sympy.Mul(*factors) / math.prod(map(math.factorial, powers))
+    return sympy.expand(total)
+
+
+def moment(name: str, word: str, degree: int) -> np.ndarray:
+    """The word for the Taylor polynomial at POINT, without what is beyond a degree in the deviations."""
+    model = models()[name]
+    plain = maps.evaluated(name, sympy, {variable.name: variable for variable in model.measured})
+    outputs = {str(a): taylor_polynomial(h, model.measured) for a, h in enumerate(plain)}
+    tensor = WORDS[word](Closed(replace(model, outputs=outputs)))
+    shrink = sympy.Symbol("shrink")
+    at: dict[sympy.Symbol, Any] = {variable: POINT[variable.name] for variable in model.measured}
+    for symbol in (*model.noise_symbols, *model.prediction_symbols):
+        at[symbol] = sympy.Rational(NOISE[symbol.name]) * (shrink if "sigma_" in symbol.name else 1)
+    polynomials = tensor.map(lambda value: sympy.Poly(ExponentialPolynomial.expression(value).subs(at), shrink))
+    kept = [sum(c for (power,), c in polynomial.terms() if power <= degree) for polynomial in polynomials]
+    return np.array([float(value) for value in kept]).reshape(tensor.shape)
+
+
+@pytest.mark.parametrize("quantity", conversions.of(*TRUNCATED), ids=conversions.ids)
+def test_the_truncated_moment_is_that_of_the_taylor_polynomial_cut_off(quantity: Quantity):
+    word, _, order = conversions.row(quantity).rpartition(".")
+    expected = moment(quantity.module, word, DEGREES[order])
+    point = {name: float(value) for name, value in (POINT | NOISE).items()}
+    computed = conversions.generated(quantity)(**{symbol.name: point[symbol.name] for symbol in quantity.symbols})
+    assert (np.abs(computed - expected) / conversions.scale(quantity, expected)).max() < 1e-12
