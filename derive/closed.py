@@ -18,7 +18,7 @@ class Closed:
     """
 
     def __init__(self, model: Model) -> None:
-        ring = ring_over((*model.measured, *model.noise_symbols, *model.prediction_symbols))
+        ring = ring_over(model.symbols)
         self.map: Tensor[ExponentialPolynomial] = model.map.map(lambda h: ExponentialPolynomial.read(h, ring))
         self._measurement = GaussianOperator(model.measured, model.covariance)
         self._prediction = GaussianOperator(model.measured, model.prediction_covariance)

@@ -52,15 +52,15 @@ def collected_form(entries: Tensor[Expr]) -> StableForm:
     """
     symbols = {symbol for entry in entries for symbol in entry.free_symbols}
     ring = DifferentialRing(entries, symbols)
-    denominators = _denominators(ring)
+    found = denominators(ring)
     elements = entries.map_distinct(ring.read)
-    collected = elements.map_distinct(lambda element: collect(element, ring, denominators))
+    collected = elements.map_distinct(lambda element: collect(element, ring, found))
     plain = _outside(ring)
-    written = collected.map(lambda parts: _written(parts, ring, denominators, plain))
-    definitions = {denominator.name: denominator.definition(ring) for denominator in denominators}
+    written = collected.map(lambda parts: _written(parts, ring, found, plain))
+    definitions = {denominator.name: denominator.definition(ring) for denominator in found}
     form = StableForm(definitions, written).only(written)
     for entry, parts in zip(form.expanded(), collected, strict=True):
-        if collect(ring.read(entry), ring, denominators) != parts:
+        if collect(ring.read(entry), ring, found) != parts:
             raise NotProved(f"{entry} is not what it was collected from")
     return form
 
@@ -68,15 +68,15 @@ def collected_form(entries: Tensor[Expr]) -> StableForm:
 def vanishes(expression: Expr) -> bool:
     """Whether an expression with roots, quotients and elementary functions is proved to be zero."""
     ring = DifferentialRing([expression], expression.free_symbols)
-    return not any(collect(ring.read(expression), ring, _denominators(ring)).values())
+    return not any(collect(ring.read(expression), ring, denominators(ring)).values())
 
 
 def collect(
-    element: PolyElement, ring: DifferentialRing, denominators: Iterable[Denominator]
+    element: PolyElement, ring: DifferentialRing, found: Iterable[Denominator]
 ) -> dict[Powers, PolyElement]:
     """Powers of the denominators' generators, negative ones for roots in the numerator → numerator."""
     parts: dict[Powers, PolyElement] = {(): element}
-    for denominator in denominators:
+    for denominator in found:
         parts = {
             (*powers, power): numerator
             for powers, polynomial in parts.items()
@@ -112,7 +112,8 @@ def _over_one(alike: dict[int, PolyElement], denominator: Denominator) -> tuple[
     return highest, numerator
 
 
-def _denominators(ring: DifferentialRing) -> list[Denominator]:
+def denominators(ring: DifferentialRing) -> list[Denominator]:
+    """The generators that stand for inverse roots and quotients."""
     found = []
     for placeholder, key in ring.generators.items():
         base, exponent = key.as_base_exp()
@@ -131,12 +132,12 @@ def _outside(ring: DifferentialRing) -> set[Symbol]:
 
 
 def _written(
-    parts: dict[Powers, PolyElement], ring: DifferentialRing, denominators: list[Denominator], outside: set[Symbol]
+    parts: dict[Powers, PolyElement], ring: DifferentialRing, found: list[Denominator], outside: set[Symbol]
 ) -> Expr:
     terms = []
     for powers, numerator in parts.items():
         below = reduce(
-            mul, (d.name ** (-power) for d, power in zip(denominators, powers, strict=True)), sp.Integer(1)
+            mul, (d.name ** (-power) for d, power in zip(found, powers, strict=True)), sp.Integer(1)
         )
         terms.append(below * _factored(numerator, ring, outside))
     return sp.Add(*terms)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from math import factorial
 from typing import Any
 
 from radartrack.derive import taylor, words
@@ -16,7 +17,8 @@ from radartrack.derive.quantity import Conditioning, Quantity, Source
 from radartrack.derive.series import Truncated
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
-from radartrack.derive.units import Unit
+from radartrack.derive.units import ONE, Unit
+from radartrack.derive.validity import NEGLECTED, is_square, validity, validity_form
 from radartrack.derive.variable import Variable
 
 Axes = tuple[tuple[Unit, ...], ...]
@@ -49,14 +51,14 @@ class Conversion:
         return tuple(variable.unit**-1 for variable in self.model.measured)
 
     @property
-    def measured(self) -> tuple[Variable, ...]:
+    def arguments(self) -> tuple[Variable, ...]:
         """What the map depends on."""
-        return self.model.measured
+        return self.model.arguments
 
     @property
     def noisy(self) -> tuple[Variable, ...]:
         """What an expectation over the measurement error depends on."""
-        return (*self.model.measured, *self.model.noise_symbols)
+        return (*self.model.arguments, *self.model.noise_symbols)
 
     @property
     def predicted(self) -> tuple[Variable, ...]:
@@ -119,7 +121,7 @@ EXPANSION = (
         Conditioning.NONE,
         Source("Prosov", None, "(1)"),
         _vector,
-        lambda c: c.measured,
+        lambda c: c.arguments,
         lambda c: c.model.map,
     ),
     Row(
@@ -129,8 +131,8 @@ EXPANSION = (
         Conditioning.NONE,
         TAYLOR,
         lambda c: (c.model.units, c.inward),
-        lambda c: c.measured,
-        lambda c: taylor.jacobian(c.model.map, c.measured),
+        lambda c: c.arguments,
+        lambda c: taylor.jacobian(c.model.map, c.model.measured),
     ),
     Row(
         "hessian",
@@ -139,8 +141,8 @@ EXPANSION = (
         Conditioning.NONE,
         TAYLOR,
         lambda c: (c.model.units, c.inward, c.inward),
-        lambda c: c.measured,
-        lambda c: taylor.hessian(c.model.map, c.measured),
+        lambda c: c.arguments,
+        lambda c: taylor.hessian(c.model.map, c.model.measured),
     ),
     Row(
         "bias.second_order",
@@ -275,6 +277,8 @@ def quantities_of(model: Model) -> list[Quantity]:
     """
     shared = Conversion(model)
     expansion = [_quantity(shared, row, row.derive) for row in EXPANSION]
+    if is_square(model):
+        expansion += [_validity(shared, formulas) for formulas in NEGLECTED]
     if shared.closed is not None:
         return [*expansion, *(_quantity(shared, row, _exactly(row)) for row in WORDS)]
     return [*expansion, *(_to_order(shared, row, order) for row in WORDS for order in ORDERS)]
@@ -295,6 +299,24 @@ def word_to_order(model: Model, name: str, order: int) -> Tensor[Expr]:
     if name not in known:
         raise ValueError(f"name must be one of {', '.join(known)}; given {name!r}")
     return Conversion(model).to_order(known[name].derive, order)
+
+
+def _validity(shared: Conversion, formulas: str) -> Quantity:
+    model = shared.model
+    return Quantity(
+        name=f"{model.name}.validity.{formulas}",
+        meaning=(
+            f"leading term that the {formulas.replace('_', '-')} formulas neglect, root mean square, over the linear "
+            "standard deviation, one a measured quantity"
+        ),
+        axes=((ONE,) * len(model.measured),),
+        symbols=shared.noisy,
+        conditioning=Conditioning.TRUTH,
+        source=Source("Prosov", None, "the question of validity"),
+        word=f"sqrt(E[(J^-1 (w.d)^{NEGLECTED[formulas]} h)_i^2])/({factorial(NEGLECTED[formulas])} sigma_i)",
+        derivation=lambda: validity(model, formulas),
+        rewriting=lambda: validity_form(model, formulas),
+    )
 
 
 def _exactly(row: Row) -> Derivation:

@@ -8,7 +8,8 @@ with the quotient in its derivative. Derivatives of any order are then sums of p
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import cached_property
+from functools import cached_property, reduce
+from operator import mul
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
@@ -44,7 +45,7 @@ class DifferentialRing:
         polynomial = self._flatten(expression)
         if len(self._placeholders) > known:
             raise NotDifferentiable(f"{expression} does not lie in this ring")
-        return self.ring.from_expr(sp.expand(polynomial))
+        return self._element(polynomial)
 
     def expression(self, element: PolyElement) -> Expr:
         """An element as an expression in the plain symbols."""
@@ -63,12 +64,22 @@ class DifferentialRing:
     def _derivations(self) -> dict[Symbol, dict[Symbol, PolyElement]]:
         return {
             symbol: {
-                placeholder: self.ring.from_expr(sp.expand(self._slopes[placeholder, symbol]))
+                placeholder: self._element(self._slopes[placeholder, symbol])
                 for placeholder, key in self.generators.items()
                 if symbol in key.free_symbols
             }
             for symbol in self.symbols
         }
+
+    def _element(self, polynomial: Expr) -> PolyElement:
+        """A polynomial in symbols and placeholders, multiplied out in the ring."""
+        if isinstance(polynomial, sp.Add):
+            return sum(map(self._element, polynomial.args), self.ring.zero)
+        if isinstance(polynomial, sp.Mul):
+            return reduce(mul, map(self._element, polynomial.args))
+        if isinstance(polynomial, sp.Pow):
+            return self._element(polynomial.base) ** int(polynomial.exp)
+        return self.ring.from_expr(polynomial)
 
     def _close(self) -> dict[tuple[Symbol, Symbol], Expr]:
         """The derivative of every generator by every symbol; taking them may need further generators."""

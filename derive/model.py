@@ -14,7 +14,7 @@ from radartrack.derive.variable import Variable
 Covariance = tuple[tuple[Expr, ...], ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Model:
     """A conversion of measurements z = θ + w, w ~ N(0, K), to coordinates h(θ).
 
@@ -27,6 +27,7 @@ class Model:
         outputs: name and expression of each coordinate.
         units: the unit of each coordinate.
         source: where the map stands in print.
+        parameters: symbols of the map that are known and carry no error, such as a baseline.
 
     Raises:
         ValueError: when the parts do not fit each other.
@@ -40,6 +41,7 @@ class Model:
     units: tuple[Unit, ...]
     source: Source
     correlations: Mapping[tuple[Variable, Variable], Variable] = field(default_factory=dict)
+    parameters: tuple[Variable, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.name.isidentifier():
@@ -54,19 +56,29 @@ class Model:
         for pair in self.correlations:
             if len(set(pair)) != 2 or not set(pair) <= set(self.measured):
                 raise ValueError(f"correlations must join two different measured quantities, given {pair}")
-        names = [symbol.name for symbol in (*self.measured, *self.noise_symbols)]
+        names = [symbol.name for symbol in (*self.arguments, *self.noise_symbols)]
         if len(set(names)) != len(names):
             raise ValueError(f"symbols must have different names, given {', '.join(names)}")
         for output, expression in self.outputs.items():
-            unknown = expression.free_symbols - set(self.measured)
+            unknown = expression.free_symbols - set(self.arguments)
             if unknown:
-                allowed = ", ".join(names[: len(self.measured)])
+                allowed = ", ".join(symbol.name for symbol in self.arguments)
                 raise ValueError(f"output {output} may use {allowed} only, given also {sorted(map(str, unknown))}")
 
     @property
     def map(self) -> Tensor[Expr]:
         """h(θ), shape [out]."""
         return Tensor((len(self.outputs),), tuple(self.outputs.values()))
+
+    @property
+    def arguments(self) -> tuple[Variable, ...]:
+        """What the map is a function of: the measured quantities, then the parameters."""
+        return (*self.measured, *self.parameters)
+
+    @property
+    def symbols(self) -> tuple[Variable, ...]:
+        """Every symbol that a quantity of the model can hold."""
+        return (*self.arguments, *self.noise_symbols, *self.prediction_symbols)
 
     @property
     def noise_symbols(self) -> tuple[Variable, ...]:
@@ -90,7 +102,7 @@ class Model:
 
     def _covariance(self, names: Mapping[Variable, Variable]) -> Covariance:
         deviation = {of: names[sigma] for of, sigma in zip(self.measured, self.deviations, strict=True)}
-        both_ways = self.correlations | {(b, a): rho for (a, b), rho in self.correlations.items()}
+        both_ways = dict(self.correlations) | {(b, a): rho for (a, b), rho in self.correlations.items()}
 
         def entry(a: Variable, b: Variable) -> Expr:
             if a is b:

@@ -50,8 +50,7 @@ class Truncated:
     def __init__(self, model: Model, order: int) -> None:
         if order < 2 or order % 2:
             raise ValueError(f"order must be even and at least 2, given {order}")
-        symbols = (*model.measured, *model.noise_symbols, *model.prediction_symbols)
-        self.ring = DifferentialRing(model.map, symbols)
+        self.ring = DifferentialRing(model.map, model.symbols)
         self._variables = model.measured
         self._measurement = self._read(model.covariance)
         self._prediction = self._read(model.prediction_covariance)

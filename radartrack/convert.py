@@ -252,9 +252,12 @@ def _evaluate_word(sensor: _Sensor, word: str, values: Mapping[str, RealArray]) 
 
 
 def _swap_x_and_y(converted: Converted) -> Converted:
-    order = np.arange(converted.mean.shape[-1])
-    order[:2] = 1, 0
-    return Converted(converted.mean[..., order], converted.covariance[..., order[:, np.newaxis], order])
+    mean, covariance = converted
+    size = mean.shape[-1]
+    order = [1, 0, *range(2, size)]
+    entries = np.arange(size**2).reshape(size, size)[np.ix_(order, order)]
+    flat = covariance.reshape(*covariance.shape[:-2], size**2)
+    return Converted(mean.take(order, axis=-1), flat.take(entries, axis=-1))
 
 
 def _spread(converted: Converted, shape: tuple[int, ...]) -> Converted:
