@@ -6,6 +6,7 @@ from functools import cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.collected import collected_form, vanishes
+from radartrack.derive.differential_ring import NotDifferentiable
 from radartrack.derive.exponential import NotExponentialPolynomial
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.rational import NotRational, is_zero
@@ -16,7 +17,7 @@ from radartrack.derive.tensor import Tensor
 
 @cache
 def form_of(quantity: Quantity) -> StableForm:
-    """The quantity's own rewriting where it has one, else the stable form of an exponential polynomial, else as derived.
+    """The quantity's own rewriting where it has one, else a general form in which little cancels.
 
     Raises:
         NotProved: when a rewriting is not equal to the derivation.
@@ -32,7 +33,7 @@ def form_of(quantity: Quantity) -> StableForm:
 
 
 def readable(quantity: Quantity) -> Tensor[Expr]:
-    """The form with its intermediates filled in, for people to read: 1 − e^x stands where code calls expm1."""
+    """The form with its intermediates filled in, to be read: 1 − e^x stands where code calls expm1."""
     form = form_of(quantity)
     plain = {symbol: _without_expm1(definition) for symbol, definition in form.definitions.items()}
     return StableForm(plain, form.entries.map(_without_expm1)).expanded()
@@ -51,7 +52,15 @@ def _prove(form: StableForm, derived: Tensor[Expr]) -> None:
 
 
 def _vanishes(expression: Expr) -> bool:
+    """Whether it is zero: as a rational function, over roots, or by what SymPy can cancel; all prove it."""
     try:
         return is_zero(expression)
     except NotRational:
+        return _vanishes_over_roots(expression) or sp.cancel(expression) == sp.Integer(0)
+
+
+def _vanishes_over_roots(expression: Expr) -> bool:
+    try:
         return vanishes(expression)
+    except NotDifferentiable:
+        return False

@@ -270,7 +270,11 @@ def scalar(
     conditioning: Conditioning = Conditioning.NONE,
     is_difference: bool = False,
 ) -> Quantity:
-    """A quantity that is one number."""
+    """A quantity that is one number, written as it is derived unless there is a rewriting."""
+
+    def derivation() -> Tensor[Expr]:
+        return Tensor((), (derive(),))
+
     return Quantity(
         name,
         meaning,
@@ -279,8 +283,8 @@ def scalar(
         conditioning,
         source,
         word,
-        lambda: Tensor((), (derive(),)),
-        rewriting,
+        derivation,
+        rewriting or (lambda: StableForm({}, derivation())),
         common_unit=unit,
         is_difference=is_difference,
     )

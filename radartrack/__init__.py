@@ -7,14 +7,20 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from radartrack import convert
+    from radartrack import convert, fusion, kalman, line
+    from radartrack.finite_sample_filter import FiniteSampleFilter
+    from radartrack.variance_table import VarianceTable
 
-__all__ = ["convert"]
+__all__ = ["FiniteSampleFilter", "VarianceTable", "convert", "fusion", "kalman", "line"]
+
+_CLASSES = {"FiniteSampleFilter": "finite_sample_filter", "VarianceTable": "variance_table"}
 
 
 def __getattr__(name: str) -> Any:
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name in _CLASSES:
+        return getattr(import_module(f"{__name__}.{_CLASSES[name]}"), name)
     return import_module(f"{__name__}.{name}")
 
 

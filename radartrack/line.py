@@ -71,19 +71,11 @@ class Fit:
 
     def at(self, t: ArrayLike) -> Floats:
         """The coordinate [m] at times of shape (..., m)."""
-        elapsed = np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
-        with np.errstate(invalid="ignore"):
-            return self.mean_x[..., np.newaxis] + self.slope[..., np.newaxis] * elapsed
+        return self.mean_x[..., np.newaxis] + self._travelled(t)
 
     def residual(self, t: ArrayLike, x: ArrayLike) -> Floats:
         """How far x lies above the line [m], shape (..., n)."""
-        elapsed = np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
-        with np.errstate(invalid="ignore"):
-            return (
-                np.asarray(x, np.float64)
-                - self.mean_x[..., np.newaxis]
-                - self.slope[..., np.newaxis] * elapsed
-            )
+        return np.asarray(x, np.float64) - self.mean_x[..., np.newaxis] - self._travelled(t)
 
     def distance(self, t: ArrayLike, x: ArrayLike) -> Floats:
         """Perpendicular distance from the line in the plane of t and x, as pure numbers; (3) of Gao et al.
@@ -91,8 +83,15 @@ class Fit:
         Positive above the line, for a vertical one to its left; shape (..., n).
         """
         cosine, sine = _direction(self.slope[..., np.newaxis])
-        elapsed = np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
-        return (np.asarray(x, np.float64) - self.mean_x[..., np.newaxis]) * cosine - elapsed * sine
+        return (np.asarray(x, np.float64) - self.mean_x[..., np.newaxis]) * cosine - self._elapsed(t) * sine
+
+    def _elapsed(self, t: ArrayLike) -> Floats:
+        return np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
+
+    def _travelled(self, t: ArrayLike) -> Floats:
+        """Not a number beside an infinite slope at the mean time."""
+        with np.errstate(invalid="ignore"):
+            return self.slope[..., np.newaxis] * self._elapsed(t)
 
 
 class _Sums(NamedTuple):
@@ -375,8 +374,9 @@ def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
 
 def _shares(distance: Floats, floor: Floats) -> Floats:
     """The printed weights 1/|l| over their sum, with the guard; equal ones where every distance is zero."""
-    inverse = 1.0 / np.where(floor > 0, np.maximum(np.abs(distance), floor), 1.0)
-    return inverse / inverse.sum(axis=-1, keepdims=True)
+    inverse: Floats = 1.0 / np.where(floor > 0, np.maximum(np.abs(distance), floor), 1.0)
+    total: Floats = inverse.sum(axis=-1, keepdims=True)
+    return inverse / total
 
 
 def _map(line: Fit, change: Callable[[NDArray[Any]], NDArray[Any]]) -> Fit:

@@ -1,0 +1,278 @@
+"""NumPy functions of the quantities fusion.*.
+
+Written by radartrack regenerate, generator 1, derivation 22c69199595f3cef; not to be edited.
+"""
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = [
+    "cross_range_std",
+    "matrix_weights_two",
+    "variance_three",
+    "variance_two",
+    "weight",
+    "weights_three",
+    "weights_two",
+]
+
+Floats = npt.NDArray[np.floating]
+
+
+def _floats(*arguments: npt.ArrayLike) -> tuple[Floats, ...]:
+    """The arguments as arrays of one type: float32 where every array is float32, else float64.
+
+    Python numbers follow the arrays; integers and anything narrower than float32 compute in float64.
+    """
+    typed = [np.asarray(argument) for argument in arguments if hasattr(argument, "dtype")]
+    single = bool(typed) and all(array.dtype == np.float32 for array in typed)
+    dtype = np.float32 if single else np.float64
+    arrays = (np.asarray(argument) for argument in arguments)
+    return tuple(array.astype(dtype, casting="same_kind", copy=False) for array in arrays)
+
+
+def _empty(arguments: tuple[Floats, ...], shape: tuple[int, ...]) -> Floats:
+    """Room for a result: the shape that the arguments broadcast to, then the tensor's own."""
+    return np.empty(np.broadcast_shapes(*(a.shape for a in arguments)) + shape, arguments[0].dtype)
+
+
+def weights_two(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike) -> Floats:
+    """Weights of two unbiased measurements of one thing.
+
+    Name: fusion.weights.two.
+    Definition: argmin of the fused variance, weights summing to 1.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Aitken 1936.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        sigma_2: standard deviation of measurement 2 [m], 0.01 to 1e+05.
+
+    Returns:
+        Shape of the broadcast arguments + (2), unit 1.
+
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_1, sigma_2)
+    sigma_1, sigma_2 = arguments
+    sigma_1_squared = sigma_1**2
+    sigma_2_squared = sigma_2**2
+    divisor_1 = sigma_1_squared + sigma_2_squared
+    term_1 = 1.0 / divisor_1
+    result = _empty(arguments, (2,))
+    result[..., 0] = sigma_2_squared * term_1
+    result[..., 1] = sigma_1_squared * term_1
+    return result
+
+
+def variance_two(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike) -> Floats:
+    """Variance of the best weighted mean of two measurements.
+
+    Name: fusion.variance.two.
+    Definition: sum of w^2 sigma^2.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Aitken 1936.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        sigma_2: standard deviation of measurement 2 [m], 0.01 to 1e+05.
+
+    Returns:
+        Shape of the broadcast arguments, unit m^2.
+
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_1, sigma_2)
+    sigma_1, sigma_2 = arguments
+    sigma_1_squared = sigma_1**2
+    sigma_2_squared = sigma_2**2
+    result = _empty(arguments, ())
+    result[...] = sigma_1_squared * sigma_2_squared / (sigma_1_squared + sigma_2_squared)
+    return result[()]
+
+
+def weights_three(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike, sigma_3: npt.ArrayLike) -> Floats:
+    """Weights of three unbiased measurements of one thing.
+
+    Name: fusion.weights.three.
+    Definition: argmin of the fused variance, weights summing to 1.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Aitken 1936.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        sigma_2: standard deviation of measurement 2 [m], 0.01 to 1e+05.
+        sigma_3: standard deviation of measurement 3 [m], 0.01 to 1e+05.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit 1.
+
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_1, sigma_2, sigma_3)
+    sigma_1, sigma_2, sigma_3 = arguments
+    sigma_1_squared = sigma_1**2
+    sigma_2_squared = sigma_2**2
+    sigma_3_squared = sigma_3**2
+    divisor_1 = (
+        sigma_1_squared * sigma_2_squared
+        + sigma_1_squared * sigma_3_squared
+        + sigma_2_squared * sigma_3_squared
+    )
+    term_1 = 1.0 / divisor_1
+    result = _empty(arguments, (3,))
+    result[..., 0] = sigma_2_squared * sigma_3_squared * term_1
+    result[..., 1] = sigma_1_squared * sigma_3_squared * term_1
+    result[..., 2] = sigma_1_squared * sigma_2_squared * term_1
+    return result
+
+
+def variance_three(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike, sigma_3: npt.ArrayLike) -> Floats:
+    """Variance of the best weighted mean of three measurements.
+
+    Name: fusion.variance.three.
+    Definition: sum of w^2 sigma^2.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Aitken 1936.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        sigma_2: standard deviation of measurement 2 [m], 0.01 to 1e+05.
+        sigma_3: standard deviation of measurement 3 [m], 0.01 to 1e+05.
+
+    Returns:
+        Shape of the broadcast arguments, unit m^2.
+
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_1, sigma_2, sigma_3)
+    sigma_1, sigma_2, sigma_3 = arguments
+    sigma_1_squared = sigma_1**2
+    sigma_2_squared = sigma_2**2
+    sigma_3_squared = sigma_3**2
+    result = _empty(arguments, ())
+    result[...] = sigma_1_squared * sigma_2_squared * sigma_3_squared / (sigma_1_squared * sigma_2_squared + sigma_1_squared * sigma_3_squared + sigma_2_squared * sigma_3_squared)
+    return result[()]
+
+
+def weight(*, sigma_1: npt.ArrayLike, information: npt.ArrayLike) -> Floats:
+    """Weight of one measurement among any number.
+
+    Name: fusion.weight.
+    Definition: argmin of the fused variance, weights summing to 1.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Aitken 1936.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        information: sum of 1/sigma^2 over all measurements [1/m^2], 1e-10 to 1e+06.
+
+    Returns:
+        Shape of the broadcast arguments, unit 1.
+
+    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_1, information)
+    sigma_1, information = arguments
+    result = _empty(arguments, ())
+    result[...] = 1.0 / (information * sigma_1**2)
+    return result[()]
+
+
+def matrix_weights_two(
+    *,
+    sigma_x1: npt.ArrayLike,
+    sigma_y1: npt.ArrayLike,
+    rho_1: npt.ArrayLike,
+    sigma_x2: npt.ArrayLike,
+    sigma_y2: npt.ArrayLike,
+    rho_2: npt.ArrayLike,
+) -> Floats:
+    """Weight of the first of two measurements in the plane, [out, in].
+
+    Name: fusion.matrix_weights.two.
+    Definition: argmin of the trace of the fused covariance, weights summing to the unit matrix.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Aitken 1936.
+
+    Args:
+        sigma_x1: standard deviation of x of measurement 1 [m], 0.01 to 1e+05.
+        sigma_y1: standard deviation of y of measurement 1 [m], 0.01 to 1e+05.
+        rho_1: correlation of the errors of sigma_x1 and sigma_y1 [1], -1 to 1.
+        sigma_x2: standard deviation of x of measurement 2 [m], 0.01 to 1e+05.
+        sigma_y2: standard deviation of y of measurement 2 [m], 0.01 to 1e+05.
+        rho_2: correlation of the errors of sigma_x2 and sigma_y2 [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit 1.
+
+    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_x1, sigma_y1, rho_1, sigma_x2, sigma_y2, rho_2)
+    sigma_x1, sigma_y1, rho_1, sigma_x2, sigma_y2, rho_2 = arguments
+    sigma_x1_squared = sigma_x1**2
+    sigma_y1_squared = sigma_y1**2
+    sigma_y2_squared = sigma_y2**2
+    sigma_x2_squared = sigma_x2**2
+    rho_2_squared = rho_2**2
+    divisor_1 = (
+        2.0 * rho_1 * rho_2 * sigma_x1 * sigma_x2 * sigma_y1 * sigma_y2
+        - sigma_x1_squared * sigma_y1_squared
+        - sigma_x1_squared * sigma_y2_squared
+        - sigma_x2_squared * sigma_y1_squared
+        - sigma_x2_squared * sigma_y2_squared
+        + rho_2_squared * sigma_x2_squared * sigma_y2_squared
+        + rho_1**2 * sigma_x1_squared * sigma_y1_squared
+    )
+    term_1 = 1.0 / divisor_1
+    sum_1 = (
+        rho_1 * rho_2 * sigma_x1 * sigma_y1 * sigma_y2
+        - sigma_x2 * sigma_y1_squared
+        - sigma_x2 * sigma_y2_squared
+        + rho_2_squared * sigma_x2 * sigma_y2_squared
+    )
+    sum_2 = rho_1 * sigma_x2 * sigma_y1 - rho_2 * sigma_x1 * sigma_y2
+    sum_3 = rho_1 * sigma_x1 * sigma_y2 - rho_2 * sigma_x2 * sigma_y1
+    sum_4 = (
+        rho_1 * rho_2 * sigma_x1 * sigma_x2 * sigma_y1
+        - sigma_x1_squared * sigma_y2
+        - sigma_x2_squared * sigma_y2
+        + rho_2_squared * sigma_x2_squared * sigma_y2
+    )
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = sigma_x2 * sum_1 * term_1
+    result[..., 0, 1] = sigma_x1 * sigma_x2 * sum_2 * term_1
+    result[..., 1, 0] = sigma_y1 * sigma_y2 * sum_3 * term_1
+    result[..., 1, 1] = sigma_y2 * sum_4 * term_1
+    return result
+
+
+def cross_range_std(*, r: npt.ArrayLike, sigma_beta: npt.ArrayLike) -> Floats:
+    """Error across the line of sight from an error of azimuth.
+
+    Name: fusion.cross_range_std.
+    Definition: r times the error of azimuth.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Gao et al. 2020 introduction.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+
+    Returns:
+        Shape of the broadcast arguments, unit m.
+
+    Accuracy: at most 0.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, sigma_beta)
+    r, sigma_beta = arguments
+    result = _empty(arguments, ())
+    result[...] = r * sigma_beta
+    return result[()]

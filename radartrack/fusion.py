@@ -1,0 +1,376 @@
+"""Fusion of several radars: weights, straight lines through the plots of all, and covariance-weighted means.
+
+The weights of least variance are inversely proportional to the variances of unbiased, independent
+measurements (`radartrack.derive.fusion` derives them with a Lagrange multiplier). They do not change when all
+deviations are multiplied by one number. The deviations may come from
+
+- `stated_std`: the stated deviations of range and azimuth, the same wherever the target is;
+- `propagated_covariance`: the stated deviations carried over to x and y at each plot;
+- `line.measurement_std` or a `VarianceTable`: the scatter of plots about straight courses.
+"""
+
+from collections.abc import Sequence
+from typing import Any, Literal, NamedTuple, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from radartrack import line
+from radartrack.convert import Converted
+from radartrack.generated import fusion as formulas
+from radartrack.generated import line as line_formulas
+from radartrack.generated import spherical
+from radartrack.line import COORDINATE, TIME, WEIGHT
+from radartrack.validation import (
+    ANGLE,
+    ANGLE_STD,
+    RANGE,
+    Domain,
+    broadcast_shape,
+    one_of,
+    real_arrays,
+    require_trailing_shape,
+    require_within,
+)
+
+Floats: TypeAlias = NDArray[np.float64]
+FirstLayer: TypeAlias = Literal["equal", "reweighted"]
+
+STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
+COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
+SYMMETRY = 1e-9
+
+
+class Motion(NamedTuple):
+    """Straight motions at constant speed in the plane.
+
+    Attributes:
+        time: the time at which position and velocity are given [s], shape (...).
+        position: x and y [m], shape (..., 2).
+        velocity: along x and y [m/s], shape (..., 2).
+        covariance: of the errors of (x, y, vx, vy), shape (..., 4, 4); None where the weights do not tell it.
+    """
+
+    time: Floats
+    position: Floats
+    velocity: Floats
+    covariance: Floats | None
+
+    def at(self, t: ArrayLike) -> Floats:
+        """Positions [m] at times of shape (..., m), shape (..., m, 2)."""
+        elapsed = np.asarray(t, np.float64) - self.time[..., np.newaxis]
+        return (
+            self.position[..., np.newaxis, :] + elapsed[..., np.newaxis] * self.velocity[..., np.newaxis, :]
+        )
+
+
+def weights(std: ArrayLike) -> Floats:
+    """The weights of unbiased, independent measurements of one thing with the least variance of their mean.
+
+    Args:
+        std: standard deviations, positive, in one unit, shape (..., n).
+
+    Returns:
+        Weights that sum to 1, shape (..., n).
+
+    Raises:
+        TypeError: the deviations are no real numbers.
+        ValueError: a deviation is not positive and finite, or there is none.
+    """
+    deviations = _read({"std": std}, {"std": STD})["std"]
+    if not deviations.ndim or not deviations.shape[-1]:
+        raise ValueError(
+            f"std must have at least one deviation on its last axis; got shape {deviations.shape}"
+        )
+    if not np.all(deviations > 0):
+        raise ValueError("std must be positive; got 0")
+    inverse: Floats = (deviations.min(axis=-1, keepdims=True) / deviations) ** 2
+    total: Floats = inverse.sum(axis=-1, keepdims=True)
+    return inverse / total
+
+
+def stated_std(range_std: ArrayLike, azimuth_std: ArrayLike, reference_range: ArrayLike) -> Floats:
+    """A deviation of position from stated polar deviations, whatever the range of the target.
+
+    Metres and radians only add after the radians are multiplied by a length. Weights from stated deviations
+    take one length for all radars and all plots; here it is an argument. The result is the root mean square
+    of the deviations along and across the line of sight at that range.
+
+    Args:
+        range_std: standard deviation of the range [m].
+        azimuth_std: standard deviation of the azimuth [rad].
+        reference_range: the length [m].
+
+    Returns:
+        Deviations [m], of the shape that the arguments broadcast to.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, or the shapes do not broadcast.
+    """
+    arrays = _read(
+        {"range_std": range_std, "azimuth_std": azimuth_std, "reference_range": reference_range},
+        {"range_std": RANGE, "azimuth_std": ANGLE_STD, "reference_range": RANGE},
+    )
+    broadcast_shape(arrays)
+    across = formulas.cross_range_std(r=arrays["reference_range"], sigma_beta=arrays["azimuth_std"])
+    return line_formulas.position_std(sigma_x=arrays["range_std"], sigma_y=across).astype(np.float64)
+
+
+def propagated_covariance(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    elevation: ArrayLike = 0.0,
+    elevation_std: ArrayLike = 0.0,
+) -> Floats:
+    """The covariance of x and y that error propagation gives for plots (Gao et al. 2020, section 1).
+
+    For a two-coordinate radar elevation and its deviation stay 0; what the missing elevation does to x and y
+    is then no part of the covariance.
+
+    Args:
+        r: slant ranges [m].
+        azimuth: azimuths [rad], clockwise from the y axis.
+        range_std: standard deviations of the ranges [m].
+        azimuth_std: standard deviations of the azimuths [rad].
+        elevation: elevations [rad].
+        elevation_std: standard deviations of the elevations [rad].
+
+    Returns:
+        Covariances [m^2], shape (..., 2, 2); `position_std` makes one deviation of each.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, or the shapes do not broadcast.
+    """
+    arrays = _read(
+        {
+            "r": r, "azimuth": azimuth, "elevation": elevation,
+            "range_std": range_std, "azimuth_std": azimuth_std, "elevation_std": elevation_std,
+        },
+        {
+            "r": RANGE, "azimuth": ANGLE, "elevation": ANGLE,
+            "range_std": RANGE, "azimuth_std": ANGLE_STD, "elevation_std": ANGLE_STD,
+        },
+    )  # fmt: skip
+    broadcast_shape(arrays)
+    covariance = spherical.covariance_linear(
+        r=arrays["r"], beta=arrays["azimuth"], epsilon=arrays["elevation"],
+        sigma_r=arrays["range_std"], sigma_beta=arrays["azimuth_std"], sigma_epsilon=arrays["elevation_std"],
+        rho=0.0,
+    )  # fmt: skip
+    return covariance[..., :2, :2].astype(np.float64)
+
+
+def position_std(covariance: ArrayLike) -> Floats:
+    """One deviation from the covariance of x and y: the root mean square of both, (10) of Gao et al. [m].
+
+    Args:
+        covariance: covariances [m^2], shape (..., 2, 2).
+
+    Raises:
+        TypeError: the covariance is not made of real numbers.
+        ValueError: an entry is not finite, a variance is negative, or the shape does not fit.
+    """
+    matrices = _read({"covariance": covariance}, {"covariance": COVARIANCE})["covariance"]
+    require_trailing_shape("covariance", matrices, (2, 2))
+    variances = np.diagonal(matrices, axis1=-2, axis2=-1)
+    if not np.all(variances >= 0):
+        raise ValueError("covariance must have no negative variance; got one")
+    along_x, along_y = np.moveaxis(np.sqrt(variances), -1, 0)
+    return line_formulas.position_std(sigma_x=along_x, sigma_y=along_y).astype(np.float64)
+
+
+def fuse(mean: ArrayLike, covariance: ArrayLike) -> Converted:
+    """The best linear unbiased estimate from independent measurements of one point, by their covariances.
+
+    Each measurement gets the matrix weight M P^-1, with P its covariance and M the fused covariance, the
+    inverse of the sum of all P^-1. Computed by Cholesky factors.
+
+    Args:
+        mean: unbiased measurements, shape (..., n, d); `radartrack.convert` makes them of plots.
+        covariance: covariances of their errors, positive definite, shape (..., n, d, d).
+
+    Returns:
+        Mean, shape (..., d), and covariance of its error, shape (..., d, d).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes
+            do not fit.
+    """
+    arrays = _read({"mean": mean, "covariance": covariance}, {"mean": COORDINATE, "covariance": COVARIANCE})
+    points, errors = arrays["mean"], arrays["covariance"]
+    if points.ndim < 2 or 0 in points.shape[-2:]:
+        raise ValueError(f"mean must have shape (..., n, d) with n and d from 1; got {points.shape}")
+    size = points.shape[-1]
+    require_trailing_shape("covariance", errors, (points.shape[-2], size, size))
+    broadcast_shape({"mean": points[..., 0, 0], "covariance": errors[..., 0, 0, 0]})
+    white = _whitener("covariance", errors)
+    origin = points[..., :1, :]
+    estimate = _least_squares(white, white @ (points - origin)[..., np.newaxis])
+    return Converted(estimate.mean + origin[..., 0, :], estimate.covariance)
+
+
+def fuse_lines(
+    t: Sequence[ArrayLike],
+    x: Sequence[ArrayLike],
+    y: Sequence[ArrayLike],
+    radar_weights: ArrayLike,
+    *,
+    first_layer: FirstLayer = "equal",
+) -> Motion:
+    """The two-layer weighted straight line of several radars, which Gao et al. 2020, section 3, name.
+
+    x and y of all plots are fitted to time by a weighted ordinary least squares each. In the sum of squares,
+    plot i of radar j has the weight a_ij W_j. The second layer, W_j, is the radar's weight, of `weights`. The
+    first layer, a_ij, is within the radar: "equal", all 1; or "reweighted", the squares of the weights of the
+    printed iteration on this radar's own plots (`line.fit`), made to have the mean 1.
+
+    With first layer "equal" and W_j inversely proportional to the variances along a coordinate, these are the
+    weights of least variance for that coordinate by itself. `fuse_plots` has a covariance for each plot.
+
+    Args:
+        t: for each radar the times of its plots [s], shape (..., n_j); together at least two different times.
+        x: for each radar the coordinates in the common plane [m], shape (..., n_j).
+        y: likewise.
+        radar_weights: weights W_j, not negative, at least one positive; shape (..., radars).
+        first_layer: how the plots of one radar are weighted among themselves.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, numbers of radars differ, the shapes do not broadcast,
+            or the times of the plots do not determine a motion.
+    """
+    layer: FirstLayer = one_of("first_layer", first_layer, get_args(FirstLayer))
+    between = _read({"radar_weights": radar_weights}, {"radar_weights": WEIGHT})["radar_weights"]
+    require_trailing_shape("radar_weights", between, (len(t),))
+    if not len(t) == len(x) == len(y):
+        raise ValueError(f"t, x and y must be given for the same radars; got {len(t)}, {len(x)} and {len(y)}")
+    fits = [_fused_line(t, coordinate, between, layer) for coordinate in (x, y)]
+    if not all(np.all(fit.converged) for fit in fits):
+        raise ValueError(
+            "t must hold at least two different times with positive weights; got a track without"
+        )
+    time = fits[0].mean_t
+    position = np.stack([fit.at(time[..., np.newaxis])[..., 0] for fit in fits], axis=-1)
+    return Motion(time, position, np.stack([fit.slope for fit in fits], axis=-1), None)
+
+
+def fuse_plots(t: ArrayLike, position: ArrayLike, covariance: ArrayLike) -> Motion:
+    """The best linear unbiased straight motion through plots with covariances, of one radar or of many.
+
+    Args:
+        t: times [s], shape (..., n), at least two of them different.
+        position: x and y of the plots [m], shape (..., n, 2).
+        covariance: covariances of their errors [m^2], positive definite, shape (..., n, 2, 2).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the shapes do
+            not fit, or all times of a track are the same.
+    """
+    arrays = _read(
+        {"t": t, "position": position, "covariance": covariance},
+        {"t": TIME, "position": COORDINATE, "covariance": COVARIANCE},
+    )
+    times, points, errors = arrays["t"], arrays["position"], arrays["covariance"]
+    require_trailing_shape("position", points, (2,))
+    require_trailing_shape("covariance", errors, (2, 2))
+    shape = broadcast_shape({"t": times, "position": points[..., 0], "covariance": errors[..., 0, 0]})
+    times = np.broadcast_to(times, shape)
+    middle = times[..., :1] + (times - times[..., :1]).mean(axis=-1, keepdims=True)
+    scale = np.abs(times - middle).max(axis=-1, keepdims=True, initial=0.0)
+    if not np.all(scale > 0):
+        raise ValueError("t must hold at least two different times for each track; got a track without")
+    white = _whitener("covariance", errors)
+    design = _design((times - middle) / scale)
+    origin = points[..., :1, :]
+    estimate = _least_squares(white @ design, white @ (points - origin)[..., np.newaxis])
+    units = np.concatenate([np.ones_like(scale)] * 2 + [1 / scale] * 2, axis=-1)
+    state = estimate.mean * units
+    spread = estimate.covariance * units[..., :, np.newaxis] * units[..., np.newaxis, :]
+    return Motion(middle[..., 0], state[..., :2] + origin[..., 0, :], state[..., 2:], spread)
+
+
+def _fused_line(
+    t: Sequence[ArrayLike], x: Sequence[ArrayLike], between: Floats, first_layer: FirstLayer
+) -> line.Fit:
+    """The line of one coordinate through the plots of all radars."""
+    layers = [_plots_of_radar(j, t[j], x[j], first_layer) for j in range(len(t))]
+    shape = broadcast_shape(
+        {f"plots of radar {j}": times[..., 0] for j, (times, _, _) in enumerate(layers)}
+        | {"radar_weights": between[..., 0]}
+    )
+    weighted = [
+        (times, values, own * between[..., j : j + 1]) for j, (times, values, own) in enumerate(layers)
+    ]
+    joined = (
+        np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]) for part in parts], axis=-1)
+        for parts in zip(*weighted, strict=True)
+    )
+    times, values, total = joined
+    return line.fit(times, values, weights=total)
+
+
+def _plots_of_radar(
+    number: int, t: ArrayLike, x: ArrayLike, first_layer: FirstLayer
+) -> tuple[Floats, Floats, Floats]:
+    """Times, coordinates and first-layer weights of one radar, all of one shape."""
+    names = f"t of radar {number}", f"coordinates of radar {number}"
+    arrays = _read(dict(zip(names, (t, x), strict=True)), dict(zip(names, (TIME, COORDINATE), strict=True)))
+    shape = broadcast_shape(arrays)
+    if not shape or not shape[-1]:
+        raise ValueError(
+            f"t of radar {number} must have at least one plot on its last axis; got shape {shape}"
+        )
+    times, values = (np.broadcast_to(array, shape) for array in arrays.values())
+    if first_layer == "equal":
+        return times, values, np.ones(shape)
+    own = line.fit(times, values, method="reweighted").weights
+    mean: Floats = own.mean(axis=-1, keepdims=True)
+    return times, values, own / mean
+
+
+def _whitener(name: str, covariance: Floats) -> Floats:
+    """Inverses of the Cholesky factors: they turn errors into uncorrelated ones of variance one."""
+    scale = np.sqrt(np.abs(np.diagonal(covariance, axis1=-2, axis2=-1)))
+    product = scale[..., :, np.newaxis] * scale[..., np.newaxis, :]
+    if not np.all(np.abs(covariance - np.swapaxes(covariance, -1, -2)) <= SYMMETRY * product):
+        raise ValueError(f"{name} must be symmetric; got a matrix that is not")
+    try:
+        factor = np.linalg.cholesky(covariance)
+    except np.linalg.LinAlgError:
+        raise ValueError(f"{name} must be positive definite; got a matrix that is not") from None
+    return _inverse(factor)
+
+
+def _inverse(factor: NDArray[np.floating[Any]]) -> Floats:
+    inverse = np.linalg.solve(factor, np.broadcast_to(np.eye(factor.shape[-1]), factor.shape))
+    return inverse.astype(np.float64, copy=False)
+
+
+def _least_squares(design: Floats, observed: Floats) -> Converted:
+    """Parameters and their covariance from white observations, shapes (..., n, d, p) and (..., n, d, 1)."""
+    information = np.sum(np.swapaxes(design, -1, -2) @ design, axis=-3)
+    root = _inverse(np.linalg.cholesky(information))
+    covariance = np.swapaxes(root, -1, -2) @ root
+    gathered = np.sum(np.swapaxes(design, -1, -2) @ observed, axis=-3)
+    return Converted((covariance @ gathered)[..., 0], covariance)
+
+
+def _design(elapsed: Floats) -> Floats:
+    """The rows by which (x, y, vx, vy) gives x and y at each time, shape (..., n, 2, 4)."""
+    one, zero = np.ones_like(elapsed), np.zeros_like(elapsed)
+    rows = [one, zero, elapsed, zero, zero, one, zero, elapsed]
+    return np.stack(rows, axis=-1).reshape(*elapsed.shape, 2, 4)
+
+
+def _read(given: dict[str, ArrayLike], domains: dict[str, Domain]) -> dict[str, Floats]:
+    """The arguments as float64, each checked against its domain."""
+    arrays = {name: array.astype(np.float64) for name, array in real_arrays(given).items()}
+    for name, array in arrays.items():
+        require_within(name, array, domains[name])
+    return arrays

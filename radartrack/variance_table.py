@@ -1,0 +1,436 @@
+"""Measurement variances by range, azimuth sector and season, gathered from straight flights.
+
+The table keeps what every flight contributed to every cell, never the totals: sums over all flights are
+formed with exact rounding when they are asked for, so that tables merge in any order to the same numbers.
+"""
+
+import hashlib
+import math
+import zipfile
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from radartrack import line
+from radartrack.generated import line as formulas
+from radartrack.validation import (
+    ANGLE,
+    RANGE,
+    Domain,
+    broadcast_shape,
+    real_arrays,
+    require_trailing_shape,
+    require_within,
+)
+
+Floats: TypeAlias = NDArray[np.float64]
+Columns: TypeAlias = Mapping[str, NDArray[Any]]
+
+FORMAT = "radartrack variance table"
+VERSION = 1
+VARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
+ROUNDING = 1e-9
+
+
+class VarianceTableError(ValueError):
+    """A file is no variance table, was changed since it was saved, or comes from a newer version."""
+
+
+class Lookup(NamedTuple):
+    """Covariances of x and y.
+
+    Attributes:
+        covariance: covariances [m^2], shape (..., 2, 2).
+        share: how much of each the table gave, from 0 (all is fallback) to 1, shape (...).
+    """
+
+    covariance: Floats
+    share: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Contributions:
+    """What each flight contributed to each cell that it crossed: one entry a flight and cell.
+
+    Attributes:
+        label: season, weather, or what else tells tables apart.
+        range_bin: index of the range bin.
+        sector: index of the azimuth sector.
+        degrees_of_freedom: what the fitted lines leave of the number of plots.
+        radial: sum of the squared residuals along the line of sight [m^2].
+        mixed: sum of the products of residuals along and across it [m^2].
+        transverse: sum of the squared residuals across it [m^2].
+    """
+
+    label: NDArray[np.str_]
+    range_bin: NDArray[np.int64]
+    sector: NDArray[np.int64]
+    degrees_of_freedom: Floats
+    radial: Floats
+    mixed: Floats
+    transverse: Floats
+
+    @property
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All columns by name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+    @classmethod
+    def none(cls) -> "Contributions":
+        """Of no flight at all."""
+        whole, real = np.zeros(0, np.int64), np.zeros(0)
+        return cls(np.zeros(0, "U1"), whole, whole, real, real, real, real)
+
+
+class _Totals(NamedTuple):
+    """Sums over all flights of one label, shape (ranges, sectors)."""
+
+    degrees_of_freedom: Floats
+    radial: Floats
+    mixed: Floats
+    transverse: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class VarianceTable:
+    """Variances of one radar's plots in the plane, by range bin, azimuth sector and label.
+
+    Every flight is a straight course at constant speed. Its x and y are fitted to time by ordinary least
+    squares, and the residuals are turned into the direction of each plot, where variances change slowly:
+    along the line of sight and across it. A plot counts 1 less its leverage as degrees of freedom, so that
+    those of a flight sum to n - 2, and the estimate of a cell is unbiased where the variance is the same
+    along the flight.
+
+    Attributes:
+        range_edges: edges of the range bins [m], ascending, shape (ranges + 1,).
+        sectors: number of equal azimuth sectors, from north clockwise.
+        contributions: what the flights gave.
+    """
+
+    range_edges: Floats
+    sectors: int
+    contributions: Contributions
+
+    @classmethod
+    def empty(cls, range_edges: ArrayLike, sectors: int) -> "VarianceTable":
+        """A table without flights.
+
+        Raises:
+            TypeError: the edges are no real numbers, or the number of sectors is not whole.
+            ValueError: the edges do not ascend from 0 or more, or there are fewer than two, or no sector.
+        """
+        edges = real_arrays({"range_edges": range_edges})["range_edges"].astype(np.float64)
+        require_within("range_edges", edges, RANGE)
+        if edges.ndim != 1 or edges.size < 2 or not np.all(np.diff(edges) > 0):
+            raise ValueError(f"range_edges must be two or more ascending ranges; got {edges.tolist()}")
+        line.require_count("sectors", sectors)
+        return cls(edges, sectors, Contributions.none())
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """The labels of all flights, in alphabetical order."""
+        return tuple(np.unique(self.contributions.label).tolist())
+
+    def with_flights(
+        self, t: ArrayLike, r: ArrayLike, azimuth: ArrayLike, elevation: ArrayLike = 0.0, *, label: str = ""
+    ) -> "VarianceTable":
+        """The table with more straight flights; nothing tells whether a flight was given before.
+
+        Args:
+            t: times [s], shape (..., n), n at least 3; leading axes run over flights.
+            r: slant ranges [m], within the edges of the table.
+            azimuth: azimuths [rad], clockwise from north (the y axis).
+            elevation: elevations [rad]; 0 for a two-coordinate radar.
+            label: to keep seasons, weathers and the like apart.
+
+        Raises:
+            TypeError: an argument is not made of real numbers, or the label is no text.
+            ValueError: an argument is out of its domain or of the table, shapes do not broadcast, a flight
+                has too few plots or its times are all the same.
+        """
+        if not isinstance(label, str):
+            raise TypeError(f"label must be text; got {label!r}")
+        x, y = line.to_plane(r, azimuth, elevation)
+        arrays = {"t": t, "r": r, "azimuth": azimuth, "x": x, "y": y}
+        flights = {name: array.astype(np.float64) for name, array in real_arrays(arrays).items()}
+        shape = broadcast_shape(flights)
+        if not shape or shape[-1] < 3:
+            raise ValueError(f"a flight must have at least 3 plots on the last axis; got the shape {shape}")
+        rows = {name: np.broadcast_to(a, shape).reshape(-1, shape[-1]) for name, a in flights.items()}
+        return self._joined([self.contributions, self._contributions(rows, label)])
+
+    def merged(self, *others: "VarianceTable") -> "VarianceTable":
+        """All flights of several tables; the order does not matter.
+
+        Raises:
+            ValueError: the tables have different edges or sectors.
+        """
+        for other in others:
+            if other.sectors != self.sectors or not np.array_equal(other.range_edges, self.range_edges):
+                raise ValueError(
+                    f"tables to merge must have the same cells; got {self.sectors} sectors and range_edges "
+                    f"{self.range_edges.tolist()}, and {other.sectors} and {other.range_edges.tolist()}"
+                )
+        return self._joined([self.contributions, *(other.contributions for other in others)])
+
+    def degrees_of_freedom(self, label: str = "") -> Floats:
+        """Degrees of freedom of each cell, shape (ranges, sectors)."""
+        return self._totals(label).degrees_of_freedom
+
+    def covariance(self, label: str = "") -> Floats:
+        """Covariance along and across the line of sight [m^2], shape (ranges, sectors, 2, 2).
+
+        Cells without flights have NaN.
+        """
+        totals = self._totals(label)
+        counts = np.where(totals.degrees_of_freedom > 0, totals.degrees_of_freedom, np.nan)
+        entries = np.stack([totals.radial, totals.mixed, totals.mixed, totals.transverse], axis=-1)
+        return (entries / counts[..., np.newaxis]).reshape(*counts.shape, 2, 2)
+
+    def lookup(
+        self,
+        r: ArrayLike,
+        azimuth: ArrayLike,
+        fallback: ArrayLike,
+        *,
+        label: str = "",
+        minimum_degrees: float = 30.0,
+    ) -> Lookup:
+        """Covariances of x and y of plots, between the centres of the cells by bilinear interpolation.
+
+        Sectors go round the circle; below the first and beyond the last centre of a range bin its value
+        holds. Cells with fewer degrees of freedom than asked for, and ranges outside the table, leave their
+        part of the weight to the fallback, for which `fusion.propagated_covariance` computes error
+        propagation.
+
+        Args:
+            r: slant ranges [m].
+            azimuth: azimuths [rad], clockwise from the y axis.
+            fallback: covariance of x and y for thin cells [m^2], shape (..., 2, 2).
+            label: which part of the table; one without flights leaves all to the fallback.
+            minimum_degrees: fewer degrees of freedom make a cell thin; more than 0.
+
+        Raises:
+            TypeError: an argument is not made of real numbers.
+            ValueError: an argument is out of its domain, or the shapes do not broadcast.
+        """
+        if not minimum_degrees > 0:
+            raise ValueError(f"minimum_degrees must be positive; got {minimum_degrees}")
+        given = real_arrays({"r": r, "azimuth": azimuth, "fallback": fallback})
+        arrays = {name: array.astype(np.float64) for name, array in given.items()}
+        for name, domain in (("r", RANGE), ("azimuth", ANGLE), ("fallback", VARIANCE)):
+            require_within(name, arrays[name], domain)
+        spare = arrays.pop("fallback")
+        require_trailing_shape("fallback", spare, (2, 2))
+        shape = broadcast_shape({**arrays, "fallback": spare[..., 0, 0]})
+        ranges, angles = (np.broadcast_to(array, shape) for array in arrays.values())
+        table, share = self._interpolated(ranges, angles, label, minimum_degrees)
+        return Lookup(_turned(table, angles) + (1 - share)[..., np.newaxis, np.newaxis] * spare, share)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write the table as a NumPy archive (NPZ) with its format, version and checksum."""
+        columns = self._columns()
+        head = {
+            "format": np.array(FORMAT),
+            "version": np.array(VERSION),
+            "digest": np.array(_digest(columns)),
+        }
+        with Path(path).open("wb") as file:
+            np.savez_compressed(file, allow_pickle=False, **head, **columns)
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> "VarianceTable":
+        """Read a table that `save` has written; the file is never evaluated.
+
+        Raises:
+            VarianceTableError: the file is something else, damaged, changed, or of a newer version.
+            OSError: it cannot be read.
+        """
+        stored = _read(Path(path))
+        columns = {name: stored[name] for name in _COLUMNS}
+        edges, sectors = columns.pop("range_edges"), columns.pop("sectors")
+        try:
+            table = cls.empty(edges, int(sectors))
+            _require_sound(Contributions(**columns), edges.size - 1, table.sectors)
+        except (TypeError, ValueError) as error:
+            raise VarianceTableError(f"{path} holds no sound variance table: {error}") from error
+        return cls(table.range_edges, table.sectors, Contributions(**columns))
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        return {
+            "range_edges": self.range_edges,
+            "sectors": np.array(self.sectors, np.int64),
+            **self.contributions.columns,
+        }
+
+    def _joined(self, parts: list[Contributions]) -> "VarianceTable":
+        """One table, its entries in an order that does not depend on that of the parts."""
+        columns = {name: np.concatenate([part.columns[name] for part in parts]) for name in parts[0].columns}
+        order = np.lexsort(list(reversed(columns.values())))
+        joined = Contributions(**{name: column[order] for name, column in columns.items()})
+        return VarianceTable(self.range_edges, self.sectors, joined)
+
+    def _contributions(self, rows: Columns, label: str) -> Contributions:
+        """Residuals of each flight, gathered by the cells that it crosses."""
+        t, azimuth = rows["t"], rows["azimuth"]
+        fits = [line.fit(t, rows[name]) for name in "xy"]
+        if not np.all(fits[0].converged):
+            raise ValueError("t must differ within a flight; got a flight with identical times")
+        east, north = (fit.residual(t, rows[name]) for fit, name in zip(fits, "xy", strict=True))
+        radial = east * np.sin(azimuth) + north * np.cos(azimuth)
+        transverse = east * np.cos(azimuth) - north * np.sin(azimuth)
+        cells = self._range_bin(rows["r"]) * self.sectors + self._sector(azimuth)
+        flight = np.arange(len(t))[:, np.newaxis] * (self.range_edges.size - 1) * self.sectors
+        keys, place = np.unique(flight + cells, return_inverse=True)
+
+        def gathered(values: Floats) -> Floats:
+            return np.bincount(place.ravel(), values.ravel(), minlength=keys.size).astype(np.float64)
+
+        cell = keys % ((self.range_edges.size - 1) * self.sectors)
+        return Contributions(
+            np.full(keys.size, label),
+            cell // self.sectors,
+            cell % self.sectors,
+            gathered(1 - _leverage(t)),
+            gathered(radial**2),
+            gathered(radial * transverse),
+            gathered(transverse**2),
+        )
+
+    def _range_bin(self, r: Floats) -> NDArray[np.int64]:
+        edges = self.range_edges
+        if not np.all((r >= edges[0]) & (r <= edges[-1])):
+            raise ValueError(
+                f"r must be within the table, from {edges[0]:g} to {edges[-1]:g} m; "
+                f"got {r.min():g} to {r.max():g}"
+            )
+        return np.minimum(np.searchsorted(edges, r, side="right") - 1, edges.size - 2).astype(np.int64)
+
+    def _sector(self, azimuth: Floats) -> NDArray[np.int64]:
+        return np.floor(azimuth / (2 * np.pi) * self.sectors).astype(np.int64) % self.sectors
+
+    @cached_property
+    def _by_label(self) -> dict[str, _Totals]:
+        parts = self.contributions
+        return {label: self._summed(np.flatnonzero(parts.label == label)) for label in self.labels}
+
+    def _totals(self, label: str) -> _Totals:
+        empty = np.zeros((self.range_edges.size - 1, self.sectors))
+        return self._by_label.get(label, _Totals(empty, empty, empty, empty))
+
+    def _summed(self, chosen: NDArray[np.intp]) -> _Totals:
+        parts = self.contributions
+        shape = self.range_edges.size - 1, self.sectors
+        cells = parts.range_bin[chosen] * self.sectors + parts.sector[chosen]
+        groups = [chosen[cells == cell] for cell in range(math.prod(shape))]
+        return _Totals(
+            *(
+                np.array([math.fsum(column[group]) for group in groups]).reshape(shape)
+                for column in (parts.degrees_of_freedom, parts.radial, parts.mixed, parts.transverse)
+            )
+        )
+
+    def _interpolated(
+        self, r: Floats, azimuth: Floats, label: str, minimum_degrees: float
+    ) -> tuple[Floats, Floats]:
+        """Weighted sum over the cells around each plot that are not thin, and the sum of the weights."""
+        thin = self.degrees_of_freedom(label) < minimum_degrees
+        cells = np.where(thin[..., np.newaxis, np.newaxis], 0.0, self.covariance(label))
+        inside = (r >= self.range_edges[0]) & (r <= self.range_edges[-1])
+        total, share = np.zeros((*r.shape, 2, 2)), np.zeros(r.shape)
+        for i, by_range in self._neighbours_in_range(r):
+            for j, by_azimuth in self._neighbours_in_azimuth(azimuth):
+                weight = np.where(inside & ~thin[i, j], by_range * by_azimuth, 0.0)
+                total += weight[..., np.newaxis, np.newaxis] * cells[i, j]
+                share += weight
+        return total, np.minimum(share, 1.0)
+
+    def _neighbours_in_range(self, r: Floats) -> list[tuple[NDArray[np.intp], Floats]]:
+        centres = (self.range_edges[:-1] + self.range_edges[1:]) / 2
+        place = np.interp(r, centres, np.arange(centres.size, dtype=np.float64))
+        below = np.floor(place).astype(np.intp)
+        above = np.minimum(below + 1, centres.size - 1)
+        return [(below, 1 - (place - below)), (above, place - below)]
+
+    def _neighbours_in_azimuth(self, azimuth: Floats) -> list[tuple[NDArray[np.intp], Floats]]:
+        place = azimuth / (2 * np.pi) * self.sectors - 0.5
+        before = np.floor(place)
+        index = before.astype(np.intp) % self.sectors
+        return [(index, 1 - (place - before)), ((index + 1) % self.sectors, place - before)]
+
+
+_COLUMNS = ("range_edges", "sectors", *(field.name for field in fields(Contributions)))
+
+
+def _leverage(t: Floats) -> Floats:
+    elapsed = t - t[..., :1]
+    mean = elapsed.mean(axis=-1, keepdims=True)
+    spread = np.sum((elapsed - mean) ** 2, axis=-1, keepdims=True)
+    leverage = formulas.ordinary_leverage(t=elapsed, mean_t=mean, n=t.shape[-1], S_tt=spread)
+    return leverage.astype(np.float64)
+
+
+def _turned(local: Floats, azimuth: Floats) -> Floats:
+    """Covariances along and across the line of sight as those of x and y."""
+    sine, cosine = np.sin(azimuth), np.cos(azimuth)
+    turn = np.stack([sine, cosine, cosine, -sine], axis=-1).reshape(*azimuth.shape, 2, 2)
+    turned: Floats = turn @ local @ np.swapaxes(turn, -1, -2)
+    return turned
+
+
+def _digest(columns: Columns) -> str:
+    """A checksum of names, shapes and bytes, against accidents and careless edits."""
+    total = hashlib.sha256()
+    for name in _COLUMNS:
+        values = columns[name]
+        total.update(f"{name} {values.dtype.str} {values.shape};".encode())
+        total.update(np.ascontiguousarray(values).tobytes())
+    return total.hexdigest()
+
+
+def _read(path: Path) -> Columns:
+    try:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
+            stored = {name: archive[name] for name in archive.files}
+    except (ValueError, EOFError, KeyError, AttributeError, TypeError, zipfile.BadZipFile) as error:
+        raise VarianceTableError(f"{path} is no variance table: {error}") from error
+    if "format" not in stored or str(stored["format"]) != FORMAT or "version" not in stored:
+        raise VarianceTableError(f"{path} is no variance table: it does not say so")
+    if stored["version"].shape or stored["version"].dtype.kind != "i" or stored["version"] > VERSION:
+        raise VarianceTableError(
+            f"{path} has format version {stored['version']}; this version of radartrack reads up to {VERSION}"
+        )
+    missing = {*_COLUMNS, "digest"} - stored.keys()
+    if missing:
+        raise VarianceTableError(f"{path} is no variance table: it lacks {', '.join(sorted(missing))}")
+    if str(stored["digest"]) != _digest(stored):
+        raise VarianceTableError(
+            f"{path} was changed or damaged since it was saved: the checksum does not fit"
+        )
+    return stored
+
+
+def _require_sound(parts: Contributions, ranges: int, sectors: int) -> None:
+    """Check what a careful forger of checksums could have put in place of contributions.
+
+    Raises:
+        ValueError: a column has the wrong type or shape, or an entry is impossible.
+    """
+    kinds = {"label": "U", "range_bin": "i", "sector": "i"}
+    for name, column in parts.columns.items():
+        if column.dtype.kind != kinds.get(name, "f") or column.shape != parts.label.shape or column.ndim != 1:
+            raise ValueError(f"the column {name} has dtype {column.dtype} and shape {column.shape}")
+    for name, column, below in (("range_bin", parts.range_bin, ranges), ("sector", parts.sector, sectors)):
+        if not np.all((column >= 0) & (column < below)):
+            raise ValueError(f"{name} must be from 0 to {below - 1}")
+    sums = (parts.degrees_of_freedom, parts.radial, parts.transverse)
+    if not all(np.all(np.isfinite(column) & (column >= 0)) for column in sums):
+        raise ValueError("degrees of freedom and sums of squares must be finite and not negative")
+    if not np.all(np.abs(parts.mixed) <= np.sqrt(parts.radial) * np.sqrt(parts.transverse) * (1 + ROUNDING)):
+        raise ValueError("a mixed sum must not exceed the geometric mean of both sums of squares")
