@@ -1,1 +1,54 @@
-"""Derivations: what is measured, how the rest follows, and how it is written and checked. SymPy only."""
+"""Derivations: what is measured, how the rest follows, and how it is written and checked. SymPy only.
+
+What a model of one's own is made of can be imported from here; parts are loaded when they are first used.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from radartrack.derive.catalogue import find
+    from radartrack.derive.checking.check import check
+    from radartrack.derive.conversion import quantities_of, word_to_order
+    from radartrack.derive.model import Model
+    from radartrack.derive.neglected import validity
+    from radartrack.derive.quantity import Quantity, Source
+    from radartrack.derive.variable import Variable, angle, correlation, deviation, length, speed
+
+_HOMES = {
+    "catalogue": ("find",),
+    "checking.check": ("check",),
+    "conversion": ("quantities_of", "word_to_order"),
+    "model": ("Model",),
+    "neglected": ("validity",),
+    "quantity": ("Quantity", "Source"),
+    "variable": ("Variable", "angle", "correlation", "deviation", "length", "speed"),
+}
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+
+__all__ = [
+    "Model",
+    "Quantity",
+    "Source",
+    "Variable",
+    "angle",
+    "check",
+    "correlation",
+    "deviation",
+    "find",
+    "length",
+    "quantities_of",
+    "speed",
+    "validity",
+    "word_to_order",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOME_OF[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -74,8 +74,11 @@ def vanishes(expression: Expr) -> bool:
 def collect(
     element: PolyElement, ring: DifferentialRing, found: Iterable[Denominator]
 ) -> dict[Powers, PolyElement]:
-    """Powers of the denominators' generators, negative ones for roots in the numerator → numerator."""
-    parts: dict[Powers, PolyElement] = {(): element}
+    """Powers of the denominators' generators, negative ones for roots in the numerator → numerator.
+
+    Sines occur to the first power only: what is one function with sin² + cos² = 1 is one polynomial.
+    """
+    parts: dict[Powers, PolyElement] = {(): without_squares(element, ring, sp.sin)}
     for denominator in found:
         parts = {
             (*powers, power): numerator
@@ -153,7 +156,35 @@ def _factored(numerator: PolyElement, ring: DifferentialRing, outside: set[Symbo
         groups.setdefault(monomial, {})[rest] = value
     terms = (
         ring.expression(ring.ring.from_dict({monomial: ring.ring.domain.one}))
-        * sp.factor(ring.expression(ring.ring.from_dict(rest)))
+        * sp.factor(ring.expression(_shorter(ring.ring.from_dict(rest), ring)))
         for monomial, rest in groups.items()
     )
     return sp.Add(*terms)
+
+
+def _shorter(polynomial: PolyElement, ring: DifferentialRing) -> PolyElement:
+    """With cos² or with sin², whichever has fewer terms: 1 − cos² cancels where sin² does not."""
+    return min(
+        (polynomial, without_squares(polynomial, ring, sp.cos)), key=lambda candidate: len(candidate.terms())
+    )
+
+
+def without_squares(element: PolyElement, ring: DifferentialRing, function: type[Expr]) -> PolyElement:
+    """An element with every square of a sine (or cosine) replaced by one less the square of the other."""
+    other = sp.cos if function is sp.sin else sp.sin
+    for placeholder, key in ring.generators.items():
+        if isinstance(key, function):
+            element = _even_powers(element, placeholder, 1 - ring.read(other(*key.args)) ** 2)
+    return element
+
+
+def _even_powers(value: PolyElement, symbol: Symbol, square: PolyElement) -> PolyElement:
+    """The polynomial with every even power of a generator expressed through its square."""
+    ring = value.ring
+    position = ring.symbols.index(symbol)
+    total = ring.zero
+    for powers, coefficient in value.terms():
+        power = powers[position]
+        rest = ring.from_dict({(*powers[:position], power % 2, *powers[position + 1 :]): coefficient})
+        total = total + rest * square ** (power // 2)
+    return total

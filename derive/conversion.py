@@ -18,7 +18,7 @@ from radartrack.derive.series import Truncated
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import ONE, Unit
-from radartrack.derive.validity import NEGLECTED, is_square, validity, validity_form
+from radartrack.derive.neglected import NEGLECTED, is_square, validity, validity_form
 from radartrack.derive.variable import Variable
 
 Axes = tuple[tuple[Unit, ...], ...]

@@ -26,10 +26,12 @@ def form_of(quantity: Quantity) -> StableForm:
         form = quantity.rewriting()
         _prove(form, quantity.expression)
         return form
-    try:
-        return stable_form(quantity.expression)
-    except NotExponentialPolynomial:
-        return collected_form(quantity.expression)
+    for rewrite in (stable_form, collected_form):
+        try:
+            return rewrite(quantity.expression)
+        except (NotExponentialPolynomial, NotDifferentiable):
+            continue
+    return StableForm({}, quantity.expression)
 
 
 def readable(quantity: Quantity) -> Tensor[Expr]:

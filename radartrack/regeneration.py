@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import Any
 
 from radartrack.derive.forms import form_of
+from radartrack.derive.model import Model
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.writer import Function, module_text
 from radartrack.directory_swap import replace_directory
@@ -53,6 +54,33 @@ def source_directory() -> Path | None:
     folder = Path(places[0]) if places else Path()
     is_checkout = folder.name == "generated" and (folder.parent / "pyproject.toml").exists()
     return folder if is_checkout else None
+
+
+def is_ours(directory: Path) -> bool:
+    """Whether a directory may be replaced: it is not there, empty, or holds a record of generated code."""
+    return not directory.exists() or not any(directory.iterdir()) or (directory / RECORD).exists()
+
+
+class NoModel(ValueError):
+    """A file does not define a model."""
+
+
+def load_model(path: Path) -> Model:
+    """The `MODEL` of a user's own Python file, which is run.
+
+    Raises:
+        NoModel: when the file is missing, fails to run, or defines no model.
+    """
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    if spec is None or not path.is_file():
+        raise NoModel(f"--model must be a Python file; {path} is none")
+    try:
+        model = getattr(_executed(spec), "MODEL", None)
+    except Exception as error:
+        raise NoModel(f"{path} does not run: {type(error).__name__}: {error}") from error
+    if not isinstance(model, Model):
+        raise NoModel(f"{path} must define MODEL = radartrack.derive.Model(...); MODEL is {model!r}")
+    return model
 
 
 def derive(quantities: Iterable[Quantity], step: Step) -> list[Function]:

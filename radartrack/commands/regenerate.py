@@ -2,38 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 from rich.console import Console
 from rich.progress import MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
+if TYPE_CHECKING:
+    from radartrack.derive.quantity import Quantity
+
 
 def regenerate(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; print how the disk differs.")] = False,
     out: Annotated[Path | None, typer.Option(help="Write here instead of the checkout's generated/.")] = None,
+    model: Annotated[Path | None, typer.Option(help="Python file of your own that defines MODEL; wants --out.")] = None,
 ) -> None:
     """Derive everything and write generated/; with --check, exit 1 where it is not what the derivations give."""
     from radartrack import regeneration
-    from radartrack.derive.catalogue import catalogue
+    from radartrack.derive.stable import NotProved
 
-    directory = out or regeneration.source_directory()
-    if directory is None:
-        typer.echo("This is no source checkout: say with --out where the generated modules shall go.", err=True)
-        raise typer.Exit(2)
-    if out is not None and out.exists() and not out.is_dir():
-        typer.echo(f"--out must be a directory; {out} is a file.", err=True)
-        raise typer.Exit(2)
-    quantities = catalogue()
-    with _progress(len(quantities)) as step:
-        functions = regeneration.derive(quantities.values(), step)
-        known = regeneration.read_record(directory)
-        measured = regeneration.as_recorded(functions, known)
-        if not check:
-            measured = regeneration.with_measured(functions, known, step)
+    directory = _directory(out, model)
+    quantities = _quantities(model)
+    try:
+        with _progress(len(quantities)) as step:
+            functions = regeneration.derive(quantities.values(), step)
+            known = regeneration.read_record(directory)
+            measured = regeneration.as_recorded(functions, known)
+            if not check:
+                measured = regeneration.with_measured(functions, known, step)
+    except NotProved as error:
+        typer.echo(f"Nothing was written: {error}", err=True)
+        raise typer.Exit(1) from None
     files = regeneration.texts(functions, measured)
     found = [difference for difference in regeneration.differences(directory, files) if difference]
     if check:
@@ -41,6 +43,45 @@ def regenerate(
     elif found:
         regeneration.write(directory, files)
     typer.echo(f"{len(functions)} functions {'written to' if found else 'derived, as they stand in'} {directory}")
+
+
+def _directory(out: Path | None, model: Path | None) -> Path:
+    """Where the modules go.
+
+    Raises:
+        typer.Exit: when that is not said, or is a place with files that no derivation wrote.
+    """
+    from radartrack import regeneration
+
+    if out is None:
+        source = None if model else regeneration.source_directory()
+        if source is None:
+            reason = "A model of your own" if model else "This is no source checkout and"
+            _refuse(f"{reason} wants --out DIR, the directory for the generated modules.")
+        return source
+    if out.exists() and not out.is_dir():
+        _refuse(f"--out must be a directory; {out} is a file.")
+    if not regeneration.is_ours(out):
+        _refuse(f"--out must be new, empty or written by this command; {out} holds other files.")
+    return out
+
+
+def _quantities(model: Path | None) -> Mapping[str, Quantity]:
+    from radartrack import regeneration
+    from radartrack.derive.catalogue import catalogue
+    from radartrack.derive.conversion import quantities_of
+
+    if model is None:
+        return catalogue()
+    try:
+        return {quantity.name: quantity for quantity in quantities_of(regeneration.load_model(model))}
+    except regeneration.NoModel as error:
+        return _refuse(str(error))
+
+
+def _refuse(reason: str) -> NoReturn:
+    typer.echo(reason, err=True)
+    raise typer.Exit(2)
 
 
 def _report(found: list[str], directory: Path) -> None:

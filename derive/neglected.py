@@ -13,12 +13,12 @@ from math import factorial
 from operator import add
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.collected import collect, collected_form, denominators
+from radartrack.derive.collected import collect, collected_form, denominators, without_squares
 from radartrack.derive.differential_ring import DifferentialRing
 from radartrack.derive.exponential import NotExponentialPolynomial
 from radartrack.derive.model import Model
 from radartrack.derive.stable import StableForm, stable_form
-from radartrack.derive.symbolic import Expr, PolyElement, Symbol
+from radartrack.derive.symbolic import Expr, PolyElement
 from radartrack.derive.tensor import Tensor
 
 NEGLECTED = {"linear": 2, "second_order": 3}
@@ -127,11 +127,11 @@ class _Comparison:
     def _without_common_factors(self, square: PolyElement, determinant: PolyElement) -> tuple[Expr, Expr]:
         """A square and a divisor, divided by the factors of the determinant that the square holds twice."""
         found = denominators(self.ring)
-        parts = collect(self._reduced(determinant), self.ring, found)
+        parts = collect(determinant, self.ring, found)
         if len(parts) != 1:
             raise ValueError(f"the Jacobian determinant of {self.model.name} is no product of roots and a polynomial")
         ((powers, numerator),) = parts.items()
-        above, divisor = self._reduced(square), self.ring.ring.one
+        above, divisor = without_squares(square, self.ring, sp.sin), self.ring.ring.one
         for denominator, power in zip(found, powers, strict=True):
             inverse = self.ring.ring(denominator.generator)
             above = above * (denominator.radicand**power if power > 0 else inverse ** (-2 * power))
@@ -140,22 +140,3 @@ class _Comparison:
                 quotient, remainder = above.div(factor**2)
                 above, divisor = (above, divisor * factor) if remainder else (quotient, divisor)
         return self.ring.expression(above), self.ring.expression(divisor)
-
-    def _reduced(self, value: PolyElement) -> PolyElement:
-        """Squares of sines replaced by 1 − cos², so that common factors can be seen."""
-        for placeholder, key in self.ring.generators.items():
-            if isinstance(key, sp.sin):
-                value = _even_powers(value, placeholder, 1 - self.ring.read(sp.cos(*key.args)) ** 2)
-        return value
-
-
-def _even_powers(value: PolyElement, symbol: Symbol, square: PolyElement) -> PolyElement:
-    """The polynomial with every even power of a generator expressed through its square."""
-    ring = value.ring
-    position = ring.symbols.index(symbol)
-    total = ring.zero
-    for powers, coefficient in value.terms():
-        power = powers[position]
-        rest = ring.from_dict({(*powers[:position], power % 2, *powers[position + 1 :]): coefficient})
-        total = total + rest * square ** (power // 2)
-    return total
