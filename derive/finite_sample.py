@@ -1,11 +1,13 @@
 """The least-squares polynomial filter over k scans, from range or from range and range rate.
 
-The newest scan is number k. The state is the value and the first `degree` derivatives of the polynomial at a time
-that lies τ scans after the newest one, so with H_j its map to what scan j measures and Q_θ the inverse variances,
+The newest scan is number k. The state is the value and the first `degree` derivatives of the polynomial at a
+time that lies τ scans after the newest one, so with H_j its map to what scan j measures and Q_θ the inverse
+variances,
 
     Q = Σ_j H_jᵀ Q_θ H_j,    R = Q⁻¹,    W_j = R H_jᵀ Q_θ.
 
-Everything is exact for a symbolic number of scans: the sums are closed, and R is the adjoint over the determinant.
+Everything is exact for a symbolic number of scans: the sums are closed, and R is the adjoint over the
+determinant.
 """
 
 from __future__ import annotations
@@ -37,7 +39,15 @@ def scans(fewest: int) -> Variable:
 
 
 k = scans(1)
-j = Variable("j", "number of the scan that is weighted, 1 the oldest, k the newest", ONE, 1.0, MOST_SCANS, whole=True, at_most=k)
+j = Variable(
+    "j",
+    "number of the scan that is weighted, 1 the oldest, k the newest",
+    ONE,
+    1.0,
+    MOST_SCANS,
+    whole=True,
+    at_most=k,
+)
 
 RATIO = sigma_r**2 / (T**2 * sigma_v**2)
 
@@ -185,14 +195,16 @@ def transposed(matrix: Tensor[Expr]) -> Tensor[Expr]:
 
 def determinant(matrix: list[list[PolyElement]], ring: PolyRing) -> PolyElement:
     """The determinant of polynomials, over the minors of the last rows, so that nothing is ever divided."""
-    minors = {(): ring.one}
+    minors: dict[tuple[int, ...], PolyElement] = {(): ring.one}
     size = len(matrix)
     for taken in range(1, size + 1):
         row = matrix[size - taken]
         minors = {
             columns: sum(
-                ((-1) ** place * row[column] * minors[columns[:place] + columns[place + 1 :]]
-                 for place, column in enumerate(columns)),
+                (
+                    (-1) ** place * row[column] * minors[columns[:place] + columns[place + 1 :]]
+                    for place, column in enumerate(columns)
+                ),
                 start=ring.zero,
             )
             for columns in combinations(range(size), taken)
@@ -201,9 +213,7 @@ def determinant(matrix: list[list[PolyElement]], ring: PolyRing) -> PolyElement:
 
 
 def _without(matrix: list[list[PolyElement]], row: int, column: int) -> list[list[PolyElement]]:
-    return [
-        [entry for n, entry in enumerate(entries) if n != column] for m, entries in enumerate(matrix) if m != row
-    ]
+    return [[entry for n, entry in enumerate(entries) if n != column] for m, entries in enumerate(matrix) if m != row]
 
 
 def _gram(row: list[Expr], precision: Expr) -> Tensor[Expr]:

@@ -1,8 +1,8 @@
 """What the range rate adds to a finite-sample filter: the gain of each component, and its limits.
 
-The gain of a component is the part of its standard deviation that the range rate removes, K = 1 − √ρ with ρ the
-quotient of the variances with and without it. It is derived as (1 − ρ)/(1 + √ρ), which does not cancel where C is
-small.
+The gain of a component is the part of its standard deviation that the range rate removes, K = 1 − √ρ with ρ
+the quotient of the variances with and without it. It is derived as (1 − ρ)/(1 + √ρ), which does not cancel
+where C is small.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from radartrack.derive.tensor import Tensor
 
 @dataclass(frozen=True)
 class Gain:
-    """The comparison of the filters of one degree with and without the range rate."""
+    """The comparison of two filters of one degree, without and with the range rate."""
 
-    degree: int
+    without: FiniteSample
+    with_rate: FiniteSample
 
     @cached_property
     def variance_ratios(self) -> Tensor[Expr]:
         """ρ of each component: the variance with the range rate over the variance without."""
-        without = FiniteSample(self.degree, with_rate=False).covariance
-        with_rate = FiniteSample(self.degree, with_rate=True).covariance
-        return Tensor.build((self.degree + 1,), lambda n: sp.factor(with_rate[n, n] / without[n, n]))
+        with_rate, without = self.with_rate.covariance, self.without.covariance
+        return Tensor.build((self.without.size,), lambda n: sp.factor(with_rate[n, n] / without[n, n]))
 
     @cached_property
     def gain(self) -> Tensor[Expr]:

@@ -44,9 +44,10 @@ def quantities() -> Iterator[Quantity]:
     """C, and every filter's matrices, weights and gain."""
     yield _ratio()
     for degree in range(HIGHEST_DEGREE + 1):
-        for with_rate in OBSERVED:
-            yield from Family(FiniteSample(degree, with_rate)).quantities()
-        yield from _gains(Gain(degree))
+        filters = [FiniteSample(degree, with_rate) for with_rate in OBSERVED]
+        for each in filters:
+            yield from Family(each).quantities()
+        yield from _gains(Gain(*filters))
 
 
 @dataclass(frozen=True)
@@ -147,7 +148,7 @@ class Family:
             lambda: weight_scale(self.filter, kind, lagged=bool(lag)),
         )  # fmt: skip
 
-    def _quantity(  # noqa: PLR0913 - the columns of the table above
+    def _quantity(
         self,
         name: str,
         meaning: str,
@@ -168,9 +169,14 @@ class Family:
             source=source(where),
             word=word,
             derivation=derivation,
-            rewriting=rewriting,
+            rewriting=rewriting or as_derived(derivation),
             scale=scale,
         )
+
+
+def as_derived(derivation: Callable[[], Tensor[Expr]]) -> Callable[[], StableForm]:
+    """A formula that is factored or of few terms serves in floating point as it is."""
+    return lambda: StableForm({}, derivation())
 
 
 def correlation(covariance: Tensor[Expr]) -> Tensor[Expr]:
@@ -184,8 +190,8 @@ def correlation(covariance: Tensor[Expr]) -> Tensor[Expr]:
 def weight_scale(of: FiniteSample, kind: str, *, lagged: bool) -> Tensor[Expr]:
     """The root mean square over the scans of the weights of each component, against which a weight is measured.
 
-    A weight crosses zero on its way from scan to scan. What counts is its error beside the other weights: the sum
-    of their squares is an entry of W Wᵀ = R (H Q_θ Hᵀ) R Q_θ, a closed form.
+    A weight crosses zero on its way from scan to scan. What counts is its error beside the other weights: the
+    sum of their squares is an entry of W Wᵀ = R (H Q_θ Hᵀ) R Q_θ, a closed form.
     """
     is_rate = kind == "rate"
     information = of.information_of_rates if is_rate else of.information_of_ranges
@@ -211,21 +217,23 @@ def _ratio() -> Quantity:
 
 
 def _gains(gain: Gain) -> Iterator[Quantity]:
-    state = STATES[gain.degree]
-    counts = scans(gain.degree + 1)
+    degree, size = gain.without.degree, gain.without.size
+    state = STATES[degree]
+    counts = scans(size)
     yield Quantity(
-        name=f"finite_sample.degree{gain.degree}.gain",
+        name=f"finite_sample.degree{degree}.gain",
         meaning=f"part of the standard deviations of {state} that the range rate removes, at the newest scan",
-        axes=((ONE,) * (gain.degree + 1),),
+        axes=((ONE,) * size,),
         symbols=(counts, C),
         conditioning=Conditioning.NONE,
         source=source("(22)"),
         word="K_x = 1 - sqrt(R_xx with range rate / R_xx without)",
         derivation=lambda: gain.gain,
+        rewriting=as_derived(lambda: gain.gain),
         scale=lambda: gain.gain,
     )
     yield Quantity(
-        name=f"finite_sample.degree{gain.degree}.range_gain_of_perfect_rate",
+        name=f"finite_sample.degree{degree}.range_gain_of_perfect_rate",
         meaning=f"part of the standard deviation of the range, of {state}, that errorless range rates would remove",
         axes=(),
         symbols=(counts,),
@@ -233,4 +241,5 @@ def _gains(gain: Gain) -> Iterator[Quantity]:
         source=source("(22)"),
         word="limit of K_r for C to infinity",
         derivation=lambda: Tensor((), (gain.range_gain_of_perfect_rate,)),
+        rewriting=as_derived(lambda: Tensor((), (gain.range_gain_of_perfect_rate,))),
     )

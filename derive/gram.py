@@ -1,17 +1,23 @@
 """The finite-sample filter over orthogonal polynomials, a form in which nothing cancels.
 
 The scans lie evenly about their middle. Measure time in scans from there, s, and weigh a slope by C:
-⟨p, q⟩ = Σ_j p(s_j) q(s_j) + C Σ_j p′(s_j) q′(s_j). With polynomials p_l that are orthogonal under this product,
 
-    R_mn = σ_r² / T^(m+n) Σ_l p_l^(m) p_l^(n) / ⟨p_l, p_l⟩,    w_m(j) = 1/T^m Σ_l p_l^(m) p_l(s_j) / ⟨p_l, p_l⟩,
+    ⟨p, q⟩ = Σ_j p(s_j) q(s_j) + C Σ_j p′(s_j) q′(s_j).
 
-the derivatives taken where the estimate is wanted. The variances are sums of squares, and by Cauchy and Schwarz no
-covariance is less accurate than they are. The polynomials are those of Gram, except that C shifts the third one: its
-coefficients lie between those for range alone and those for range rate alone, as the information on the slope is
-shared by the two. Near the ends of the sample they are counted from the ends, through `reach`, the product of the
-distances to the first and the last scan; so they keep their accuracy where few scans barely determine the state.
+With polynomials p_l that are orthogonal under this product,
 
-This table is short because it is written by hand. It is proved equal to the normal equations wherever it is used.
+    R_mn = σ_r² / T^(m+n) Σ_l p_l^(m) p_l^(n) / ⟨p_l, p_l⟩,
+    w_m(j) = 1 / T^m Σ_l p_l^(m) p_l(s_j) / ⟨p_l, p_l⟩,
+
+the derivatives taken where the estimate is wanted. The variances are sums of squares, and by Cauchy and
+Schwarz no covariance is less accurate than they are. The polynomials are those of Gram, except that C shifts
+the third one: its coefficients lie between those for range alone and those for range rate alone, as the
+information on the slope is shared by the two. Near the ends of the sample they are counted from the ends,
+through `reach`, the product of the distances to the first and the last scan; so they keep their accuracy
+where few scans barely determine the state.
+
+This table is short because it is written by hand. It is proved equal to the normal equations wherever it is
+used.
 """
 
 from __future__ import annotations
@@ -133,7 +139,7 @@ class GramForm:
         s, reach = place.position, place.reach
         zero, one = sp.Integer(0), sp.Integer(1)
         value, slope = self._cubic_at_ends
-        table = [
+        table: list[list[Expr]] = [
             [one, zero, zero, zero],
             [s, one, zero, zero],
             [(k - 1) * (k - 2) / 6 - reach, 2 * s, sp.Integer(2), zero],

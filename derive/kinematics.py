@@ -94,7 +94,7 @@ def _process_noise(size: int) -> Quantity:
     )
 
 
-def _quantity(  # noqa: PLR0913 - the rows of a table
+def _quantity(
     size: int,
     name: str,
     meaning: str,

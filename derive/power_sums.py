@@ -13,8 +13,8 @@ from radartrack.derive.symbolic import Expr, Symbol
 def power_sum(exponent: int, count: Symbol) -> Expr:
     """0^n + 1^n + … + (count − 1)^n, factored; 0^0 counts as 1.
 
-    Summing (i + 1)^(n+1) − i^(n+1) over i telescopes to count^(n+1), which gives each sum from those before it
-    (Pascal).
+    Summing (i + 1)^(n+1) − i^(n+1) over i telescopes to count^(n+1), which gives each sum from those before
+    it (Pascal).
     """
     lower = sp.Add(*(comb(exponent + 1, n) * power_sum(n, count) for n in range(exponent)))
     return sp.factor((count ** (exponent + 1) - lower) / (exponent + 1))

@@ -50,10 +50,10 @@ class Quantity:
         derivation: derives the formula; called at most once.
         word: the definition as a word in the operator, or in plain terms.
         rewriting: how it is written for floating point where the general rewriting does not serve.
-        scale: what the error of each entry is measured against, where that is not what its kind is measured against.
+        scale: what the error of each entry is measured against, where its kind does not say that.
         common_unit: a factor of the unit of every entry; the unit of a scalar.
-        is_difference: whether it vanishes where it is of use, as a residual does; its errors are then measured
-            against the sizes of its terms.
+        is_difference: whether it vanishes where it is of use, as a residual does; its errors are then
+            measured against the sizes of its terms.
     """
 
     name: str

@@ -1,7 +1,7 @@
 """Proves that two rational functions are equal, without ever looking for a common divisor.
 
-Denominators stay products of the factors that they are written with; sums are taken over the factors that differ.
-Then the difference is zero where one polynomial is zero, however many symbols there are.
+Denominators stay products of the factors that they are written with; sums are taken over the factors that
+differ. Then the difference is zero where one polynomial is zero, however many symbols there are.
 """
 
 from __future__ import annotations
@@ -79,7 +79,9 @@ class _Reader:
     def _inverse(self, fraction: _Fraction) -> _Fraction:
         if not fraction.numerator:
             raise NotRational("a denominator vanishes identically")
-        return _Fraction(self._over(_Fraction(self._ring.one, Counter()), fraction.factors), Counter([fraction.numerator]))
+        return _Fraction(
+            self._over(_Fraction(self._ring.one, Counter()), fraction.factors), Counter([fraction.numerator])
+        )
 
 
 def _product(first: _Fraction, second: _Fraction) -> _Fraction:

@@ -27,7 +27,7 @@ class Variable(Symbol):
     whole: bool
     at_most: Variable | None
 
-    def __new__(  # noqa: PLR0913 - a declaration states all that is known
+    def __new__(
         cls,
         name: str,
         meaning: str,

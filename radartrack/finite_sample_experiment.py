@@ -1,0 +1,139 @@
+"""Monte Carlo errors of finite-sample filters beside their closed forms, with and without range rate.
+
+A target with constant acceleration is observed scan by scan. After each scan every filter estimates range, speed and
+acceleration by the highest degree that the sample supports. The root mean square error over the trials is compared
+with the root of variance plus squared bias; a bias there is where the degree is still below two.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from statistics import NormalDist
+from typing import NamedTuple
+
+import numpy as np
+
+from radartrack.finite_sample_filter import FiniteSampleFilter, Run
+from radartrack.validation import RealArray
+
+COMPONENTS = ("range", "speed", "acceleration")
+
+
+@dataclass(frozen=True)
+class Radar:
+    """What a radar measures: deviations of range [m] and range rate [m/s], and the time from scan to scan [s]."""
+
+    range_std: float
+    rate_std: float
+    period: float
+
+
+@dataclass(frozen=True)
+class Target:
+    """A uniformly accelerated target: range [m], speed [m/s] and acceleration [m/s^2] at the first scan."""
+
+    start: tuple[float, float, float] = (100e3, -200.0, 2.0)
+
+    def states(self, times: RealArray) -> RealArray:
+        """Range, speed and acceleration at these times after the first scan [s], shape (times, 3)."""
+        r, v, a = self.start
+        return np.stack([r + v * times + a * times**2 / 2, v + a * times, np.full_like(times, a)], axis=-1)
+
+
+class Errors(NamedTuple):
+    """Errors of one filter, shape (scans, 3) each; NaN where a component is not estimated yet.
+
+    Attributes:
+        measured: root mean square over the trials.
+        expected: the same from the closed forms.
+        low: lower end of the band in which the measured one is expected.
+        high: upper end of that band.
+
+    """
+
+    measured: RealArray
+    expected: RealArray
+    low: RealArray
+    high: RealArray
+
+    @property
+    def inside(self) -> bool:
+        """Whether every measured error lies in its band."""
+        known = ~np.isnan(self.expected)
+        above, below = self.measured[known] >= self.low[known], self.measured[known] <= self.high[known]
+        return bool(above.all() and below.all())
+
+
+class Comparison(NamedTuple):
+    """The errors with range alone, and with range and range rate."""
+
+    without: Errors
+    with_rate: Errors
+
+    @property
+    def gain(self) -> RealArray:
+        """What the range rate removes of the measured error, shape (scans, 3)."""
+        return 1 - self.with_rate.measured / self.without.measured
+
+    @property
+    def expected_gain(self) -> RealArray:
+        """The same from the closed forms."""
+        return 1 - self.with_rate.expected / self.without.expected
+
+    @property
+    def gain_band(self) -> tuple[RealArray, RealArray]:
+        """What the gain lies between wherever the errors lie in their bands."""
+        return 1 - self.with_rate.high / self.without.low, 1 - self.with_rate.low / self.without.high
+
+
+def compare(
+    radar: Radar,
+    *,
+    scans: int = 20,
+    trials: int = 100_000,
+    target: Target | None = None,
+    false_alarm: float = 1e-6,
+    seed: int = 0,
+) -> Comparison:
+    """Simulate both filters of degree 2 on the same trials.
+
+    Args:
+        radar: whose errors are drawn.
+        scans: number of scans.
+        trials: number of independent trials.
+        target: what is observed.
+        false_alarm: probability that a correct filter leaves any band of this comparison, by Bonferroni. A
+            mean of squares counts as chi-square distributed, with the freedom that fits its variance.
+        seed: of the generator; the same seed gives the same numbers.
+
+    """
+    times = np.arange(scans) * radar.period
+    truth = (target or Target()).states(times)
+    generator = np.random.Generator(np.random.Philox(seed))
+    ranges = truth[:, 0] + radar.range_std * generator.standard_normal((trials, scans))
+    rates = truth[:, 1] + radar.rate_std * generator.standard_normal((trials, scans))
+    single = false_alarm / (2 * scans * len(COMPONENTS))
+    without = FiniteSampleFilter(radar.period, radar.range_std)
+    with_rate = FiniteSampleFilter(radar.period, radar.range_std, radar.rate_std)
+    return Comparison(
+        _errors(without.run(ranges), without.run(truth[:, 0]), truth, single),
+        _errors(with_rate.run(ranges, rates), with_rate.run(truth[:, 0], truth[:, 1]), truth, single),
+    )
+
+
+def _errors(noisy: Run, noiseless: Run, truth: RealArray, false_alarm: float) -> Errors:
+    trials = len(noisy.state)
+    measured = np.sqrt(((noisy.state - truth) ** 2).mean(axis=0))
+    variance = np.diagonal(noiseless.covariance, axis1=-2, axis2=-1)
+    square = (noiseless.state - truth) ** 2
+    mean = variance + square
+    freedom = trials * mean**2 / (variance**2 + 2 * variance * square)
+    low, high = (np.sqrt(mean * chi_square_ratio(freedom, tail)) for tail in (false_alarm / 2, 1 - false_alarm / 2))
+    return Errors(measured, np.sqrt(mean), low, high)
+
+
+def chi_square_ratio(freedom: RealArray, probability: float) -> RealArray:
+    """The quantile of a chi-square variable over its degrees of freedom, many of them (Wilson & Hilferty 1931)."""
+    share = 2 / (9 * freedom)
+    ratio: RealArray = (1 - share + NormalDist().inv_cdf(probability) * np.sqrt(share)) ** 3
+    return ratio

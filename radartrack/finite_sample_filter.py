@@ -1,0 +1,556 @@
+"""The least-squares polynomial filter over the last k scans, from range or from range and range rate.
+
+A target's range is taken as a polynomial of time, of degree 0 to 3, over the scans of a sample. The estimate
+is its value and derivatives at the newest scan, or at any lag from it. Full, evenly spaced samples use closed
+forms: one matrix product serves any number of tracks. Missing observations and uneven times use the normal
+equations of each sample. Either way the result for a track has the same bits however many others are
+estimated with it.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from radartrack import kalman
+from radartrack.generated import finite_sample as formulas
+from radartrack.normal_equations import Sample, Solution, solve
+from radartrack.rowwise import rowwise_product
+from radartrack.validation import RealArray, broadcast_shape, real_arrays
+
+HIGHEST_DEGREE = 3
+MOST_SCANS = 1_000_000
+LARGEST_RATIO = 1e12
+LONGEST_KEPT = 4096
+SCANS_AT_ONCE = 32
+
+
+class Weights(NamedTuple):
+    """Weights of the ranges and of the range rates, shape (degree + 1, k); None without range rates."""
+
+    ranges: RealArray
+    rates: RealArray | None
+
+
+class Estimate(NamedTuple):
+    """Range and derivatives, shape (..., degree + 1), and the covariance of their errors.
+
+    The covariance has shape (..., degree + 1, degree + 1). Where many tracks share one, it is a read-only
+    view.
+    """
+
+    state: RealArray
+    covariance: RealArray
+
+
+class Run(NamedTuple):
+    """Estimates after 1, 2, … scans.
+
+    Attributes:
+        state: shape (..., scans, degree + 1); NaN in components that the observations do not determine yet.
+        covariance: shape (..., scans, degree + 1, degree + 1), with NaN likewise; it may be a read-only view.
+        degree: of the polynomial that was fitted, shape (..., scans); -1 where nothing could be.
+
+    """
+
+    state: RealArray
+    covariance: RealArray
+    degree: NDArray[np.int64]
+
+
+class _Observed(NamedTuple):
+    """Checked observations, all of the shape (..., k)."""
+
+    ranges: RealArray
+    rates: RealArray | None
+    times: RealArray | None
+
+    def window(self, first: int, end: int) -> _Observed:
+        """The scans from number `first` to the one before `end`, counted from 0."""
+        return _Observed(*(None if part is None else part[..., first:end] for part in self))  # type: ignore[arg-type]
+
+    def without_missing(self, tracks: NDArray[np.bool_]) -> _Observed:
+        """Some tracks, with 0 for what is missing."""
+        parts = (None if part is None else np.nan_to_num(part[tracks]) for part in self)
+        return _Observed(*parts)  # type: ignore[arg-type]
+
+    @property
+    def uneven(self) -> NDArray[np.bool_]:
+        """The tracks that miss something or have times of their own."""
+        if self.times is not None:
+            return np.ones(self.ranges.shape[:-1], dtype=bool)
+        missing = np.isnan(self.ranges) if self.rates is None else np.isnan(self.ranges) | np.isnan(self.rates)
+        return np.asarray(missing.any(axis=-1))
+
+
+@dataclass(frozen=True)
+class FiniteSampleFilter:
+    """A filter of one degree for one radar.
+
+    Attributes:
+        period: time from scan to scan [s].
+        range_std: standard deviation of the error of a range [m].
+        rate_std: standard deviation of the error of a range rate [m/s]; None where none is measured.
+        degree: of the polynomial, 0 to 3: 1 for constant velocity, 2 for constant acceleration.
+        lag: scans from the newest one to the time of the estimate, negative to smooth.
+
+    Raises:
+        TypeError: a value is no real number, or the degree is no whole one.
+        ValueError: a value is not finite or not positive, the degree is not from 0 to 3, or
+            C = range_std^2/(period rate_std)^2 is more than 1e12.
+
+    Source: Gorshkov & Zavizhenets, (1)-(20), for degree 2; the other degrees by the same derivation.
+
+    """
+
+    period: float
+    range_std: float
+    rate_std: float | None = None
+    degree: int = 2
+    lag: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("period", "range_std", "rate_std"):
+            if name != "rate_std" or self.rate_std is not None:
+                _require_positive(name, _number(name, getattr(self, name)))
+        _number("lag", self.lag)
+        _whole_number("degree", self.degree, 0, HIGHEST_DEGREE)
+        if not self.C <= LARGEST_RATIO:
+            raise ValueError(f"range_std^2/(period rate_std)^2 must be at most {LARGEST_RATIO:g}; got {self.C:g}")
+
+    @property
+    def C(self) -> float:  # noqa: N802 - the letter of the literature
+        """The weight of the range rate, range_std^2/(period rate_std)^2; 0 without range rate."""
+        if self.rate_std is None:
+            return 0.0
+        with np.errstate(over="ignore"):
+            return float((np.float64(self.range_std) / self.period / self.rate_std) ** 2)
+
+    @property
+    def fewest_scans(self) -> int:
+        """The fewest full scans that determine the state."""
+        return self.degree + 1 if self.rate_std is None else (self.degree + 2) // 2
+
+    def at(self, lag: float) -> FiniteSampleFilter:
+        """Return the same filter for the state at another time, `lag` scans after the newest one."""
+        return replace(self, lag=lag)
+
+    def covariance(self, k: int) -> RealArray:
+        """Compute the covariance of the errors after k full scans.
+
+        Args:
+            k: number of scans, up to 1 000 000.
+
+        Returns:
+            Shape (degree + 1, degree + 1), in m and s.
+
+        Raises:
+            ValueError: so few scans do not determine the state, or there are too many.
+
+        """
+        return self._closed(self._checked_count(k)).covariance.copy()
+
+    def weights(self, k: int) -> Weights:
+        """Compute the weights of the observations of k full scans, oldest first.
+
+        They are kept for the next call, and read-only.
+
+        Raises:
+            ValueError: so few scans do not determine the state, or there are too many.
+
+        """
+        return self._closed(self._checked_count(k)).weights
+
+    def estimate(
+        self, ranges: ArrayLike, rates: ArrayLike | None = None, *, times: ArrayLike | None = None
+    ) -> Estimate:
+        """Estimate the state of each track from its k scans, the newest last.
+
+        Args:
+            ranges: measured ranges [m], shape (..., k); NaN where one is missing.
+            rates: measured range rates [m/s], shape (..., k), NaN where one is missing; only with `rate_std`.
+            times: times of the scans [s], shape (k,) or (..., k), where they are uneven.
+
+        Returns:
+            The state at `lag` periods after the newest scan, missing or not, and its covariance.
+
+        Raises:
+            TypeError: an argument is not made of real numbers.
+            ValueError: the shapes do not fit, a number is infinite, a time is NaN or earlier than the one
+                before it, or the observations of some track do not determine its state.
+
+        """
+        observed = self._checked(ranges, rates, times)
+        count = observed.ranges.shape[-1]
+        if times is None:
+            self._checked_count(count)
+        state, covariance, degree = self._fit(observed, range(count, count + 1), count)
+        if degree.min(initial=self.degree) < self.degree:
+            self._refuse(degree[..., 0])
+        return Estimate(state[..., 0, :], covariance[..., 0, :, :])
+
+    def run(
+        self,
+        ranges: ArrayLike,
+        rates: ArrayLike | None = None,
+        *,
+        times: ArrayLike | None = None,
+        window: int | None = None,
+    ) -> Run:
+        """Estimate the state of each track after each of its scans.
+
+        The degree grows with what the observations so far determine, up to that of the filter: with range
+        rates, a velocity after one scan and an acceleration after two.
+
+        Args:
+            ranges: measured ranges [m], shape (..., scans); NaN where one is missing.
+            rates: measured range rates [m/s], of the same shape, NaN where one is missing; only with
+                `rate_std`.
+            times: times of the scans [s], shape (scans,) or (..., scans), where they are uneven.
+            window: number of scans that an estimate rests on at most; None for all so far.
+
+        Raises:
+            TypeError, ValueError: as `estimate`, but that too few observations are no error.
+
+        """
+        observed = self._checked(ranges, rates, times)
+        count = observed.ranges.shape[-1]
+        length = count if window is None else _whole_number("window", window, 1, MOST_SCANS)
+        starts = range(0, count, SCANS_AT_ONCE) if count else [0]
+        parts = [self._fit(observed, range(n + 1, min(n + SCANS_AT_ONCE, count) + 1), length) for n in starts]
+        return _joined(parts, len(observed.ranges.shape) - 1)
+
+    def kalman(self, k: int, process_noise: float = 0.0) -> HandOver:
+        """Hand over to a Kalman filter of the same order after k scans.
+
+        Args:
+            k: number of scans that start it; 3 in the paper.
+            process_noise: intensity of the white noise that drives the highest derivative of the state,
+                m^2/s^(2 degree + 1); 0 continues the growing sample exactly.
+
+        Raises:
+            ValueError: so few scans do not determine the state, the intensity is negative, or `lag` is not 0.
+
+        """
+        if self.lag:
+            raise ValueError(f"lag must be 0 to hand over to a Kalman filter; got {self.lag}")
+        if not 0 <= _number("process_noise", process_noise) < math.inf:
+            raise ValueError(f"process_noise must be finite and at least 0; got {process_noise}")
+        return HandOver(self, self._checked_count(k), process_noise)
+
+    def _checked_count(self, k: int) -> int:
+        count = _whole_number("k", k, 1, MOST_SCANS)
+        if count < self.fewest_scans:
+            highest = count - 1 if self.rate_std is None else 2 * count - 1
+            raise ValueError(
+                f"k must be at least {self.fewest_scans} for degree {self.degree} from {self._observed}; "
+                f"got {count}, which supports degree {highest}"
+            )
+        return count
+
+    @property
+    def _observed(self) -> str:
+        return "range alone" if self.rate_std is None else "range and range rate"
+
+    def _refuse(self, degree: NDArray[np.int64]) -> None:
+        track = np.unravel_index(np.argmax(degree < self.degree), degree.shape)
+        few = np.count_nonzero(degree < self.degree)
+        supported = f"degree {degree[track]}" if degree[track] >= 0 else "no degree"
+        where = f"[{', '.join(map(str, track))}]" if track else "given"
+        raise ValueError(
+            f"observations must determine a polynomial of degree {self.degree}; those of track {where} support "
+            f"{supported} ({few} of {degree.size} tracks have too few)"
+        )
+
+    def _checked(self, ranges: ArrayLike, rates: ArrayLike | None, times: ArrayLike | None) -> _Observed:
+        if (rates is None) != (self.rate_std is None):
+            wanted = "given for a filter with" if rates is None else "omitted for a filter without"
+            raise ValueError(f"rates must be {wanted} rate_std")
+        given = {"ranges": ranges, "rates": rates, "times": times}
+        arrays = real_arrays({name: value for name, value in given.items() if value is not None})
+        if times is not None:
+            _require_times(arrays["times"])
+        for name, array in arrays.items():
+            if array.ndim == 0:
+                raise ValueError(f"{name} must have shape (..., k); got a single number")
+        shape = broadcast_shape(arrays)
+        spread = {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
+        return _Observed(spread["ranges"], spread.get("rates"), spread.get("times"))
+
+    def _fit(self, observed: _Observed, ends: range, length: int) -> Run:
+        """The estimates after each of these numbers of scans, from the last `length` of them."""
+        if observed.times is not None:
+            nothing = np.zeros((*observed.ranges.shape[:-1], len(ends), self.degree + 1), observed.ranges.dtype)
+            return self._with_uneven(self._shared(nothing, ends, length), observed, ends, length)
+        used = observed.window(max(ends.start - length, 0), ends.stop - 1)
+        with np.errstate(invalid="ignore", over="ignore"):
+            fitted = self._banded(used, ends, length)
+        finite = np.isfinite(fitted)
+        if finite.all():
+            return self._shared(fitted, ends, length)
+        _require_finite_or_missing(observed)
+        partial = ~np.asarray(finite.all(axis=(-1, -2)))
+        fitted[partial] = self._banded(used.without_missing(partial), ends, length)
+        return self._with_uneven(self._shared(fitted, ends, length), observed, ends, length)
+
+    def _banded(self, used: _Observed, ends: range, length: int) -> RealArray:
+        """All estimates as products with one matrix, which is zero where a scan is outside a window."""
+        band = self._band(ends, max(ends.start - length, 0), length)
+        fitted = _product(used.ranges, band[0])
+        if used.rates is not None:
+            fitted += _product(used.rates, band[1])
+        return fitted.reshape(*fitted.shape[:-1], len(ends), self.degree + 1)
+
+    def _shared(self, fitted: RealArray, ends: range, length: int) -> Run:
+        """With the covariances and degrees that all full tracks share; NaN beyond the degree."""
+        closed = [self._closed(min(end, length)) for end in ends]
+        degrees = np.array([part.degree for part in closed])
+        size = self.degree + 1
+        covariances = np.full((len(ends), size, size), np.nan, fitted.dtype)
+        for n, part in enumerate(closed):
+            fitted[..., n, part.degree + 1 :] = np.nan
+            covariances[n, : part.degree + 1, : part.degree + 1] = part.covariance
+        tracks = fitted.shape[:-2]
+        return Run(
+            fitted,
+            np.broadcast_to(covariances, (*tracks, *covariances.shape)),
+            np.broadcast_to(degrees, (*tracks, *degrees.shape)),
+        )
+
+    def _band(self, ends: range, first: int, length: int) -> list[RealArray]:
+        """The weights of the scans from `first` on, one column for each component of each estimate."""
+        size = self.degree + 1
+        bands = [np.zeros((ends.stop - 1 - first, len(ends), size)) for _ in range(1 + (self.rate_std is not None))]
+        for n, end in enumerate(ends):
+            closed = self._closed(min(end, length))
+            for band, weights in zip(bands, closed.weights, strict=False):
+                if weights is not None:
+                    band[max(end - length, 0) - first : end - first, n, : closed.degree + 1] = weights.T
+        return [band.reshape(len(band), -1) for band in bands]
+
+    def _closed(self, k: int) -> _Closed:
+        """The filter of the highest degree that k scans support."""
+        degree = min(self.degree, k - 1 if self.rate_std is None else 2 * k - 1)
+        return _kept(self, k, degree) if k <= LONGEST_KEPT else _computed(self, k, degree)
+
+    def _with_uneven(self, full: Run, observed: _Observed, ends: range, length: int) -> Run:
+        """With the normal equations for the windows that miss something or have times of their own."""
+        _require_finite_or_missing(observed)
+        run = Run(full.state.copy(), full.covariance.copy(), full.degree.copy())
+        for n, end in enumerate(ends):
+            window = observed.window(max(end - length, 0), end)
+            uneven = window.uneven
+            if uneven.any():
+                for part, replacement in zip(run, self._fit_each(window, uneven), strict=True):
+                    part[uneven, n] = replacement
+        return run
+
+    def _fit_each(self, observed: _Observed, chosen: NDArray[np.bool_]) -> Run:
+        """The estimates of the chosen tracks by the normal equations of each."""
+        ranges = observed.ranges[chosen].astype(np.float64)
+        rates = np.full_like(ranges, np.nan) if observed.rates is None else observed.rates[chosen].astype(np.float64)
+        steps = np.arange(1 - ranges.shape[1], 1) * float(self.period)
+        times = np.broadcast_to(steps, ranges.shape) if observed.times is None else observed.times[chosen]
+        size = self.degree + 1
+        result = Run(
+            np.full((len(ranges), size), np.nan, observed.ranges.dtype),
+            np.full((len(ranges), size, size), np.nan, observed.ranges.dtype),
+            np.full(len(ranges), -1),
+        )
+        patterns, pattern = _distinct(Sample(times.astype(np.float64), np.isfinite(ranges), np.isfinite(rates)))
+        data = np.stack([np.where(np.isfinite(values), values, 0.0) for values in (ranges, rates)])
+        for degree in range(self.degree, -1, -1):
+            self._fill(result, degree, patterns, pattern, data)
+        return result
+
+    def _fill(self, result: Run, degree: int, patterns: Sample, pattern: NDArray[np.int64], data: RealArray) -> None:
+        """Enter the estimates of this degree for the tracks that support it and no higher one."""
+        waiting, place = np.unique(pattern[result.degree < 0], return_inverse=True)
+        solution = self._solution(patterns.chosen(waiting), degree)
+        determined = solution.determined[place]
+        tracks, chosen = np.flatnonzero(result.degree < 0)[determined], place[determined]
+        state = sum(
+            (weights[chosen] * values[tracks, np.newaxis]).sum(axis=-1)
+            for weights, values in zip((solution.range_weights, solution.rate_weights), data, strict=True)
+        )
+        result.state[tracks, : degree + 1] = state
+        result.covariance[tracks, : degree + 1, : degree + 1] = float(self.range_std) ** 2 * solution.covariance[chosen]
+        result.degree[tracks] = degree
+
+    def _solution(self, patterns: Sample, degree: int) -> Solution:
+        newest = patterns.times[:, -1]
+        rate_weight = 0.0 if self.rate_std is None else self.range_std / self.rate_std
+        return solve(patterns, newest + self.lag * self.period, degree, rate_weight, float(self.period))
+
+
+@dataclass(frozen=True)
+class HandOver:
+    """A Kalman filter that a finite-sample filter starts.
+
+    Attributes:
+        start: the filter that estimates the first state.
+        k: number of scans that it rests on.
+        process_noise: intensity of the white noise in the highest derivative, m^2/s^(2 degree + 1).
+
+    """
+
+    start: FiniteSampleFilter
+    k: int
+    process_noise: float = 0.0
+
+    @property
+    def motion(self) -> kalman.Motion:
+        """F and Q from scan to scan."""
+        return kalman.polynomial_motion(self.start.degree, self.start.period, self.process_noise)
+
+    @property
+    def matrix(self) -> RealArray:
+        """What is measured, by the components of the state: the range and, where it is, the range rate."""
+        rows = 1 if self.start.rate_std is None else 2
+        return np.eye(self.start.degree + 1)[:rows] if self.start.degree else np.eye(2)[:rows, :1]
+
+    @property
+    def noise(self) -> RealArray:
+        """The covariance of the errors of a scan."""
+        deviations = [self.start.range_std] + [self.start.rate_std] * (self.start.rate_std is not None)
+        return np.diag(np.array(deviations, dtype=np.float64) ** 2)
+
+    def run(self, ranges: ArrayLike, rates: ArrayLike | None = None) -> Estimate:
+        """Filter tracks: the finite-sample estimate after scan k, then one Kalman step a scan.
+
+        Args:
+            ranges: measured ranges [m], shape (..., scans), at least k of them; NaN where one is missing.
+            rates: measured range rates [m/s], of the same shape, NaN where one is missing; only with
+                `rate_std`.
+
+        Returns:
+            States after scans k, k + 1, …, shape (..., scans - k + 1, degree + 1), and their covariances.
+
+        Raises:
+            TypeError, ValueError: as `FiniteSampleFilter.estimate`; or there are fewer than k scans.
+
+        """
+        observed = self.start._checked(ranges, rates, None)  # noqa: SLF001 - one thought in two classes
+        count = observed.ranges.shape[-1]
+        if count < self.k:
+            raise ValueError(f"ranges must have at least {self.k} scans to start from; got {count}")
+        first, rest = observed.window(0, self.k), observed.window(self.k, count)
+        started = self.start.estimate(first.ranges, first.rates)
+        parts = [part for part in (rest.ranges, rest.rates) if part is not None]
+        later = kalman.run(
+            kalman.Belief(started.state, started.covariance),
+            self.motion,
+            np.stack(parts, axis=-1),
+            self.matrix,
+            self.noise,
+        )
+        return Estimate(
+            np.concatenate([started.state[..., np.newaxis, :], later.mean], axis=-2),
+            np.concatenate([started.covariance[..., np.newaxis, :, :], later.covariance], axis=-3),
+        )
+
+
+class _Closed(NamedTuple):
+    """Weights and covariance of full samples, from the closed forms."""
+
+    degree: int
+    weights: Weights
+    covariance: RealArray
+
+
+@lru_cache(maxsize=256)
+def _kept(of: FiniteSampleFilter, k: int, degree: int) -> _Closed:
+    return _computed(of, k, degree)
+
+
+def _computed(of: FiniteSampleFilter, k: int, degree: int) -> _Closed:
+    observed, kinds = ("range", ["range"]) if of.rate_std is None else ("range_rate", ["range", "rate"])
+    prefix = f"degree{degree}_{observed}_{'at_lag_' * bool(of.lag)}"
+    arguments = {"k": float(k), "T": float(of.period)}
+    arguments |= {} if of.rate_std is None else {"C": of.C}
+    arguments |= {"tau": float(of.lag)} if of.lag else {}
+    scans = np.arange(1.0, k + 1)
+    weights = [getattr(formulas, f"{prefix}{kind}_weights")(j=scans, **arguments).T.copy() for kind in kinds]
+    for array in weights:
+        array.flags.writeable = False
+    covariance = getattr(formulas, f"{prefix}covariance")(sigma_r=float(of.range_std), **arguments)
+    return _Closed(degree, Weights(weights[0], weights[1] if len(weights) > 1 else None), covariance)
+
+
+def _product(rows: RealArray, matrix: RealArray) -> RealArray:
+    return rowwise_product(rows, matrix.astype(rows.dtype, copy=False))
+
+
+def _distinct(sample: Sample) -> tuple[Sample, NDArray[np.int64]]:
+    """The distinct samples, and which of them each one is."""
+    count = len(sample.times)
+    if (sample.times != sample.times[:1]).any():
+        return sample, np.arange(count)
+    bits = np.packbits(np.concatenate([sample.has_range, sample.has_rate], axis=1), axis=1)
+    order = np.lexsort(bits.T)
+    starts = np.ones(count, dtype=bool)
+    starts[1:] = (np.diff(bits[order], axis=0) != 0).any(axis=1)
+    which = np.empty(count, dtype=np.int64)
+    which[order] = np.cumsum(starts) - 1
+    return sample.chosen(order[starts]), which
+
+
+def _joined(parts: Sequence[Run], axis: int) -> Run:
+    """Runs over successive scans as one; without a copy of what all tracks share."""
+    if len(parts) == 1:
+        return parts[0]
+    return Run(*(_joined_arrays(arrays, axis) for arrays in zip(*parts, strict=True)))  # type: ignore[arg-type]
+
+
+def _joined_arrays(arrays: tuple[RealArray, ...], axis: int) -> RealArray:
+    if not axis or any(any(array.strides[:axis]) for array in arrays):
+        return np.concatenate(arrays, axis=axis)
+    tracks = arrays[0].shape[:axis]
+    one = np.concatenate([array[(0,) * axis] for array in arrays])
+    return np.broadcast_to(one, (*tracks, *one.shape))
+
+
+def _require_finite_or_missing(observed: _Observed) -> None:
+    for name, values in (("ranges", observed.ranges), ("rates", observed.rates)):
+        if values is not None and np.isinf(values).any():
+            count = np.count_nonzero(np.isinf(values))
+            raise ValueError(f"{name} must be finite, or NaN where missing; got {count} infinite of {values.size}")
+
+
+def _require_times(times: RealArray) -> None:
+    if not np.isfinite(times).all():
+        raise ValueError("times must be finite; a scan without observations has NaN in ranges and rates")
+    if (np.diff(times, axis=-1) < 0).any():
+        raise ValueError("times must not decrease along the last axis")
+
+
+def _number(name: str, value: float) -> float:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise TypeError(f"{name} must be a real number; got {value!r}")
+    if not math.isfinite(value):
+        raise ValueError(f"{name} must be finite; got {value}")
+    return float(value)
+
+
+def _require_positive(name: str, value: float) -> None:
+    if not value > 0:
+        raise ValueError(f"{name} must be more than 0; got {value:g}")
+
+
+def _whole_number(name: str, value: int, low: int, high: int) -> int:
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be a whole number; got {value!r}")
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a whole number; got {value!r}") from None
+    if not low <= number <= high:
+        raise ValueError(f"{name} must be from {low} to {high}; got {number}")
+    return number

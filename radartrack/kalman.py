@@ -1,0 +1,286 @@
+"""Linear Kalman filters for polynomial motion with process noise, over any number of tracks at once.
+
+The covariance of a track depends on what is observed, not on the values. So tracks that start from one
+covariance and miss nothing share one, and it is computed once. Arrays are worked on with the tracks along the
+last axis, component by component: that is fast, and the result for a track has the same bits however many
+others are filtered with it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from radartrack.generated import kinematics
+from radartrack.validation import RealArray, real_arrays, require_trailing_shape
+
+MOTIONS = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
+
+
+class Belief(NamedTuple):
+    """Means, shape (..., n), and covariances, shape (..., n, n), or (n, n) where all tracks share one."""
+
+    mean: RealArray
+    covariance: RealArray
+
+
+class Motion(NamedTuple):
+    """The transition F and the covariance of the process noise Q from scan to scan, shape (n, n)."""
+
+    transition: RealArray
+    process_noise: RealArray
+
+
+def constant_velocity(period: float, intensity: float) -> Motion:
+    """Position and velocity of one axis, with white noise in the acceleration.
+
+    Args:
+        period: time from scan to scan [s].
+        intensity: of the noise [m^2/s^3].
+
+    """
+    return polynomial_motion(1, period, intensity)
+
+
+def constant_acceleration(period: float, intensity: float) -> Motion:
+    """Position, velocity and acceleration of one axis, with white noise in the jerk.
+
+    Args:
+        period: time from scan to scan [s].
+        intensity: of the noise [m^2/s^5].
+
+    """
+    return polynomial_motion(2, period, intensity)
+
+
+def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
+    """A position and its first `degree` derivatives, with white noise in the next one.
+
+    Args:
+        degree: 0 to 3.
+        period: time from scan to scan [s].
+        intensity: of the noise [m^2/s^(2 degree + 1)].
+
+    Raises:
+        ValueError: the degree is not from 0 to 3, the period is not positive, or the intensity is negative.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.
+
+    """
+    if degree not in range(len(MOTIONS)):
+        raise ValueError(f"degree must be from 0 to {len(MOTIONS) - 1}; got {degree}")
+    if not 0 < period < math.inf:
+        raise ValueError(f"period must be finite and more than 0; got {period}")
+    if not 0 <= intensity < math.inf:
+        raise ValueError(f"intensity must be finite and at least 0; got {intensity}")
+    name = MOTIONS[degree]
+    transition = getattr(kinematics, f"{name}_transition")(T=float(period))
+    return Motion(transition, getattr(kinematics, f"{name}_process_noise")(T=float(period), q=float(intensity)))
+
+
+class _Observation(NamedTuple):
+    """Independent measurements of variance one: values (m, tracks), and what they measure, (m, n, tracks or 1)."""
+
+    values: RealArray
+    rows: RealArray
+
+
+def predict(belief: Belief, motion: Motion) -> Belief:
+    """Move beliefs by one scan.
+
+    Raises:
+        TypeError: a part is not made of real numbers.
+        ValueError: the shapes do not fit.
+
+    """
+    tracks, mean, covariance = _tracks_last(belief, ())
+    return _tracks_first(*_predicted(mean, covariance, _checked(motion, len(mean))), tracks)
+
+
+def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
+    """Combine beliefs with measurements, in the form of Joseph, which keeps covariances positive.
+
+    Args:
+        belief: of n components.
+        measured: shape (..., m); NaN where one is missing.
+        matrix: H, what is measured by the state, shape (m, n).
+        noise: R, the covariance of the measurement errors, shape (m, m).
+
+    Returns:
+        Means, shape (..., n), and covariances, shape (..., n, n), a read-only view where all tracks share
+        one.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
+
+    """
+    values, H, R = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
+    tracks, mean, covariance = _tracks_last(belief, values.shape[:-1])
+    flat = np.broadcast_to(values, (*tracks, values.shape[-1])).reshape(-1, values.shape[-1])
+    return _tracks_first(*_updated(mean, covariance, _whitened(flat.T, H, R)), tracks)
+
+
+def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
+    """Predict and update, scan by scan.
+
+    Args:
+        start: beliefs at the scan before the first measured one, of n components.
+        motion: F and Q.
+        measured: shape (..., scans, m); NaN where one is missing.
+        matrix: H, what is measured by the state, shape (m, n).
+        noise: R, the covariance of the measurement errors, shape (m, m).
+
+    Returns:
+        Means after each scan, shape (..., scans, n), and covariances, shape (..., scans, n, n), a read-only
+        view where all tracks share them.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
+
+    """
+    values, H, R = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
+    if values.ndim < 2:
+        raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
+    tracks, mean, covariance = _tracks_last(start, values.shape[:-2])
+    checked = _checked(motion, len(mean))
+    flat = np.broadcast_to(values, (*tracks, *values.shape[-2:])).reshape(-1, *values.shape[-2:])
+    means, covariances = [], []
+    for scan in np.ascontiguousarray(np.moveaxis(flat, 0, -1)):
+        observation = _whitened(scan, H, R)
+        mean, covariance = _updated(*_predicted(mean, covariance, checked), observation)
+        means.append(mean)
+        covariances.append(covariance)
+    if not means:
+        size = len(mean)
+        return Belief(np.empty((*tracks, 0, size)), np.empty((*tracks, 0, size, size)))
+    return _tracks_first(np.stack(means), _stacked(covariances), tracks)
+
+
+def _predicted(mean: RealArray, covariance: RealArray, motion: Motion) -> tuple[RealArray, RealArray]:
+    F, Q = motion
+    moved = _combination(F.T[:, :, np.newaxis], mean[:, np.newaxis])
+    half = _combination(F.T[:, :, np.newaxis, np.newaxis], covariance[:, np.newaxis])
+    whole = _combination(F.T[:, np.newaxis, :, np.newaxis], half.swapaxes(0, 1)[:, :, np.newaxis])
+    return moved, _symmetric(whole + Q[:, :, np.newaxis])
+
+
+def _updated(mean: RealArray, covariance: RealArray, observation: _Observation) -> tuple[RealArray, RealArray]:
+    """The belief after independent measurements of variance one, taken one by one; so no matrix is inverted."""
+    for value, row in zip(*observation, strict=True):
+        product = _combination(row[:, np.newaxis], covariance)
+        gain = product / (_combination(row, product) + 1)
+        mean = mean + gain * (value - _combination(row, mean))
+        reduced = covariance - gain[:, np.newaxis] * product
+        left = _combination(row[:, np.newaxis], reduced.swapaxes(0, 1))
+        covariance = _symmetric(reduced + (gain - left)[:, np.newaxis] * gain)
+    return mean, covariance
+
+
+def _combination(coefficients: RealArray, parts: RealArray) -> RealArray:
+    """The sum of coefficient times part along the first axis, always in the same order."""
+    total: RealArray = coefficients[0] * parts[0]
+    for coefficient, part in zip(coefficients[1:], parts[1:], strict=True):
+        total = total + coefficient * part
+    return total
+
+
+def _symmetric(covariance: RealArray) -> RealArray:
+    return (covariance + covariance.swapaxes(0, 1)) / 2
+
+
+def _whitened(values: RealArray, matrix: RealArray, noise: RealArray) -> _Observation:
+    """Measurements, (m, tracks), with their errors made independent; a missing one measures nothing."""
+    seen = ~np.isnan(values)
+    whitening = _whitening_of_each(seen, noise)
+    present = np.where(seen, values, 0.0)
+    across = whitening.swapaxes(0, 1)
+    return _Observation(
+        _combination(across, present[:, np.newaxis]),
+        _combination(across[:, :, np.newaxis], matrix[:, np.newaxis, :, np.newaxis]),
+    )
+
+
+def _whitening_of_each(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
+    """The whitening of each track, (m, m, tracks), or of all, (m, m, 1), where each sees everything."""
+    if seen.all():
+        return _whitening(np.ones(len(seen), dtype=bool), noise)[..., np.newaxis]
+    _, first, which = np.unique(2 ** np.arange(len(seen)) @ seen, return_index=True, return_inverse=True)
+    return np.stack([_whitening(pattern, noise) for pattern in seen.T[first]], axis=-1)[..., which]
+
+
+def _whitening(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
+    """What makes the errors of the measurements that are seen independent, of variance one; 0 for the others."""
+    result = np.zeros_like(noise)
+    chosen = np.ix_(seen, seen)
+    result[chosen] = np.linalg.inv(np.linalg.cholesky(noise[chosen]))
+    return result
+
+
+def _tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
+    """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared."""
+    arrays = real_arrays({"mean": belief.mean, "covariance": belief.covariance})
+    mean, covariance = arrays["mean"], arrays["covariance"]
+    if mean.ndim == 0:
+        raise ValueError("mean must have shape (..., n); got a single number")
+    size = mean.shape[-1]
+    require_trailing_shape("covariance", covariance, (size, size))
+    try:
+        tracks = np.broadcast_shapes(mean.shape[:-1], others)
+        np.broadcast_to(covariance, (*tracks, size, size))
+    except ValueError:
+        shapes = f"{mean.shape} of mean, {covariance.shape} of covariance and {others} of the measured tracks"
+        raise ValueError(f"shapes must broadcast; got {shapes}") from None
+    flat = np.ascontiguousarray(np.broadcast_to(mean, (*tracks, size)).reshape(-1, size).T)
+    if all(
+        stride == 0 or length == 1 for stride, length in zip(covariance.strides, covariance.shape[:-2], strict=False)
+    ):
+        first = (0,) * (covariance.ndim - 2)
+        return tracks, flat, covariance[first][..., np.newaxis]
+    spread = np.broadcast_to(covariance, (*tracks, size, size)).reshape(-1, size, size)
+    return tracks, flat, np.ascontiguousarray(np.moveaxis(spread, 0, -1))
+
+
+def _tracks_first(mean: RealArray, covariance: RealArray, tracks: tuple[int, ...]) -> Belief:
+    """Means (..., n) and covariances (..., n, n) of all tracks."""
+    means, covariances = np.moveaxis(mean, -1, 0), np.moveaxis(covariance, -1, 0)
+    if len(covariances) == 1:
+        shared = np.broadcast_to(covariances[0], (*tracks, *covariances.shape[1:]))
+        return Belief(means.reshape(*tracks, *means.shape[1:]), shared)
+    return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
+
+
+def _stacked(covariances: list[RealArray]) -> RealArray:
+    """The covariances of successive scans, which are shared until a track misses something."""
+    widest = max(covariance.shape[-1] for covariance in covariances)
+    return np.stack([np.broadcast_to(part, (*part.shape[:-1], widest)) for part in covariances])
+
+
+def _measurement(
+    measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, size: tuple[int, ...]
+) -> tuple[RealArray, RealArray, RealArray]:
+    arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
+    values, H, R = arrays["measured"], arrays["matrix"], arrays["noise"]
+    if H.ndim != 2 or not np.isfinite(H).all():
+        raise ValueError(f"matrix must be finite, of shape (m, n); got {H.tolist()}")
+    if H.shape[1:] != size:
+        raise ValueError(f"matrix must have {size[0]} columns, one a component; got {H.shape[1]}")
+    require_trailing_shape("noise", R, (len(H), len(H)))
+    require_trailing_shape("measured", values, (len(H),))
+    if np.isinf(values).any():
+        raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
+    if R.ndim != 2 or not (np.array_equal(R, R.T) and np.linalg.eigvalsh(R).min(initial=1.0) > 0):
+        raise ValueError(f"noise must be symmetric and positive definite, of shape (m, m); got {R.tolist()}")
+    return values, H, R
+
+
+def _checked(motion: Motion, size: int) -> Motion:
+    arrays = real_arrays({"transition": motion.transition, "process_noise": motion.process_noise})
+    for name, array in arrays.items():
+        if array.shape != (size, size) or not np.isfinite(array).all():
+            raise ValueError(f"{name} must be finite, of shape ({size}, {size}); got {array.tolist()}")
+    return Motion(arrays["transition"], arrays["process_noise"])

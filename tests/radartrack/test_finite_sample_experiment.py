@@ -1,0 +1,44 @@
+"""Simulated errors of the six radars of Gorshkov & Zavizhenets beside the closed forms."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import scipy.stats
+
+from radartrack.finite_sample_experiment import Radar, chi_square_ratio, compare
+
+RADARS = [
+    Radar(250.0, 35.0, 10.0),
+    Radar(250.0, 25.0, 10.0),
+    Radar(250.0, 15.0, 10.0),
+    Radar(250.0, 15.0, 5.0),
+    Radar(50.0, 1.0, 10.0),
+    Radar(50.0, 1.0, 5.0),
+]
+
+
+@pytest.mark.parametrize("radar", RADARS)
+def test_simulated_errors_lie_in_their_bands(radar: Radar) -> None:
+    """False alarm once in a million for each radar; an error of a deviation of 2 % would be seen."""
+    found = compare(radar)
+    assert found.without.inside
+    assert found.with_rate.inside
+    low, high = found.gain_band
+    known = ~np.isnan(found.expected_gain)
+    assert np.all((low <= found.gain)[known] & (found.gain <= high)[known])
+    width = (found.without.high - found.without.low)[known] / found.without.expected[known]
+    assert width.max() < 0.03
+
+
+def test_a_wrong_deviation_leaves_the_bands() -> None:
+    found = compare(RADARS[2])
+    wrong = compare(replace(RADARS[2], range_std=255.0))
+    assert not found.with_rate._replace(measured=wrong.with_rate.measured).inside
+
+
+def test_the_quantiles_are_those_of_the_chi_square_distribution() -> None:
+    freedom = np.array([1e3, 1e5, 1e7])
+    for probability in (1e-8, 0.3, 1 - 1e-8):
+        exact = scipy.stats.chi2.ppf(probability, freedom) / freedom
+        assert np.all(np.abs(chi_square_ratio(freedom, probability) / exact - 1) < 2e-4)
