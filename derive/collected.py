@@ -117,7 +117,7 @@ def _over_one(alike: dict[int, PolyElement], denominator: Denominator) -> tuple[
 
 def denominators(ring: DifferentialRing) -> list[Denominator]:
     """The generators that stand for inverse roots and quotients."""
-    found = []
+    found: list[Denominator] = []
     for placeholder, key in ring.generators.items():
         base, exponent = key.as_base_exp()
         if exponent in (sp.Integer(-1), sp.Rational(-1, 2)):

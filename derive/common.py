@@ -31,9 +31,12 @@ class _Extraction:
         self.names: dict[Expr, Symbol] = {}
         self.uses: Counter[Expr] = Counter()
         self.numbered: Counter[str] = Counter()
+        self.taken: set[str] = set()
 
     def run(self, results: list[Expr]) -> tuple[dict[Symbol, Expr], list[Expr]]:
         distinct = list(dict.fromkeys(results))
+        for expression in [*self.given, *self.given.values(), *distinct]:
+            self.taken |= {symbol.name for symbol in expression.free_symbols}
         for expression in [*self.given.values(), *distinct]:
             self._count(expression)
         for symbol in self.given:
@@ -84,14 +87,21 @@ class _Extraction:
     def _named(self, expression: Expr, rewritten: Expr) -> Symbol:
         if rewritten in self.names:
             return self.names[rewritten]
-        name = sp.Symbol(self._name(rewritten), real=True)
+        name = sp.Symbol(self._free(self._name(rewritten)), real=True)
         self.names[expression] = self.names[rewritten] = name
         self.done[name] = rewritten
         return name
 
+    def _free(self, wanted: str) -> str:
+        """The name, with underscores behind it where a symbol of that name is there already."""
+        while wanted in self.taken:
+            wanted += "_"
+        self.taken.add(wanted)
+        return wanted
+
     def _name(self, expression: Expr) -> str:
         base, exponent = expression.as_base_exp()
-        if isinstance(base, sp.Symbol) and exponent in POWERS:
+        if isinstance(base, sp.Symbol) and isinstance(exponent, sp.Integer) and int(exponent) in POWERS:
             return f"{base.name}_{POWERS[int(exponent)]}"
         if len(expression.args) == 1 and isinstance(expression.args[0], sp.Symbol):
             return f"{expression.func.__name__}_{expression.args[0].name}"

@@ -156,7 +156,7 @@ class _Reader:
 
     def __init__(self, ring: PolyRing, known: Known) -> None:
         self.ring = ring
-        self.values: dict[Expr, ExponentialPolynomial] = dict(known)
+        self.values: dict[Expr, ExponentialPolynomial] = {**known}
 
     def read(self, expression: Expr) -> ExponentialPolynomial:
         if expression not in self.values:
@@ -171,6 +171,8 @@ class _Reader:
             return reduce(mul, map(self.read, expression.args))
         if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
             return self.read(expression.base) ** int(expression.exp)
+        if expression == sp.E:  # what SymPy makes of exp(1)
+            return _exponential(ring.one)
         build = _FUNCTIONS.get(expression.func)
         if build is not None:
             return build(self._exponent(expression.args[0]))

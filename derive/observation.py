@@ -45,7 +45,7 @@ class Observation:
     units: tuple[Unit, ...]
     definitions: Mapping[Symbol, Expr]
     norms: Mapping[Expr, Symbol]
-    directions: Mapping[Symbol, Expr]
+    directions: Mapping[Expr, Expr]
 
     @property
     def map(self) -> Tensor[Expr]:

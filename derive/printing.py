@@ -8,7 +8,7 @@ from radartrack.derive.forms import form_of, readable
 from radartrack.derive.numpy_code import code
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.tensor import Index, Tensor
+from radartrack.derive.tensor import Index, Tensor, nested
 
 LATEX_NAMES = {
     "r": "r",
@@ -32,7 +32,7 @@ def heading(quantity: Quantity) -> list[str]:
 def text(quantity: Quantity, index: Index | None = None) -> str:
     """The formula as the checker reads it; a whole tensor as nested lists."""
     entries = readable(quantity)
-    return _nested(entries) if index is None else str(entries[index])
+    return nested(entries) if index is None else str(entries[index])
 
 
 def latex(quantity: Quantity, index: Index | None = None) -> str:
@@ -50,7 +50,7 @@ def python(quantity: Quantity, index: Index | None = None) -> str:
     wanted = form.entries if index is None else Tensor((), (form.entries[index],))
     definitions, results = with_common_parts(form.only(wanted).definitions, wanted)
     lines = [f"{symbol.name} = {code(definition)}" for symbol, definition in definitions.items()]
-    return "\n".join([*lines, f"result = {_nested(Tensor(wanted.shape, tuple(results)).map(code))}"])
+    return "\n".join([*lines, f"result = {nested(Tensor(wanted.shape, tuple(results)).map(code))}"])
 
 
 def latex_name(symbol: Symbol) -> str:
@@ -69,11 +69,3 @@ def _matrix(entries: Tensor[str]) -> str:
     rows = [" & ".join(row.entries) for row in entries.parts()] if len(entries.shape) == 2 else entries.entries
     body = " \\\\\n".join(rows)
     return f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
-
-
-def _nested(entries: Tensor[Expr] | Tensor[str], level: int = 0) -> str:
-    """Nested lists, one row a line."""
-    if not entries.shape:
-        return str(entries.entries[0])
-    gap = ",\n" + " " * (level + 1)
-    return f"[{gap.join(_nested(part, level + 1) for part in entries.parts())}]"

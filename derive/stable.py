@@ -19,13 +19,19 @@ from functools import lru_cache, reduce
 from itertools import chain, product
 from math import gcd, lcm, prod
 
+from typing import TYPE_CHECKING
+
 from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import ExponentialPolynomial, ring_over, split
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol, expm1
 from radartrack.derive.tensor import Index, Tensor
 
+if TYPE_CHECKING:
+    from radartrack.derive.symbolic import PolyCoefficient
+
 Monomial = tuple[int, ...]
 Spectrum = dict[Expr, Expr]
+Form = dict[Expr, "PolyCoefficient"]
 Factored = tuple[PolyElement, PolyElement]
 HEADROOM = 3
 GRID = 8
@@ -77,10 +83,12 @@ class Wave:
 
     @classmethod
     def of(cls, angle: Symbol, step: Fraction) -> Wave:
+        """Named after the angle."""
         name = angle.name if step == 1 else f"{angle.name}_times_{step}".replace("/", "_over_")
         return cls(angle, step, sp.Symbol(f"cos_{name}", real=True), sp.Symbol(f"sin_{name}", real=True))
 
     def definitions(self) -> dict[Symbol, Expr]:
+        """Cosine and sine in the plain symbols."""
         argument = sp.Rational(self.step) * self.angle
         return {self.cosine: sp.cos(argument), self.sine: sp.sin(argument)}
 
@@ -97,11 +105,13 @@ class Decay:
 
     @classmethod
     def of(cls, variance: Monomial, product: Expr, step: Fraction) -> Decay:
+        """Named after the measured quantities whose deviations the variance holds."""
         name = "_".join(symbol.name.replace("sigma_", "") for symbol in sorted(product.free_symbols, key=str))
         attenuation = sp.Symbol(f"attenuation_{name}", positive=True)
         return cls(variance, product, step, attenuation, sp.Symbol(f"shortfall_{name}", real=True))
 
     def definitions(self) -> dict[Symbol, Expr]:
+        """Attenuation and shortfall in the plain symbols."""
         exponent = -sp.Rational(self.step) * self.product
         return {self.attenuation: sp.exp(exponent), self.shortfall: -expm1(exponent)}
 
@@ -193,8 +203,9 @@ class _Rewriter:
         )
 
     def definitions(self) -> dict[Symbol, Expr]:
-        parts = [part.definitions() for part in (*self.waves, *self.decays)]
-        return {symbol: definition for part in parts for symbol, definition in part.items()}
+        waves = [wave.definitions() for wave in self.waves]
+        decays = [decay.definitions() for decay in self.decays]
+        return {symbol: definition for part in (*waves, *decays) for symbol, definition in part.items()}
 
     def spectrum(self, value: ExponentialPolynomial) -> Spectrum:
         """Products of cosines and sines → amplitude, a sum over monomials of monomial × polynomial in the decays."""
@@ -211,6 +222,7 @@ class _Rewriter:
     def _flatten(self, value: ExponentialPolynomial) -> Iterable[tuple[Expr, Monomial, Monomial, Fraction]]:
         """Terms as (product of cosines and sines, monomial, decay counts, coefficient)."""
         counted = [self._counts(exponent) for exponent in value.terms]
+        unity: Form = {sp.Integer(1): sp.QQ_I(1, 0)}
         for (turns, decays), coefficient in zip(counted, value.terms.values(), strict=True):
             degrees = [
                 max(abs(other[w]) for other, _ in counted if (other[w] - turns[w]) % 2 == 0)
@@ -218,8 +230,8 @@ class _Rewriter:
             ]
             oscillation = reduce(
                 _multiply,
-                (_unit_circle(wave, turn, degree) for wave, turn, degree in zip(self.waves, turns, degrees, strict=True)),
-                {sp.Integer(1): sp.QQ_I(1, 0)},
+                map(_unit_circle, self.waves, turns, degrees),
+                unity,
             )
             for wave, weight in oscillation.items():
                 for monomial, number in coefficient.terms():
@@ -274,15 +286,15 @@ def _steps(polynomial: PolyElement, monomial: Monomial, step: Fraction) -> int:
     return int(_rational(coefficient.x) / step)
 
 
-def _rational(number: PolyElement) -> Fraction:
+def _rational(number: PolyCoefficient) -> Fraction:
     return Fraction(int(number.numerator), int(number.denominator))
 
 
-def _unit_circle(wave: Wave, turns: int, degree: int) -> dict[Expr, PolyElement]:
+def _unit_circle(wave: Wave, turns: int, degree: int) -> Form:
     """e^(i·turns·angle) as a form of the given degree in cosine and sine: (c + is)^m (c − is)^n, m − n = turns."""
-    form: dict[tuple[int, int], PolyElement] = {(0, 0): sp.QQ_I(1, 0)}
+    form: dict[tuple[int, int], PolyCoefficient] = {(0, 0): sp.QQ_I(1, 0)}
     for sign in [1] * ((degree + turns) // 2) + [-1] * ((degree - turns) // 2):
-        following: dict[tuple[int, int], PolyElement] = {}
+        following: dict[tuple[int, int], PolyCoefficient] = {}
         for (cosines, sines), weight in form.items():
             following[cosines + 1, sines] = following.get((cosines + 1, sines), sp.QQ_I(0, 0)) + weight
             turned = weight * sp.QQ_I(0, sign)
@@ -291,7 +303,7 @@ def _unit_circle(wave: Wave, turns: int, degree: int) -> dict[Expr, PolyElement]
     return {wave.cosine**c * wave.sine**s: weight for (c, s), weight in form.items() if weight}
 
 
-def _multiply(first: dict[Expr, PolyElement], second: dict[Expr, PolyElement]) -> dict[Expr, PolyElement]:
+def _multiply(first: Form, second: Form) -> Form:
     return {a * b: x * y for a, x in first.items() for b, y in second.items()}
 
 

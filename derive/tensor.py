@@ -53,3 +53,11 @@ class Tensor(Generic[Entry]):
 def indices(shape: Index) -> Iterator[Index]:
     """All indices of a shape, the last one running fastest."""
     return product(*(range(size) for size in shape))
+
+
+def nested(entries: Tensor[Entry], level: int = 0, gap: str = ",\n") -> str:
+    """As nested lists; without another gap, one row a line, indented by level."""
+    if not entries.shape:
+        return str(entries.entries[0])
+    between = gap + " " * (level + 1) if gap.endswith("\n") else gap
+    return f"[{between.join(nested(part, level + 1, gap) for part in entries.parts())}]"

@@ -14,6 +14,7 @@ from radartrack.derive.numpy_code import code, terms
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.stable import StableForm
 from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import nested
 
 VERSION = "1"
 WIDTH = 110
@@ -70,7 +71,7 @@ class Function:
     def body(self) -> str:
         """The statements, without the docstring."""
         if not self.quantity.symbols:
-            return f"return np.asarray({code(self.form.entries[()])})[()]"
+            return f"return np.array({nested(self.form.entries.map(code), gap=', ')})[()]"
         definitions, results = with_common_parts(self.form.definitions, self.form.entries)
         names = [symbol.name for symbol in self.quantity.symbols]
         arguments = ", ".join(names)

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities line.*.
 
-Written by radartrack regenerate, generator 1, derivation 4230b2fe19947943; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 19d700101250bf48; not to be edited.
 """
 
 import numpy as np
@@ -440,7 +440,7 @@ def folded_mean_factor() -> Floats:
     Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
-    return np.asarray(np.sqrt(2.0) / np.sqrt(np.pi))[()]
+    return np.array(np.sqrt(2.0) / np.sqrt(np.pi))[()]
 
 
 def folded_std_factor() -> Floats:
@@ -457,7 +457,7 @@ def folded_std_factor() -> Floats:
     Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
-    return np.asarray(np.sqrt(1.0 - 2.0 / np.pi))[()]
+    return np.array(np.sqrt(1.0 - 2.0 / np.pi))[()]
 
 
 def folded_std(*, sigma_l: npt.ArrayLike) -> Floats:

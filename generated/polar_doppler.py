@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar_doppler.*.
 
-Written by radartrack regenerate, generator 1, derivation 3073067d148c42ac; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 1ccac42c76075d6a; not to be edited.
 """
 
 import numpy as np
@@ -22,6 +22,8 @@ __all__ = [
     "posterior_estimate",
     "unbiased_covariance",
     "unbiased_estimate",
+    "validity_linear",
+    "validity_second_order",
 ]
 
 Floats = npt.NDArray[np.floating]
@@ -60,7 +62,7 @@ def map(*, r: npt.ArrayLike, beta: npt.ArrayLike, rdot: npt.ArrayLike) -> Floats
     Returns:
         Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot)
@@ -90,7 +92,7 @@ def jacobian(*, r: npt.ArrayLike, beta: npt.ArrayLike, rdot: npt.ArrayLike) -> F
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [1/m, 1/rad, s/m].
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot)
@@ -127,7 +129,7 @@ def hessian(*, r: npt.ArrayLike, beta: npt.ArrayLike, rdot: npt.ArrayLike) -> Fl
         Shape of the broadcast arguments + (3, 3, 3), unit [m, m, m^2/s] × [1/m, 1/rad, s/m] × [1/m, 1/rad,
         s/m].
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot)
@@ -194,7 +196,7 @@ def bias_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -202,97 +204,6 @@ def bias_second_order(
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     part_0_cos_beta = -0.5 * r * sigma_beta**2
-    result = _empty(arguments, (3,))
-    result[..., 0] = cos_beta * part_0_cos_beta
-    result[..., 1] = part_0_cos_beta * sin_beta
-    result[..., 2] = rho * sigma_r * sigma_rdot
-    return result
-
-
-def bias_truth(
-    *,
-    r: npt.ArrayLike,
-    beta: npt.ArrayLike,
-    rdot: npt.ArrayLike,
-    sigma_r: npt.ArrayLike,
-    sigma_beta: npt.ArrayLike,
-    sigma_rdot: npt.ArrayLike,
-    rho: npt.ArrayLike,
-) -> Floats:
-    """Exact bias of the plain conversion h(z).
-
-    Name: polar_doppler.bias.truth.
-    Definition: (e^L - 1) h.
-    Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
-
-    Args:
-        r: range [m], 1 to 1e+08.
-        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
-        rdot: range rate [m/s], -10000 to 10000.
-        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
-        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
-        sigma_rdot: standard deviation of the error of rdot [m/s], 0.0001 to 1000.
-        rho: correlation of the errors of r and rdot [1], -1 to 1.
-
-    Returns:
-        Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
-
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
-    errors).
-    """
-    arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
-    r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments
-    cos_beta = np.cos(beta)
-    sin_beta = np.sin(beta)
-    shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
-    part_0_cos_beta = -r * shortfall_beta
-    result = _empty(arguments, (3,))
-    result[..., 0] = cos_beta * part_0_cos_beta
-    result[..., 1] = part_0_cos_beta * sin_beta
-    result[..., 2] = rho * sigma_r * sigma_rdot
-    return result
-
-
-def bias_averaged(
-    *,
-    r: npt.ArrayLike,
-    beta: npt.ArrayLike,
-    rdot: npt.ArrayLike,
-    sigma_r: npt.ArrayLike,
-    sigma_beta: npt.ArrayLike,
-    sigma_rdot: npt.ArrayLike,
-    rho: npt.ArrayLike,
-) -> Floats:
-    """Exact bias of the plain conversion, averaged over the truth.
-
-    Name: polar_doppler.bias.averaged.
-    Definition: (e^2L - e^L) h.
-    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993.
-
-    Args:
-        r: range [m], 1 to 1e+08.
-        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
-        rdot: range rate [m/s], -10000 to 10000.
-        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
-        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
-        sigma_rdot: standard deviation of the error of rdot [m/s], 0.0001 to 1000.
-        rho: correlation of the errors of r and rdot [1], -1 to 1.
-
-    Returns:
-        Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
-
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
-    errors).
-    """
-    arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
-    r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments
-    cos_beta = np.cos(beta)
-    sin_beta = np.sin(beta)
-    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
-    shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
-    part_0_cos_beta = -attenuation_beta * r * shortfall_beta
     result = _empty(arguments, (3,))
     result[..., 0] = cos_beta * part_0_cos_beta
     result[..., 1] = part_0_cos_beta * sin_beta
@@ -329,7 +240,7 @@ def covariance_linear(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -390,7 +301,7 @@ def covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -432,6 +343,185 @@ def covariance_second_order(
     return result
 
 
+def validity_linear(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    rdot: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_rdot: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Leading term that the linear formulas neglect, root mean square, over the linear standard deviation, one a measured quantity.
+
+    Name: polar_doppler.validity.linear.
+    Definition: sqrt(E[(J^-1 (w.d)^2 h)_i^2])/(2 sigma_i).
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Prosov the question of validity.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        rdot: range rate [m/s], -10000 to 10000.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_rdot: standard deviation of the error of rdot [m/s], 0.0001 to 1000.
+        rho: correlation of the errors of r and rdot [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit 1.
+
+    Accuracy: at most 3 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
+    r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments
+    sigma_beta_squared = sigma_beta**2
+    term_1 = 1.0 / r
+    sigma_r_squared = sigma_r**2
+    sigma_rdot_squared = sigma_rdot**2
+    result = _empty(arguments, (3,))
+    result[..., 0] = 0.5 * r * sigma_beta_squared * np.sqrt(3.0) / sigma_r
+    result[..., 1] = sigma_r * term_1
+    result[..., 2] = np.sqrt(2.0 * rho**2 * sigma_r_squared * sigma_rdot_squared + 0.75 * r**2 * rdot**2 * sigma_beta_squared**2 + r * rdot * rho * sigma_beta_squared * sigma_r * sigma_rdot + sigma_r_squared * sigma_rdot_squared) * term_1 / sigma_rdot
+    return result
+
+
+def validity_second_order(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    rdot: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_rdot: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Leading term that the second-order formulas neglect, root mean square, over the linear standard deviation, one a measured quantity.
+
+    Name: polar_doppler.validity.second_order.
+    Definition: sqrt(E[(J^-1 (w.d)^3 h)_i^2])/(6 sigma_i).
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Prosov the question of validity.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        rdot: range rate [m/s], -10000 to 10000.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_rdot: standard deviation of the error of rdot [m/s], 0.0001 to 1000.
+        rho: correlation of the errors of r and rdot [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit 1.
+
+    Accuracy: at most 3 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
+    r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments
+    sigma_beta_squared = sigma_beta**2
+    term_1 = np.sqrt(3.0)
+    result = _empty(arguments, (3,))
+    result[..., 0] = 0.5 * sigma_beta_squared * term_1
+    result[..., 1] = sigma_beta_squared * np.sqrt(15.0) / 6.0
+    result[..., 2] = 0.5 * np.abs(rdot) * sigma_beta_squared * sigma_r * term_1 / (r * sigma_rdot)
+    return result
+
+
+def bias_truth(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    rdot: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_rdot: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exact bias of the plain conversion h(z).
+
+    Name: polar_doppler.bias.truth.
+    Definition: (e^L - 1) h.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Lerro & Bar-Shalom 1993.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        rdot: range rate [m/s], -10000 to 10000.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_rdot: standard deviation of the error of rdot [m/s], 0.0001 to 1000.
+        rho: correlation of the errors of r and rdot [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
+
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
+    r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
+    part_0_cos_beta = -r * shortfall_beta
+    result = _empty(arguments, (3,))
+    result[..., 0] = cos_beta * part_0_cos_beta
+    result[..., 1] = part_0_cos_beta * sin_beta
+    result[..., 2] = rho * sigma_r * sigma_rdot
+    return result
+
+
+def bias_averaged(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    rdot: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_rdot: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Exact bias of the plain conversion, averaged over the truth.
+
+    Name: polar_doppler.bias.averaged.
+    Definition: (e^2L - e^L) h.
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Lerro & Bar-Shalom 1993.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        rdot: range rate [m/s], -10000 to 10000.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_rdot: standard deviation of the error of rdot [m/s], 0.0001 to 1000.
+        rho: correlation of the errors of r and rdot [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
+
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
+    r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
+    part_0_cos_beta = -attenuation_beta * r * shortfall_beta
+    result = _empty(arguments, (3,))
+    result[..., 0] = cos_beta * part_0_cos_beta
+    result[..., 1] = part_0_cos_beta * sin_beta
+    result[..., 2] = rho * sigma_r * sigma_rdot
+    return result
+
+
 def covariance_truth(
     *,
     r: npt.ArrayLike,
@@ -461,7 +551,7 @@ def covariance_truth(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -541,7 +631,7 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -562,10 +652,8 @@ def covariance_averaged(
         0.5 * (1.0 + product_1) * r_squared * shortfall_beta
         + 0.5 * shortfall_beta * sigma_r_squared * sum_3
     )
-    part_01_cos_beta_sin_beta = (
-        (2.0 * attenuation_beta - 1.0) * product_1 * sigma_r_squared
-        - product_1 * r_squared * shortfall_beta
-    )
+    sum_4 = attenuation_beta - shortfall_beta
+    part_01_cos_beta_sin_beta = product_1 * sigma_r_squared * sum_4 - product_1 * r_squared * shortfall_beta
     part_02_cos_beta = (
         attenuation_beta * r * rho * sigma_r * sigma_rdot
         + attenuation_beta * rdot * sigma_r_squared
@@ -621,7 +709,7 @@ def unbiased_estimate(
     Returns:
         Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -666,7 +754,7 @@ def unbiased_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 4 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -680,6 +768,7 @@ def unbiased_covariance(
     product_1 = attenuation_beta * attenuation_beta_squared
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     r_squared = r**2
+    shortfall_beta_squared = shortfall_beta**2
     sum_1 = (
         2.0
         + 2.0 * product_1
@@ -689,25 +778,25 @@ def unbiased_covariance(
     )
     sigma_r_squared = sigma_r**2
     sum_2 = 0.5 + 0.5 * attenuation_beta_squared_squared
-    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta**2 * sum_1 * term_1 + sigma_r_squared * sum_2
+    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_squared * sum_1 * term_1 + sigma_r_squared * sum_2
     sum_3 = 1.0 + attenuation_beta + attenuation_beta_squared + product_1
     part_00_sin_beta2 = (
         0.5 * r_squared * shortfall_beta * sum_3
         + 0.5 * shortfall_beta * sigma_r_squared * sum_3
     )
     sum_4 = (
-        1.0
-        - attenuation_beta * attenuation_beta_squared**2
-        - attenuation_beta_squared
-        - attenuation_beta_squared_squared
-        - product_1
-        + attenuation_beta
+        12.0 * product_1 * shortfall_beta_squared
+        - 2.0 * attenuation_beta * attenuation_beta_squared**2
+        + 13.0 * attenuation_beta_squared * shortfall_beta * shortfall_beta_squared
+        + 3.0 * attenuation_beta_squared_squared * shortfall_beta
+        + 6.0 * attenuation_beta * shortfall_beta_squared**2
+        + shortfall_beta * shortfall_beta_squared**2
     )
     part_01_cos_beta_sin_beta = (
         attenuation_beta_squared_squared * sigma_r_squared
         + r_squared * shortfall_beta * sum_4 * term_1
     )
-    sum_5 = 3.0 * attenuation_beta_squared - 2.0
+    sum_5 = attenuation_beta_squared - 2.0 * shortfall_beta_squared - 4.0 * attenuation_beta * shortfall_beta
     part_02_cos_beta = (
         attenuation_beta * rdot * sigma_r_squared
         + r * rho * sigma_r * sigma_rdot * sum_5 / attenuation_beta
@@ -763,7 +852,7 @@ def posterior_estimate(
     Returns:
         Shape of the broadcast arguments + (3), unit [m, m, m^2/s].
 
-    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -808,7 +897,7 @@ def posterior_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
@@ -896,7 +985,7 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 6 ulp from 50-digit arithmetic at 2000 points of this domain (float64, independent
+    Accuracy: at most 6 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_rdot, predicted_rho)

@@ -1,0 +1,42 @@
+"""The examples in the documents run, and print what the documents say that they print."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+DOCUMENTS = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
+EXAMPLE = re.compile(r"^```python\n(?P<code>.*?)^```\n(?:\n```text\n(?P<output>.*?)^```$)?", re.MULTILINE | re.DOTALL)
+SEPARATOR = "\x1e"
+WITH_EXAMPLES = [document for document in DOCUMENTS if EXAMPLE.search(document.read_text())]
+
+
+def run(blocks: list[str], folder: Path) -> list[str]:
+    """What each block of a document prints when they are run one after another."""
+    script = folder / "document.py"
+    script.write_text("".join(f"{block}\nprint(end={SEPARATOR!r})\n" for block in blocks))
+    finished = subprocess.run([sys.executable, script], capture_output=True, text=True, cwd=folder, check=False)
+    assert finished.returncode == 0, finished.stderr
+    return finished.stdout.split(SEPARATOR)
+
+
+@pytest.mark.parametrize("document", WITH_EXAMPLES, ids=lambda path: path.name)
+def test_examples_run_and_print_what_is_written(document: Path, tmp_path: Path) -> None:
+    examples = list(EXAMPLE.finditer(document.read_text()))
+    for example, printed in zip(examples, run([e["code"] for e in examples], tmp_path), strict=False):
+        if example["output"] is not None:
+            assert printed == example["output"]
+
+
+def test_relative_links_lead_somewhere() -> None:
+    link = re.compile(r"\]\((?!https?:|#)(?P<target>[^)#]+)")
+    missing = [
+        f"{document.relative_to(ROOT)}: {match['target']}"
+        for document in DOCUMENTS
+        for match in link.finditer(document.read_text())
+        if not (document.parent / match["target"]).exists()
+    ]
+    assert not missing
