@@ -9,6 +9,7 @@ depends on how many points there are. Weighted distances v·l, as in (5) of Gao 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.quantity import Conditioning, Quantity, Source
@@ -41,6 +42,7 @@ def root_of_linear(expression: Expr, symbol: Symbol) -> Expr:
     return sp.cancel(-expression.xreplace({symbol: sp.Integer(0)}) / sp.diff(expression, symbol))
 
 
+@cache
 def distance() -> Expr:
     """The distance of a point from the line, positive above it.
 
@@ -58,6 +60,7 @@ def distance() -> Expr:
     return signed
 
 
+@cache
 def objective() -> Expr:
     """The weighted sum of the squared distances."""
     return total(distance() ** 2)
@@ -78,16 +81,19 @@ def intercept() -> Expr:
     return sp.expand(root_of_linear(sp.diff(objective(), d), d))
 
 
+@cache
 def profile() -> Expr:
     """The objective as a function of the slope alone, the intercept being the best."""
     return sp.cancel(objective().xreplace({d: intercept()}))
 
 
+@cache
 def condition() -> Expr:
     """A quadratic in the slope with the sign of the profile's derivative, which is 2/(1 + k²)² times it."""
     return sp.expand(sp.cancel(sp.diff(profile(), k) * (1 + k**2) ** 2 / 2))
 
 
+@cache
 def spread() -> Expr:
     """The root of the condition's discriminant: the scatter along the best line less that across it."""
     a, b, c = (condition().coeff(k, power) for power in (2, 1, 0))
@@ -100,6 +106,7 @@ def stationary() -> tuple[Expr, Expr]:
     return (-b + spread()) / (2 * a), (-b - spread()) / (2 * a)
 
 
+@cache
 def slope() -> Expr:
     """The slope of the best line: the stationary one at which the profile is convex.
 
@@ -111,9 +118,7 @@ def slope() -> Expr:
         NotProved: when not exactly one of them has q' equal to the positive spread.
     """
     steepness = sp.diff(condition(), k)
-    minima = [
-        root for root in stationary() if sp.cancel(steepness.xreplace({k: root}) - spread()) == sp.Integer(0)
-    ]
+    minima = [root for root in stationary() if sp.cancel(steepness.xreplace({k: root}) - spread()) == sp.Integer(0)]
     if len(minima) != 1:
         raise NotProved(f"one of the stationary slopes should be a minimum, found {minima}")
     return minima[0]
@@ -160,6 +165,7 @@ def stable_slope(excess_of_x: Expr, s_xy: Expr) -> StableForm:
     return StableForm({excess: excess_of_x}, Tensor((), (slope,)))
 
 
+@cache
 def inclination() -> Expr:
     """The angle of the best line with the x axis, which stays defined for vertical lines.
 

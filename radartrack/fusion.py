@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from radartrack import line
-from radartrack.convert import Converted
 from radartrack.generated import fusion as formulas
 from radartrack.generated import line as line_formulas
 from radartrack.generated import spherical
@@ -39,6 +38,13 @@ FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 SYMMETRY = 1e-9
+
+
+class Fused(NamedTuple):
+    """A fused mean, shape (..., d), and the covariance of its error, shape (..., d, d)."""
+
+    mean: Floats
+    covariance: Floats
 
 
 class Motion(NamedTuple):
@@ -183,7 +189,7 @@ def position_std(covariance: ArrayLike) -> Floats:
     return line_formulas.position_std(sigma_x=along_x, sigma_y=along_y).astype(np.float64)
 
 
-def fuse(mean: ArrayLike, covariance: ArrayLike) -> Converted:
+def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
     """The best linear unbiased estimate from independent measurements of one point, by their covariances.
 
     Each measurement gets the matrix weight M P^-1, with P its covariance and M the fused covariance, the
@@ -211,7 +217,7 @@ def fuse(mean: ArrayLike, covariance: ArrayLike) -> Converted:
     white = _whitener("covariance", errors)
     origin = points[..., :1, :]
     estimate = _least_squares(white, white @ (points - origin)[..., np.newaxis])
-    return Converted(estimate.mean + origin[..., 0, :], estimate.covariance)
+    return Fused(estimate.mean + origin[..., 0, :], estimate.covariance)
 
 
 def fuse_lines(
@@ -352,13 +358,13 @@ def _inverse(factor: NDArray[np.floating[Any]]) -> Floats:
     return inverse.astype(np.float64, copy=False)
 
 
-def _least_squares(design: Floats, observed: Floats) -> Converted:
+def _least_squares(design: Floats, observed: Floats) -> Fused:
     """Parameters and their covariance from white observations, shapes (..., n, d, p) and (..., n, d, 1)."""
     information = np.sum(np.swapaxes(design, -1, -2) @ design, axis=-3)
     root = _inverse(np.linalg.cholesky(information))
     covariance = np.swapaxes(root, -1, -2) @ root
     gathered = np.sum(np.swapaxes(design, -1, -2) @ observed, axis=-3)
-    return Converted((covariance @ gathered)[..., 0], covariance)
+    return Fused((covariance @ gathered)[..., 0], covariance)
 
 
 def _design(elapsed: Floats) -> Floats:

@@ -1,0 +1,78 @@
+"""The comparison of weights around a straight flight."""
+
+import numpy as np
+import pytest
+
+from radartrack import straight_flight
+from radartrack.straight_flight import CALIBRATED, FLIGHT, Comparison, Radar, compare, situations
+
+RUNS = 1000
+
+
+@pytest.fixture(scope="module")
+def results() -> dict[str, Comparison]:
+    return {name: compare(radars, runs=RUNS) for name, radars in situations().items()}
+
+
+def test_plots_scatter_about_the_flight_as_the_radar_says() -> None:
+    """From 400 runs of 81 plots a deviation that is wrong by 3 % is detected at six standard errors."""
+    radar = Radar((-30e3, -20e3), 60.0, 0.004, 0.003, 5.0, ageing=2.0, range_bias=500.0, azimuth_bias=0.02)
+    plots = straight_flight.simulate(radar, FLIGHT, 400, np.random.default_rng(1))
+    east, north = (FLIGHT.position(plots.t) - np.array(radar.site)).T
+    truths = np.hypot(np.hypot(east, north), FLIGHT.height), np.arctan2(east, north)
+    for measured, truth, bias, std in (
+        (plots.r, truths[0], 500.0, 120.0),
+        (plots.azimuth, truths[1], 0.02, 0.008),
+        (plots.elevation, np.arctan2(FLIGHT.height, np.hypot(east, north)), 0.0, 0.006),
+    ):
+        error = measured - truth
+        assert error.mean() == pytest.approx(bias, abs=6 * std / np.sqrt(error.size))
+        assert error.std() == pytest.approx(std, rel=6 / np.sqrt(2 * error.size))
+
+
+def test_with_errors_as_stated_propagation_has_the_best_weights_and_the_print_costs_a_quarter_more(
+    results: dict[str, Comparison],
+) -> None:
+    excess = results["calibrated"].excess
+    assert all(excess[name].lower > 0 for name in ("equal", "stated", "printed", "consistent"))
+    assert 0.15 < excess["printed"].value < 0.4
+    assert excess["consistent"].value < 0.05
+    assert excess["covariance"].upper < -0.5
+
+
+def test_with_aged_radars_scatter_has_better_weights_than_propagation(results: dict[str, Comparison]) -> None:
+    excess = results["aged"].excess
+    assert excess["consistent"].upper < -0.4
+    assert excess["printed"].upper < -0.2
+
+
+def test_a_missing_elevation_misleads_plot_covariances_most(results: dict[str, Comparison]) -> None:
+    excess = results["no elevation"].excess
+    assert excess["covariance"].lower > 1.0
+    assert abs(excess["consistent"].value) < 0.1
+
+
+def test_intervals_hold_what_another_thousand_runs_give(results: dict[str, Comparison]) -> None:
+    """At 1 - 1e-6 both ways: the root mean square errors of other runs lie within twice the half width."""
+    again = compare(runs=RUNS, seed=1, confidence=1 - 1e-6)
+    for name, estimate in compare(runs=RUNS, confidence=1 - 1e-6).rmse.items():
+        other = again.rmse[name]
+        assert estimate.lower < other.upper
+        assert other.lower < estimate.upper
+        assert estimate.lower < results["calibrated"].rmse[name].value < estimate.upper
+
+
+def test_the_same_seed_gives_the_same_numbers() -> None:
+    assert compare(runs=20) == compare(runs=20)
+
+
+def test_weights_from_any_source_are_equal_for_equal_radars_seen_alike() -> None:
+    radar = CALIBRATED[0]
+    plots = [straight_flight.simulate(radar, FLIGHT, 5, np.random.default_rng(1)) for _ in range(3)]
+    for weigh in straight_flight._SOURCES.values():
+        assert weigh([radar] * 3, plots) == pytest.approx(1 / 3)
+
+
+def test_at_least_two_runs_are_needed() -> None:
+    with pytest.raises(ValueError, match="runs must be at least 2"):
+        compare(runs=1)
