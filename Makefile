@@ -5,6 +5,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-build-isolation
+VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 .PHONY: all test lint format types layers drift notebooks bench installed clean
@@ -56,12 +57,12 @@ installed: $(VENV)/.package
 # The package is installed editable: a change of its code needs no second installation.
 $(VENV)/.package: pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
-		echo "radartrack needs Python 3.11 or newer; $(PYTHON) is $$($(PYTHON) --version 2>&1 | tail -n 1)." >&2; \
+		echo "radartrack needs Python 3.11 or newer; $(PYTHON) is $(VERSION)." >&2; \
 		echo "Name another one: make PYTHON=python3.12" >&2; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
 		echo "$(PYTHON) cannot make a virtual environment: it lacks ensurepip or venv." >&2; \
 		echo "On Debian and Ubuntu the package python3-venv has them." >&2; exit 1; }
-	@echo "Setting up $(VENV) with $$($(PYTHON) --version)"
+	@echo "Setting up $(VENV) with $(PYTHON), which is $(VERSION)"
 	@$(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip install -qq --upgrade --constraint constraints.txt pip setuptools
 	@$(INSTALL) --editable .

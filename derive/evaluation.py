@@ -15,6 +15,20 @@ DIGITS = 50
 GUARD = 90  # an unstable textbook form may lose as many digits as a fourth power of 1e-9 against 1e8 squared
 Number = Any
 
+LARGEST_EXPONENT = 1e6
+
+
+def _growing(function: Callable[[Number], Number]) -> Callable[[Number], Number]:
+    """The function, refusing arguments at which it would take for ever."""
+
+    def bounded(argument: Number) -> Number:
+        if abs(argument) > LARGEST_EXPONENT:
+            raise OverflowError(f"the exponential of {mpmath.nstr(argument, 3)} is not evaluated")
+        return function(argument)
+
+    return bounded
+
+
 _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.Abs: mpmath.fabs,
     sp.acos: mpmath.acos,
@@ -22,15 +36,15 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.atan: mpmath.atan,
     sp.atan2: mpmath.atan2,
     sp.cos: mpmath.cos,
-    sp.cosh: mpmath.cosh,
+    sp.cosh: _growing(mpmath.cosh),
     sp.erf: mpmath.erf,
-    sp.exp: mpmath.exp,
-    sp.expm1: mpmath.expm1,
+    sp.exp: _growing(mpmath.exp),
+    sp.expm1: _growing(mpmath.expm1),
     sp.hypot: mpmath.hypot,
     sp.log: mpmath.log,
     sp.ratio: lambda above, below: above / below if below else mpmath.mpf(0),
     sp.sin: mpmath.sin,
-    sp.sinh: mpmath.sinh,
+    sp.sinh: _growing(mpmath.sinh),
     sp.tan: mpmath.tan,
     sp.tanh: mpmath.tanh,
 }
@@ -51,7 +65,11 @@ class Evaluator:
         self._shape = entries.shape
 
     def __call__(self, point: Mapping[str, float] | Sequence[float]) -> Tensor[Number]:
-        """The entries at one point, given in the order of the symbols; floats are taken as exact."""
+        """The entries at one point, given in the order of the symbols; floats are taken as exact.
+
+        Raises:
+            OverflowError: for an exponential of more than a million.
+        """
         values = point.values() if isinstance(point, Mapping) else point
         with mpmath.workdps(self._precision):
             slots: list[Number] = [mpmath.mpf(value) for value in values]

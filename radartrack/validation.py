@@ -27,7 +27,8 @@ Choice = TypeVar("Choice", bound=str)
 class Domain:
     """The interval that an argument may come from.
 
-    It ends at `largest`, in float32 at `largest_single`; it begins at 0 or, where signed, at the negative.
+    It ends at `largest`, in float32 at `largest_single`; it begins at `smallest` or, where signed, at the
+    negative of its end.
     """
 
     unit: str
@@ -35,11 +36,12 @@ class Domain:
     largest_single: float
     reason: str
     signed: bool = False
+    smallest: float = 0.0
 
     def bounds(self, dtype: np.dtype[Any]) -> tuple[float, float]:
         """The least and the largest value in arrays of this type."""
         largest = self.largest_single if dtype == np.float32 else self.largest
-        return (-largest if self.signed else 0.0), largest
+        return (-largest if self.signed else self.smallest), largest
 
     def describe(self, dtype: np.dtype[Any]) -> str:
         """The interval in words."""
@@ -49,9 +51,12 @@ class Domain:
 
 RANGE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 ANGLE = Domain(" rad", 1e6, 1e3, "rounding blurs the direction of a larger angle", signed=True)
-ANGLE_STD = Domain(
-    " rad", math.pi, math.pi, "a wrapped angle with a larger deviation says nothing about direction"
-)
+ANGLE_STD = Domain(" rad", math.pi, math.pi, "a wrapped angle with a larger deviation says nothing about direction")
+ELEVATION = Domain(" rad", math.pi / 2, math.pi / 2, "the vertical; beyond it the azimuth turns round", signed=True)
+RANGE_RATE = Domain(" m/s", 1e50, 1e8, "the square of a larger number times a range overflows", signed=True)
+RANGE_RATE_STD = Domain(" m/s", 1e50, 1e8, "the square of a larger number times a range overflows")
+DIRECTION_COSINE = Domain("", 1.0, 1.0, "no cosine is larger", signed=True)
+DIRECTION_COSINE_STD = Domain("", 1.0, 1.0, "no cosine is larger")
 CORRELATION = Domain("", 1.0, 1.0, "no correlation is larger", signed=True)
 
 
@@ -113,10 +118,10 @@ def require_trailing_shape(name: str, values: RealArray, shape: tuple[int, ...])
 
 
 def require_covariance(name: str, matrices: RealArray) -> None:
-    """Check an array (..., 2, 2) of covariance matrices.
+    """Check an array (..., n, n) of covariance matrices.
 
-    Rounding may make a matrix asymmetric, or a correlation larger than one, by the square root of the machine
-    precision, relative to the product of the standard deviations.
+    Rounding may make a matrix asymmetric, a correlation larger than one, or an eigenvalue of the correlations
+    negative, by the square root of the machine precision, relative to the product of the standard deviations.
 
     Raises:
         ValueError: an entry is not finite, a variance is negative, or a matrix is, beyond rounding, not
@@ -124,13 +129,19 @@ def require_covariance(name: str, matrices: RealArray) -> None:
 
     """
     _require(name, matrices, "finite", np.isfinite(matrices))
-    first, second = matrices[..., 0, 0], matrices[..., 1, 1]
-    _require(name, matrices, "without a negative variance", (first >= 0) & (second >= 0))
-    scale = np.sqrt(first) * np.sqrt(second)
+    variances = np.diagonal(matrices, axis1=-2, axis2=-1)
+    _require(name, matrices, "without a negative variance", (variances >= 0).all(axis=-1))
+    deviations = np.sqrt(variances)
+    scale = deviations[..., :, np.newaxis] * deviations[..., np.newaxis, :]
     tolerance = math.sqrt(np.finfo(matrices.dtype).eps)
-    upper, lower = matrices[..., 0, 1], matrices[..., 1, 0]
-    _require(name, matrices, "symmetric", np.abs(upper - lower) <= tolerance * scale)
-    _require(name, matrices, "positive semidefinite", np.abs(upper) <= (1 + tolerance) * scale)
+    asymmetry = np.abs(matrices - np.swapaxes(matrices, -1, -2))
+    _require(name, matrices, "symmetric", (asymmetry <= tolerance * scale).all(axis=(-2, -1)))
+    bounded = (np.abs(matrices) <= (1 + tolerance) * scale).all(axis=(-2, -1))
+    _require(name, matrices, "positive semidefinite", bounded)
+    if matrices.shape[-1] > 2:  # of two variables there is one correlation
+        correlations = matrices / np.where(scale > 0, scale, 1)
+        least = np.linalg.eigvalsh(correlations)[..., 0]
+        _require(name, matrices, "positive semidefinite", least >= -matrices.shape[-1] * tolerance)
 
 
 def broadcast_shape(arrays: Mapping[str, RealArray]) -> tuple[int, ...]:

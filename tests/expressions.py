@@ -10,7 +10,9 @@ from hypothesis import strategies as st
 
 from radartrack.derive import symbolic as sp
 
-NUMBERS = st.fractions(min_value=-3, max_value=3, max_denominator=6).map(lambda q: sympy.Rational(q.numerator, q.denominator))
+NUMBERS = st.fractions(min_value=-3, max_value=3, max_denominator=6).map(
+    lambda q: sympy.Rational(q.numerator, q.denominator)
+)
 NONZERO = NUMBERS.filter(bool)
 
 

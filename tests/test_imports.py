@@ -1,4 +1,4 @@
-"""`import radartrack` needs NumPy alone and costs little more; generated code needs nothing else either."""
+"""Everything that radartrack offers needs NumPy alone and costs little more to import; generated code too."""
 
 import ast
 import subprocess
@@ -9,7 +9,8 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 HEAVY = ("lark", "mpmath", "rich", "scipy", "sympy", "typer")
-SECONDS = "import time; before = time.process_time(); import {}; print(time.process_time() - before)"
+EVERYTHING = "from radartrack import *"  # parts load when they are named
+SECONDS = "import time; before = time.process_time(); {}; print(time.process_time() - before)"
 
 
 def run(code: str) -> str:
@@ -29,7 +30,7 @@ def imported(source: str) -> set[str]:
 
 @pytest.mark.parametrize("package", HEAVY)
 def test_importing_radartrack_loads_nothing_that_only_commands_need(package: str) -> None:
-    assert run(f"import radartrack, sys; print({package!r} in sys.modules)").strip() == "False"
+    assert run(f"{EVERYTHING}\nimport sys; print({package!r} in sys.modules)").strip() == "False"
 
 
 def test_the_heavy_packages_are_noticed_when_they_are_loaded() -> None:
@@ -40,15 +41,16 @@ def test_importing_radartrack_costs_less_than_one_and_a_half_times_numpy() -> No
     """Compares the least processor time seen: noise only adds, so more samples settle a noisy verdict."""
     numpy: list[float] = []
     radartrack: list[float] = []
-    while len(numpy) < 5 or (min(radartrack) >= 1.5 * min(numpy) and len(numpy) < 30):
-        numpy.append(float(run(SECONDS.format("numpy"))))
-        radartrack.append(float(run(SECONDS.format("radartrack"))))
+    while len(numpy) < 5 or (min(radartrack) >= 1.5 * min(numpy) and len(numpy) < 15):
+        numpy.append(float(run(SECONDS.format("import numpy"))))
+        radartrack.append(float(run(SECONDS.format(EVERYTHING))))
     assert min(radartrack) < 1.5 * min(numpy)
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "generated").rglob("*.py")), ids=lambda path: path.name)
 def test_generated_code_imports_numpy_alone(path: Path) -> None:
-    assert imported(path.read_text(encoding="utf-8")) <= {"__future__", "numpy"}
+    roots = {name.split(".")[0] for name in imported(path.read_text(encoding="utf-8"))}
+    assert roots <= {"__future__", "numpy"}
 
 
 def test_every_kind_of_import_is_seen() -> None:

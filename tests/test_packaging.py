@@ -36,7 +36,7 @@ def package_files() -> dict[str, Path]:
     files = {}
     for package, folder in FOLDERS.items():
         for path in (ROOT / folder).rglob("*"):
-            if path.is_file() and "__pycache__" not in path.parts:
+            if path.is_file() and "__pycache__" not in path.parts and not path.name.startswith("."):
                 files[f"{package.replace('.', '/')}/{path.relative_to(ROOT / folder).as_posix()}"] = path
     return files
 
@@ -68,7 +68,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_every_folder_with_modules_or_data_is_a_declared_package() -> None:
     folders = {str(Path(name).parent).replace("/", ".") for name in package_files()}
-    assert folders == set(PROJECT["tool"]["setuptools"]["packages"])
+    assert PROJECT["tool"]["setuptools"]["packages"] == sorted(folders)
 
 
 def test_the_wheel_holds_every_file_of_the_three_folders_and_nothing_else(wheel: Path) -> None:

@@ -17,6 +17,7 @@ from radartrack.derive.exponential import ExponentialPolynomial, ring_over
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
 LARGEST_PRIME = 1000
+PRIMES = 8  # different ones whose roots a number may need
 
 
 class NotCanonical(ValueError):
@@ -239,22 +240,46 @@ class Field:
         return outside * self._ground(self._generator("root", (inside,), degree).symbol)
 
     def _without_powers(self, radicand: Quotient, degree: int) -> tuple[Quotient, Quotient]:
-        """What is a degree-th power of positive symbols, and the rest."""
+        """The root of the positive symbols that multiply or divide everything, and what is left inside."""
+        outside, denominators = self._number(1), Counter(radicand.denominators)
+        for base, power in radicand.denominators.items():
+            if self._is_positive_monomial(base):
+                (coefficient,) = base.terms.values()
+                outside = outside * self._inverse(self._root_of_monomial(coefficient.monoms()[0], degree)) ** power
+                del denominators[base]
         monomials = [m for c in radicand.numerator.terms.values() for m in c.monoms()]
-        positive = [symbol.is_positive is True for symbol in self._ring.symbols]
         shared = [
-            min(powers) // degree if may else 0
-            for powers, may in zip(zip(*monomials, strict=True), positive, strict=True)
+            min(powers) if may else 0 for powers, may in zip(zip(*monomials, strict=True), self._positive, strict=True)
         ]
-        inside = ExponentialPolynomial(
-            self._ring,
-            {
-                e: _divided(c, [power * degree for power in shared])
-                for e, c in radicand.numerator.terms.items()
-            },
-        )
-        outside = self._ground(self._ring.from_dict({tuple(shared): self._ring.domain.one}))
-        return outside, Quotient(inside, radicand.denominators)
+        inside = {e: _divided(c, shared) for e, c in radicand.numerator.terms.items()}
+        outside = outside * self._root_of_monomial(tuple(shared), degree)
+        return outside, Quotient(ExponentialPolynomial(self._ring, inside), denominators)
+
+    @property
+    def _positive(self) -> list[bool]:
+        """For each symbol of the ring, whether it is above zero."""
+        pi = [one.symbol for one in self.generators if one.kind == str(sp.pi.func)]
+        gens = zip(self._ring.gens, self._ring.symbols, strict=True)
+        return [symbol.is_positive is True or gen in pi for gen, symbol in gens]
+
+    def _is_positive_monomial(self, value: ExponentialPolynomial) -> bool:
+        zero = self._ring.zero
+        if value.terms.keys() != {zero}:
+            return False
+        ((monomial, number), *others) = value.terms[zero].terms()
+        used = zip(monomial, self._positive, strict=True)
+        return not others and number == self._ring.domain.one and all(may for power, may in used if power)
+
+    def _root_of_monomial(self, powers: tuple[int, ...], degree: int) -> Quotient:
+        """The root of a product of positive symbols, a root of its own for each."""
+        result = self._number(1)
+        for gen, power in zip(self._ring.gens, powers, strict=True):
+            times, left = divmod(power, degree)
+            result = result * self._ground(gen) ** times
+            if left:
+                root = self._generator("root", (self._ground(gen),), degree).symbol
+                result = result * self._ground(root) ** left
+        return result
 
     def _root_of_number(self, value: sp.PolyCoefficient, degree: int) -> Quotient:
         """The root of a rational number through those of primes; a negative number keeps its sign inside."""
@@ -320,24 +345,24 @@ def _factors(number: int) -> dict[int, int]:
 def _generators_needed(expression: Expr) -> int:
     """How many generators an expression needs at most; the roots of a number may be many."""
     calls = [*expression.atoms(sp.Function, sp.Pow), *expression.atoms(sp.NumberSymbol)]
-    return sum(_room(call) for call in calls)
+    symbols = len(expression.free_symbols)
+    return sum(_room(call, symbols) for call in calls)
 
 
-def _room(call: Expr) -> int:
+def _room(call: Expr, symbols: int) -> int:
+    roots = PRIMES + symbols
     if isinstance(call, sp.Pow):
-        return 0 if isinstance(call.exp, sp.Integer) else 8
+        return 0 if isinstance(call.exp, sp.Integer) else roots
     if call.func in _WAVES or call.func in _RATIOS:
         return 0 if _is_polynomial(call.args[0]) else 1
-    return 8 if call.func in {sp.Abs, sp.hypot} else 1
+    return roots if call.func in {sp.Abs, sp.hypot} else 1
 
 
 def _is_polynomial(expression: Expr) -> bool:
     if isinstance(expression, sp.Add | sp.Mul):
         return all(map(_is_polynomial, expression.args))
     if isinstance(expression, sp.Pow):
-        return (
-            isinstance(expression.exp, sp.Integer) and expression.exp > 0 and _is_polynomial(expression.base)
-        )
+        return isinstance(expression.exp, sp.Integer) and expression.exp > 0 and _is_polynomial(expression.base)
     return isinstance(expression, Symbol | sp.Rational)
 
 

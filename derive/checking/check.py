@@ -86,9 +86,7 @@ class Question:
         """Those that the conditions leave and that occur."""
         part = self.reference.part
         derived = [*self.reference.entries, *(part.quantity.expression if part else ())]
-        expressions = (
-            expression.xreplace(self.conditions) for expression in (*derived, *self.printed.expressions)
-        )
+        expressions = (expression.xreplace(self.conditions) for expression in (*derived, *self.printed.expressions))
         used = set[Symbol]().union(*(expression.free_symbols for expression in expressions))
         return tuple(symbol for symbol in self.reference.symbols if symbol in used)
 
@@ -124,7 +122,8 @@ class Question:
             return self._wrong(entry, values)
         if proved_equal(printed, derived):
             return Finding(entry, Outcome.EQUAL)
-        return _without_proof(entry, comparison, self.symbols)
+        finding = _without_proof(entry, comparison, self.symbols)
+        return self._wrong(entry, finding.values) if finding.values else finding
 
     def _wrong(self, entry: Index, values: Values) -> Finding:
         try:
@@ -137,9 +136,7 @@ class Question:
 
     def _explained(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
-        edits = [
-            suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)
-        ]
+        edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
         asked = Asked(self.reference, self.printed.expressions, self.conditions)
         order = orders(
             self.printed_entry(first.entry) - self.derived_entry(first.entry),
@@ -148,8 +145,7 @@ class Question:
         )
         return replace(
             verdict,
-            reason=verdict.reason
-            + (f": {edits[0].edit}" if edits and first.outcome is Outcome.DIFFERS else ""),
+            reason=verdict.reason + (f": {edits[0].edit}" if edits and first.outcome is Outcome.DIFFERS else ""),
             counterexample=self._counterexample(first),
             suggestions=(*edits, *other_quantities(asked)),
             order=order,
@@ -169,9 +165,7 @@ class Question:
         comparison = Comparison(self.printed_entry(entry), self.derived_entry(entry), self.symbols)
         scale = scale_of(self.reference, entry, self.symbols, dict(self.conditions))
         worst = worst_over_domain(comparison, self.symbols, scale, finding.values.point)
-        elsewhere = (
-            comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
-        )
+        elsewhere = comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
         return counterexample(elsewhere or finding.values, entry, worst, self.symbols)
 
 
@@ -194,9 +188,7 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
             return Finding(entry, Outcome.DIFFERS, values)
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
-    return Finding(
-        entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved"
-    )
+    return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved")
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:

@@ -41,7 +41,7 @@ class Claim:
         formula: as typed.
         latex: the formula in LaTeX instead.
         value: a printed number instead, with its digits; or the number at a maximum.
-        unit: of the number.
+        unit: of the number; without one it is in SI units.
         significant: how many of its digits count, where the last ones are zeros that round.
         at: values of symbols, as formulas.
         given: conditions under which a formula is compared.
@@ -64,7 +64,7 @@ class Claim:
     formula: str = ""
     latex: str = ""
     value: str = ""
-    unit: str = "1"
+    unit: str = ""
     significant: int | None = None
     at: Mapping[str, str] = field(default_factory=dict)
     given: Mapping[str, str] = field(default_factory=dict)
@@ -89,15 +89,13 @@ class Claim:
     @property
     def printed(self) -> str:
         """What the paper says, in one line."""
-        unit = "" if self.unit == "1" else f" {self.unit}"
+        unit = f" {self.unit}" if self.unit not in {"", "1"} else ""
         bounds = (("at_most", "at most"), ("at_least", "at least"), ("crosses", "crosses"))
         said = [f"{words} {getattr(self, name)}" for name, words in bounds if getattr(self, name)]
         parts = [
             self.formula or self.latex,
             f"{self.value}{unit}" if self.value else "",
-            f"at {self.maximum_over[0]} = {self.attained_at}"
-            if self.attained_at and self.maximum_over
-            else "",
+            f"at {self.maximum_over[0]} = {self.attained_at}" if self.attained_at and self.maximum_over else "",
             self.trend,
             *said,
         ]
@@ -226,9 +224,7 @@ def _id(value: object, where: str) -> str:
 
 def _number(value: object, where: str) -> str:
     if not isinstance(value, str) or not NUMBER.fullmatch(value):
-        raise ClaimsError(
-            f'{where} must be a number in quotes, as printed, such as "2.78"; given {_shown(value)}'
-        )
+        raise ClaimsError(f'{where} must be a number in quotes, as printed, such as "2.78"; given {_shown(value)}')
     return value
 
 
@@ -255,9 +251,7 @@ def _page(value: object, where: str) -> str:
 
 def _formulas(value: object, where: str) -> dict[str, str]:
     if not isinstance(value, dict) or not value:
-        raise ClaimsError(
-            f'{where} must be a table of formulas, such as {{ rho = "0" }}; given {_shown(value)}'
-        )
+        raise ClaimsError(f'{where} must be a table of formulas, such as {{ rho = "0" }}; given {_shown(value)}')
     return {name: _formula(one, f"{where}.{name}") for name, one in value.items()}
 
 
@@ -274,16 +268,12 @@ def _along(value: object, where: str) -> Along:
         raise ClaimsError(f"{where} must name one symbol, such as {{ k = [3, 20] }}; given {_shown(value)}")
     ((symbol, values),) = value.items()
     if not isinstance(values, list) or not values:
-        raise ClaimsError(
-            f"{where}.{symbol} must be two whole numbers, from and to, or a list of formulas in quotes"
-        )
+        raise ClaimsError(f"{where}.{symbol} must be two whole numbers, from and to, or a list of formulas in quotes")
     if all(isinstance(one, str) for one in values):
         return symbol, tuple(values)
     whole = len(values) == 2 and all(isinstance(one, int) and not isinstance(one, bool) for one in values)
     if not whole or not 0 < values[1] - values[0] <= MAX_WHOLE:
-        raise ClaimsError(
-            f"{where}.{symbol} must be two whole numbers, from and to, or a list of formulas in quotes"
-        )
+        raise ClaimsError(f"{where}.{symbol} must be two whole numbers, from and to, or a list of formulas in quotes")
     return symbol, tuple(str(number) for number in range(values[0], values[1] + 1))
 
 

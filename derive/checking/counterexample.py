@@ -13,8 +13,8 @@ from radartrack.derive.tensor import Index
 from radartrack.derive.variable import Variable
 
 MATTERS = 0.01  # a relative difference that nobody overlooks
-DOMAIN_POINTS = 60
-STEPS = (0.5, 0.25)
+DOMAIN_POINTS = 40
+STEP = 0.5
 Scale = Callable[[Point], Number]
 
 
@@ -43,9 +43,7 @@ class Worst:
     point: Point
 
 
-def worst_over_domain(
-    comparison: Comparison, symbols: Sequence[Variable], scale: Scale, start: Point
-) -> Worst:
+def worst_over_domain(comparison: Comparison, symbols: Sequence[Variable], scale: Scale, start: Point) -> Worst:
     """The largest difference relative to the scale among points of the domain, improved along each symbol."""
 
     def measured(point: Point) -> Worst:
@@ -57,10 +55,9 @@ def worst_over_domain(
 
     points = (start, *domain_points(symbols, DOMAIN_POINTS))
     best = max(map(measured, points), key=lambda worst: worst.relative)
-    for step in STEPS:
-        for symbol in symbols:
-            moved = (best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, step))
-            best = max([best, *map(measured, moved)], key=lambda worst: worst.relative)
+    for symbol in symbols:
+        moved = (best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP))
+        best = max([best, *map(measured, moved)], key=lambda worst: worst.relative)
     return best
 
 

@@ -54,9 +54,7 @@ class Dimension:
 
     def __mul__(self, other: Dimension) -> Dimension:
         radian = None if self.radian is None or other.radian is None else self.radian + other.radian
-        return Dimension(
-            self.metre + other.metre, self.second + other.second, radian, self.free and other.free
-        )
+        return Dimension(self.metre + other.metre, self.second + other.second, radian, self.free and other.free)
 
     def __pow__(self, exponent: Fraction | int) -> Dimension:
         radian = None if self.radian is None else self.radian * exponent
@@ -136,9 +134,7 @@ def _sum(terms: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
     first_term, first = found[0]
     for term, dimension in found[1:]:
         if not dimension.agrees(first):
-            raise WrongDimensions(
-                f"{_shown(first_term)} [{first}] and {_shown(term)} [{dimension}] cannot be added"
-            )
+            raise WrongDimensions(f"{_shown(first_term)} [{first}] and {_shown(term)} [{dimension}] cannot be added")
     radians = {dimension.radian for _, dimension in found}
     radian = radians.pop() if len(radians) == 1 else None
     return Dimension(first.metre, first.second, radian, all(dimension.free for _, dimension in found))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import NotExponentialPolynomial
 from radartrack.derive.stable import stable_form
@@ -11,6 +13,7 @@ from radartrack.derive.tensor import Tensor
 LONG = 600  # characters from which a derivation is shown as it came
 
 
+@lru_cache(maxsize=256)
 def shown(entries: Tensor[Expr]) -> str:
     """A formula, or nested lists of formulas."""
     if not entries.shape:
@@ -19,14 +22,18 @@ def shown(entries: Tensor[Expr]) -> str:
 
 
 def _entry(expression: Expr) -> str:
-    derived = str(expression.xreplace(_spelled(expression)))
+    derived = _text(expression)
     if len(derived) > LONG:
         return derived
     try:
         stable = stable_form(Tensor((), (expression,))).expanded().entries[0]
     except NotExponentialPolynomial:
         return derived
-    return min(derived, str(stable.xreplace(_spelled(stable))), key=len)
+    return min(derived, _text(stable), key=len)
+
+
+def _text(expression: Expr) -> str:
+    return str(expression.xreplace(_spelled(expression))).replace("Abs(", "abs(")
 
 
 def _spelled(expression: Expr) -> dict[Expr, Expr]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from radartrack.derive.checking.numeric import Values
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
     Call,
@@ -16,8 +17,6 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
-    names,
-    rebuild,
 )
 
 FAMILIES = (("sin", "cos", "tan"), ("sinh", "cosh", "tanh", "exp"), ("asin", "acos", "atan"))
@@ -30,13 +29,20 @@ class Alternative:
 
     Attributes:
         tree: what stands there instead.
-        words: the edit.
+        kind: the edit, with places for what it is about.
         cost: the less likely the slip, the more.
+        about: what it is about.
     """
 
     tree: Tree
-    words: str
+    kind: str
     cost: float
+    about: tuple[Tree, ...] = ()
+
+    @property
+    def words(self) -> str:
+        """The edit in words."""
+        return self.kind.format(*map(_shown, self.about))
 
 
 def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
@@ -55,7 +61,7 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
             yield from _powers(tree)
             yield from _out_of_call(tree)
         case Power(base, exponent):
-            yield Alternative(base, f"{_shown(tree)} without its exponent", 1.1)
+            yield Alternative(base, "{} without its exponent", 1.1, (tree,))
             yield from _into_call(base, exponent)
             yield from _power_of_part(base, exponent)
         case Sum(terms):
@@ -68,35 +74,56 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
         case Quotient(numerator, denominator):
             yield from _fractions(numerator, denominator)
         case Negation(operand):
-            yield Alternative(operand, f"the sign of {_shown(operand)}", 1.0)
+            yield Alternative(operand, "the sign of {}", 1.0, (operand,))
             yield from _sign_of_sum(operand)
         case _:
             return
 
 
-def everywhere(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
-    """Slips that run through a whole formula."""
-    used = sorted(names(tree))
+@dataclass(frozen=True)
+class Everywhere:
+    """A slip that runs through a whole formula.
+
+    Attributes:
+        change: what it does to every part.
+        words: the edit.
+        cost: the less likely the slip, the more.
+        values: what each changed symbol is worth instead, when symbols are all that changes.
+    """
+
+    change: Callable[[Tree], Tree]
+    words: str
+    cost: float
+    values: Mapping[str, Callable[[Mapping[str, Values]], Values]] | None = None
+
+
+def everywhere(used: Sequence[str], kinds: Mapping[str, object]) -> Iterator[Everywhere]:
+    """Slips that run through a formula in these symbols."""
     for first, second in (("sin", "cos"), ("sinh", "cosh")):
-        swapped = rebuild(tree, _swap_functions(first, second))
-        yield Alternative(swapped, f"{first} and {second} swapped everywhere", 1.8)
+        yield Everywhere(_swap_functions(first, second), f"{first} and {second} swapped everywhere", 1.8)
     for name in used:
         for other in sorted(kinds):
-            if other != name:
-                alike = 0.0 if kinds[other] == kinds.get(name) else 0.5
-                yield Alternative(
-                    rebuild(tree, _swap_names(name, other)), f"{name} and {other} swapped", 1.8 + alike
+            if other != name and kinds[other] == kinds.get(name):
+                both = {name: _like(other), other: _like(name)}
+                yield Everywhere(_swap_names(name, other), f"{name} and {other} swapped", 1.8, both)
+                yield Everywhere(
+                    _put(name, Name(other)), f"{name} should be {other} everywhere", 1.9, {name: _like(other)}
                 )
-                yield Alternative(
-                    rebuild(tree, _rename(name, other)), f"{name} should be {other}", 1.9 + alike
-                )
-        yield Alternative(
-            rebuild(tree, _put(name, Negation(Name(name)))), f"the sign of {name} everywhere", 1.9
+        yield Everywhere(
+            _put(name, Negation(Name(name))), f"the sign of {name} everywhere", 1.9, {name: _power(name, -1)}
         )
         squared = Power(Name(name), Number("2"))
-        yield Alternative(rebuild(tree, _put(name, squared)), f"{name} should be {name}**2 everywhere", 2.0)
-        root = rebuild(tree, _root_of(name))
-        yield Alternative(root, f"{name}**2 should be {name} everywhere", 2.0)
+        yield Everywhere(_put(name, squared), f"{name} should be {name}**2 everywhere", 2.0, {name: _power(name, 2)})
+        yield Everywhere(_root_of(name), f"{name}**2 should be {name} everywhere", 2.0)
+
+
+def _like(other: str) -> Callable[[Mapping[str, Values]], Values]:
+    return lambda values: values[other]
+
+
+def _power(name: str, power: int) -> Callable[[Mapping[str, Values]], Values]:
+    """The square for 2, the negative for -1."""
+    return lambda values: tuple(-value if power < 0 else value**power for value in values[name])
 
 
 def _other_names(name: str, kinds: Mapping[str, object]) -> Iterator[Alternative]:
@@ -111,13 +138,13 @@ def _other_functions(function: str, arguments: tuple[Tree, ...]) -> Iterator[Alt
         for other in family:
             if function in family and other != function:
                 call = Call(other, arguments)
-                yield Alternative(call, f"{function} should be {other}: {_shown(call)}", 1.0)
+                yield Alternative(call, f"{function} should be {other}: {{}}", 1.0, (call,))
 
 
 def _powers(tree: Tree) -> Iterator[Alternative]:
     for exponent in ("2", "3", "4"):
         power = Power(tree, Number(exponent))
-        yield Alternative(power, f"{_shown(tree)} should be {_shown(power)}", 1.1)
+        yield Alternative(power, "{} should be {}", 1.1, (tree, power))
 
 
 def _out_of_call(call: Call) -> Iterator[Alternative]:
@@ -133,13 +160,13 @@ def _out_of_call(call: Call) -> Iterator[Alternative]:
             outside = Sum((replace(call, arguments=(terms[0],)), *terms[1:]))
         case _:
             return
-    yield Alternative(outside, f"a bracket: {_shown(outside)}", 1.3)
+    yield Alternative(outside, "a bracket: {}", 1.3, (outside,))
 
 
 def _into_call(base: Tree, exponent: Tree) -> Iterator[Alternative]:
     if isinstance(base, Call) and len(base.arguments) == 1:
         inside = replace(base, arguments=(Power(base.arguments[0], exponent),))
-        yield Alternative(inside, f"a bracket: {_shown(inside)}", 1.3)
+        yield Alternative(inside, "a bracket: {}", 1.3, (inside,))
 
 
 def _power_of_part(base: Tree, exponent: Tree) -> Iterator[Alternative]:
@@ -156,22 +183,20 @@ def _power_of_part(base: Tree, exponent: Tree) -> Iterator[Alternative]:
 
 
 def _bracket(tree: Tree) -> Alternative:
-    return Alternative(tree, f"a bracket: {_shown(tree)}", 1.4)
+    return Alternative(tree, "a bracket: {}", 1.4, (tree,))
 
 
 def _fewer(tree: Sum | Product, parts: tuple[Tree, ...], kind: str) -> Iterator[Alternative]:
     for place, part in enumerate(parts):
         rest = (*parts[:place], *parts[place + 1 :])
-        yield Alternative(rest[0] if len(rest) == 1 else type(tree)(rest), f"{kind}: {_shown(part)}", 1.1)
+        yield Alternative(rest[0] if len(rest) == 1 else type(tree)(rest), f"{kind}: {{}}", 1.1, (part,))
 
 
 def _signs(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
     for place, term in enumerate(terms):
-        other = term.operand if isinstance(term, Negation) else Negation(term)
-        flipped = Sum((*terms[:place], other, *terms[place + 1 :]))
-        yield Alternative(
-            flipped, f"the sign of {_shown(term.operand if isinstance(term, Negation) else term)}", 1.0
-        )
+        bare = term.operand if isinstance(term, Negation) else term
+        other = bare if isinstance(term, Negation) else Negation(term)
+        yield Alternative(Sum((*terms[:place], other, *terms[place + 1 :])), "the sign of {}", 1.0, (bare,))
 
 
 def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
@@ -218,13 +243,9 @@ def _brackets_removed(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
 
 
 def _fractions(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
-    yield Alternative(
-        Quotient(denominator, numerator), f"the fraction upside down: {_shown(denominator)} above", 1.4
-    )
-    yield Alternative(numerator, f"an extra divisor: {_shown(denominator)}", 1.2)
-    yield Alternative(
-        Product((numerator, denominator)), f"a product, not a fraction: {_shown(denominator)}", 1.3
-    )
+    yield Alternative(Quotient(denominator, numerator), "the fraction upside down: {} above", 1.4, (denominator,))
+    yield Alternative(numerator, "an extra divisor: {}", 1.2, (denominator,))
+    yield Alternative(Product((numerator, denominator)), "a product, not a fraction: {}", 1.3, (denominator,))
     match numerator:
         case Sum(terms):
             yield _bracket(Sum((*terms[:-1], Quotient(terms[-1], denominator))))
@@ -239,7 +260,7 @@ def _fractions(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
                 rest = (*factors[:place], *factors[place + 1 :])
                 below = rest[0] if len(rest) == 1 else Product(rest)
                 above = Product((numerator, factor))
-                yield Alternative(Quotient(above, below), f"{_shown(factor)} above, not below", 1.4)
+                yield Alternative(Quotient(above, below), "{} above, not below", 1.4, (factor,))
         case _:
             pass
 
@@ -252,19 +273,13 @@ def _sign_of_sum(operand: Tree) -> Iterator[Alternative]:
 def _swap_functions(first: str, second: str) -> Callable[[Tree], Tree]:
     other = {first: second, second: first}
     return lambda node: (
-        replace(node, function=other[node.function])
-        if isinstance(node, Call) and node.function in other
-        else node
+        replace(node, function=other[node.function]) if isinstance(node, Call) and node.function in other else node
     )
 
 
 def _swap_names(first: str, second: str) -> Callable[[Tree], Tree]:
     other = {first: second, second: first}
     return lambda node: Name(other[node.name]) if isinstance(node, Name) and node.name in other else node
-
-
-def _rename(name: str, other: str) -> Callable[[Tree], Tree]:
-    return _put(name, Name(other))
 
 
 def _put(name: str, tree: Tree) -> Callable[[Tree], Tree]:

@@ -81,9 +81,7 @@ class Fitter:
         logarithms = tuple(math.log(abs(value)) for value in values)
         solution = self._solve(logarithms)
         powers = [round(power) for power in solution[1:]]
-        if any(
-            abs(p - q) > EXACT or abs(q) > LARGEST_POWER for p, q in zip(solution[1:], powers, strict=True)
-        ):
+        if any(abs(p - q) > EXACT or abs(q) > LARGEST_POWER for p, q in zip(solution[1:], powers, strict=True)):
             return None
         number = simple_number(math.exp(solution[0]) if abs(solution[0]) < 50 else 0.0)
         if number is None:

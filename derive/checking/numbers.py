@@ -77,24 +77,23 @@ class _Quantity:
         if self.reference.shape:
             raise FormulaError(f"{claim.quantity} has the shape {list(self.reference.shape)}: name one entry")
         self._symbols = list(self.reference.symbols)
+        used = self.reference.entries.entries[0].free_symbols
         free = {name for one in (claim.along, claim.maximum_over) if one for name in one[:1]}
-        self._check_names(free)
-        unit, self._scale = UNITS[claim.unit]
+        self._check_names(free, {symbol.name for symbol in used})
+        unit, self._scale = UNITS[claim.unit or "1"]
         self.dimension: Dimension = self.reference.dimensions.entries[0]
-        self.fits_unit = self.dimension.free or self.dimension.agrees(Dimension.of(unit))
+        self.fits_unit = not claim.unit or self.dimension.free or self.dimension.agrees(Dimension.of(unit))
         self._fixed = {name: self.number(text) for name, text in claim.at.items()}
         self._evaluator = Evaluator(self.reference.entries, self._symbols)
 
-    def _check_names(self, free: set[str]) -> None:
+    def _check_names(self, free: set[str], used: set[str]) -> None:
         names = [symbol.name for symbol in self._symbols]
-        needed = [name for name in names if name not in free and name not in self._claim.at]
+        needed = [name for name in names if name in used - free - self._claim.at.keys()]
         if needed:
             raise FormulaError(f"at: the value of {', '.join(needed)} is missing")
         for name in (*self._claim.at, *sorted(free)):
             if name not in names:
-                raise FormulaError(
-                    f"{name} is no symbol of {self._claim.quantity}; it has {', '.join(names)}"
-                )
+                raise FormulaError(f"{name} is no symbol of {self._claim.quantity}; it has {', '.join(names)}")
 
     @property
     def point(self) -> dict[str, float]:
@@ -124,6 +123,9 @@ class _Quantity:
         expression = to_expression(read_text(text, known), known)
         if isinstance(expression, tuple):
             raise FormulaError(f"{text} must be one number")
+        missing = {symbol.name for symbol in expression.free_symbols} - self._fixed.keys() - more.keys()
+        if missing:
+            raise FormulaError(f"at: the value of {', '.join(sorted(missing))} is missing, which {text} needs")
         evaluator = Evaluator(Tensor((), (expression,)), self._symbols)
         return self._at(evaluator, more)
 
@@ -150,15 +152,11 @@ class _Quantity:
             yield f"{symbol} = {text}", {symbol: self.number(text)}
 
     def _at(self, evaluator: Evaluator, more: Mapping[str, Number]) -> Number:
-        point = {**{name: mpmath.mpf(0) for name in self._unused}, **self._fixed, **more}
-        value = evaluator([point[symbol.name] for symbol in self._symbols]).entries[0]
+        point = {**self._fixed, **more}
+        value = evaluator([point.get(symbol.name, 0) for symbol in self._symbols]).entries[0]
         if isinstance(value, mpmath.mpc) or not mpmath.isfinite(value):
             raise FormulaError(f"{self._claim.quantity} has no real value there")
         return value
-
-    @property
-    def _unused(self) -> list[str]:
-        return [one[0] for one in (self._claim.maximum_over,) if one]
 
 
 def _answer(claim: Claim, quantity: _Quantity) -> Answer:
@@ -244,16 +242,16 @@ def _bound(claim: Claim, quantity: _Quantity) -> Answer:
     above = bool(claim.at_most)
     text = claim.at_most or claim.at_least
     found = [(where, quantity.value(more), quantity.level(text, more)) for where, more in quantity.along()]
-    broken = [
-        (where, value, level) for where, value, level in found if (value > level if above else value < level)
-    ]
+    broken = [(where, value, level) for where, value, level in found if (value > level if above else value < level)]
     extreme = (max if above else min)(found, key=lambda one: one[1])
     shown = f"{_shown(extreme[1] / quantity.scale)}{f' at {extreme[0]}' if extreme[0] else ''}"
     if not broken:
         return Answer(True, shown, f"the {'largest' if above else 'smallest'} value is {shown}")
     where, value, level = broken[0]
     place = f" at {where}" if where else ""
-    reason = f"{_shown(value / quantity.scale)}{place} is {'above' if above else 'below'} {_shown(level / quantity.scale)}"
+    reason = (
+        f"{_shown(value / quantity.scale)}{place} is {'above' if above else 'below'} {_shown(level / quantity.scale)}"
+    )
     return Answer(False, shown, reason)
 
 
@@ -285,7 +283,7 @@ def _shown(value: Number) -> str:
 
 
 def _unit(claim: Claim) -> str:
-    return "" if claim.unit == "1" else f"{claim.unit} "
+    return f"{claim.unit} " if claim.unit not in {"", "1"} else ""
 
 
 def _few(

@@ -83,9 +83,7 @@ def close(first: Values | None, second: Values | None) -> bool:
     """Whether both are the same at every point, up to rounding."""
     if first is None or second is None:
         return False
-    return all(
-        abs(a - b) <= TOLERANCE * max(abs(a), abs(b), 1e-6) for a, b in zip(first, second, strict=True)
-    )
+    return all(abs(a - b) <= TOLERANCE * max(abs(a), abs(b), 1e-6) for a, b in zip(first, second, strict=True))
 
 
 class Screen:
@@ -99,7 +97,7 @@ class Screen:
     def __init__(self, names: Mapping[str, Values], size: int) -> None:
         self.names = names
         self.size = size
-        self._known: dict[Tree, Values | None] = {}
+        self._known: dict[int, tuple[Tree, Values | None]] = {}
 
     def constant(self, value: float) -> Values:
         """The same number at every point."""
@@ -107,9 +105,14 @@ class Screen:
 
     def __call__(self, tree: Tree) -> Values | None:
         """The values of a tree; None when it is not a real number everywhere."""
-        if tree not in self._known:
-            self._known[tree] = self._evaluate(tree)
-        return self._known[tree]
+        known = self._known.get(id(tree))  # to hash a tree would take as long as to evaluate it
+        if known is None:
+            known = self._known[id(tree)] = (tree, self._evaluate(tree))
+        return known[1]
+
+    def first(self, size: int) -> Screen:
+        """The first of the points alone."""
+        return Screen({name: values[:size] for name, values in self.names.items()}, size)
 
     def _evaluate(self, tree: Tree) -> Values | None:
         match tree:
@@ -139,9 +142,7 @@ class Screen:
         known = [value for value in values if value is not None]
         return combined(operation, *known) if len(known) == len(values) else None
 
-    def _folded(
-        self, parts: Sequence[Tree], operation: Callable[[float, float], float], start: float
-    ) -> Values | None:
+    def _folded(self, parts: Sequence[Tree], operation: Callable[[float, float], float], start: float) -> Values | None:
         values = [self(part) for part in parts]
         known = [value for value in values if value is not None]
         return total(known, operation, start) if len(known) == len(values) else None
@@ -161,14 +162,15 @@ class Screen:
                 return combined(lambda value: -value, needed)
             case Power(base, exponent):
                 return self._required_of_power(base, exponent, child, needed)
+            case Call("abs", (argument,)):
+                inside = self(argument)
+                return inside and combined(math.copysign, needed, inside)
             case Call(function) if function in INVERSES:
                 return combined(INVERSES[function], needed)
             case _:
                 return None
 
-    def _required_of_quotient(
-        self, numerator: Tree, denominator: Tree, child: int, needed: Values
-    ) -> Values | None:
+    def _required_of_quotient(self, numerator: Tree, denominator: Tree, child: int, needed: Values) -> Values | None:
         if child == 0:
             below = self(denominator)
             return below and combined(mul, needed, below)

@@ -6,37 +6,37 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import cycle, islice
 
-from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND
+from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND, Unit
 from radartrack.derive.variable import Variable
 
 Point = dict[str, float]
 
 # What stands in an example: a target 50 km away, a deviation of 50 m and of one degree.
-_ROUND: Mapping[str, float] = {
-    "r": 5e4,
-    "beta": math.radians(30),
-    "epsilon": math.radians(20),
-    "rdot": -200.0,
-    "u": 0.3,
-    "v": 0.4,
-    "x": 3e4,
-    "y": 2e4,
-    "z": 1e4,
-    "vx": -150.0,
-    "vy": 100.0,
-    "sigma_r": 50.0,
-    "sigma_beta": math.radians(1),
-    "sigma_epsilon": math.radians(1),
-    "sigma_rdot": 2.0,
-    "sigma_u": 0.02,
-    "sigma_v": 0.02,
-    "rho": 0.5,
-    "k": 8.0,
-    "j": 3.0,
-    "T": 10.0,
-    "C": 2.0,
+_ROUND: Mapping[tuple[str, Unit], float] = {
+    ("r", METRE): 5e4,
+    ("beta", RADIAN): math.radians(30),
+    ("epsilon", RADIAN): math.radians(20),
+    ("rdot", METRE_PER_SECOND): -200.0,
+    ("u", ONE): 0.3,
+    ("v", ONE): 0.4,
+    ("v", METRE_PER_SECOND): 200.0,
+    ("x", METRE): 3e4,
+    ("y", METRE): 2e4,
+    ("z", METRE): 1e4,
+    ("sigma_r", METRE): 50.0,
+    ("sigma_beta", RADIAN): math.radians(1),
+    ("sigma_epsilon", RADIAN): math.radians(1),
+    ("sigma_rdot", METRE_PER_SECOND): 2.0,
+    ("sigma_u", ONE): 0.02,
+    ("sigma_v", ONE): 0.02,
+    ("rho", ONE): 0.5,
+    ("k", ONE): 8.0,
+    ("j", ONE): 3.0,
+    ("T", SECOND): 10.0,
+    ("C", ONE): 2.0,
 }
-_BY_UNIT = {METRE: 1e3, RADIAN: math.radians(10), METRE_PER_SECOND: 100.0, SECOND: 10.0, ONE: 1.0}
+_BY_UNIT = {METRE: 1e3, RADIAN: math.radians(10), METRE_PER_SECOND: 50.0, SECOND: 10.0, ONE: 1.0}
+_DEVIATION = {METRE: 10.0, RADIAN: math.radians(1), METRE_PER_SECOND: 1.0, ONE: 0.01}
 # How the round point is varied until a difference matters: the range divided, the deviations of ranges and of angles
 # multiplied, the angles turned.
 _VARIATIONS = (
@@ -55,9 +55,7 @@ _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
 def round_points(symbols: Sequence[Variable]) -> Iterator[Point]:
     """Round points inside the domain, the plainest first; later ones have larger errors and other directions."""
     for variation in _VARIATIONS:
-        values = {
-            s.name: _rounded(s, prime, *variation) for s, prime in zip(symbols, cycle(_PRIMES), strict=False)
-        }
+        values = {s.name: _rounded(s, prime, *variation) for s, prime in zip(symbols, cycle(_PRIMES), strict=False)}
         yield _ordered(symbols, values)
 
 
@@ -73,7 +71,8 @@ def generic_points(symbols: Sequence[Variable], count: int) -> list[Point]:
 
 def _rounded(symbol: Variable, prime: int, nearer: float, rougher: float, wider: float, turn: float) -> float:
     name = symbol.name.removeprefix("predicted_")
-    value = _ROUND.get(name, _BY_UNIT.get(symbol.unit, 1.0) * prime)
+    by_unit = _DEVIATION if name.startswith("sigma") else _BY_UNIT
+    value = _ROUND.get((name, symbol.unit), by_unit.get(symbol.unit, 1.0) * prime)
     if symbol.unit == RADIAN:
         value = value * wider if name.startswith("sigma") else value + turn
     elif name == "sigma_r":
@@ -128,9 +127,7 @@ def _ordinary(symbol: Variable) -> tuple[float, float]:
 def _ordered(symbols: Sequence[Variable], point: Point) -> Point:
     """The point, moved where one symbol would exceed another that bounds it."""
     bounded = {
-        s.name: min(point[s.name], point[s.at_most.name])
-        for s in symbols
-        if s.at_most and s.at_most.name in point
+        s.name: min(point[s.name], point[s.at_most.name]) for s in symbols if s.at_most and s.at_most.name in point
     }
     return point | bounded
 

@@ -129,9 +129,7 @@ def entry_of(tree: Tree, index: Index) -> Tree:
 def _factors(factors: tuple[Tree, ...], index: Index) -> Tree:
     chosen = tuple(entry_of(factor, index) if shape(factor) else factor for factor in factors)
     kept = tuple(factor for factor in chosen if factor != Number("1")) or (Number("1"),)
-    flat = tuple(
-        part for factor in kept for part in (factor.factors if isinstance(factor, Product) else (factor,))
-    )
+    flat = tuple(part for factor in kept for part in (factor.factors if isinstance(factor, Product) else (factor,)))
     return flat[0] if len(flat) == 1 else Product(flat)
 
 

@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from radartrack.derive.catalogue import find
-from radartrack.derive.checking.dimensions import Dimension, dimension_of
+from radartrack.derive import catalogue
+from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
 from radartrack.derive.formula.expression import to_expression
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import Array, Tree
+from radartrack.derive.gaussian import COVERAGE
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Index, Tensor
@@ -115,12 +116,12 @@ def refer(text: str) -> Reference:
 
     def placeholder(found: re.Match[str]) -> str:
         name = names.setdefault(found[0], _placeholder(len(names)))
-        parts[name] = _part(find(found["name"]), found["index"])
+        parts[name] = _part(_find(found["name"]), found["index"])
         return name
 
     replaced = _MENTION.sub(placeholder, text[:MAX_CHARACTERS])
     if not parts or len(text) > MAX_CHARACTERS:
-        find(text[:80].strip())
+        _find(text[:80].strip())
         raise UnknownEntry(f"{text[:80]!r} names no quantity")
     symbols = {symbol.name for part in parts.values() for symbol in part.quantity.symbols}
     tree = read_text(replaced, symbols | set(parts))
@@ -128,14 +129,26 @@ def refer(text: str) -> Reference:
         raise UnknownEntry(f"{text}: an expression over quantities is no array")
     shapes = {part.shape for part in parts.values() if part.shape}
     if len(shapes) > 1:
-        raise UnknownEntry(
-            f"{text}: the shapes {' and '.join(map(str, sorted(shapes)))} do not fit each other"
-        )
-    return Reference(text.strip(), tree, parts)
+        raise UnknownEntry(f"{text}: the shapes {' and '.join(map(str, sorted(shapes)))} do not fit each other")
+    reference = Reference(text.strip(), tree, parts)
+    try:
+        _ = reference.dimensions
+    except WrongDimensions as error:
+        said = _PLACEHOLDER.sub(lambda found: list(names)[int(found[1])], str(error))
+        raise UnknownEntry(f"{text}: {said}") from None
+    return reference
+
+
+def _find(name: str) -> Quantity:
+    """A quantity of the catalogue, or one that is only compared with."""
+    return COVERAGE if name == COVERAGE.name else catalogue.find(name)
 
 
 def _placeholder(number: int) -> str:
     return f"quantity_{number}"
+
+
+_PLACEHOLDER = re.compile(r"quantity_(\d+)")
 
 
 _PLACEHOLDERS = {read_text(_placeholder(0), {_placeholder(0)})}
@@ -148,9 +161,7 @@ def _part(quantity: Quantity, index: str | None) -> Part:
 
     def place(*free: int) -> Index:
         rest = iter(free)
-        return tuple(
-            next(rest) if p == ":" else chosen[0] for p, chosen in zip(positions, choices, strict=True)
-        )
+        return tuple(next(rest) if p == ":" else chosen[0] for p, chosen in zip(positions, choices, strict=True))
 
     return Part(quantity, shape, Tensor.build(shape, place))
 
@@ -158,8 +169,7 @@ def _part(quantity: Quantity, index: str | None) -> Part:
 def _positions(quantity: Quantity, index: str) -> list[str]:
     positions = [part.strip() for part in index.split(",")]
     fits = len(positions) == len(quantity.shape) and all(
-        _POSITION.fullmatch(p) and (p == ":" or int(p) < n)
-        for p, n in zip(positions, quantity.shape, strict=False)
+        _POSITION.fullmatch(p) and (p == ":" or int(p) < n) for p, n in zip(positions, quantity.shape, strict=False)
     )
     if not fits:
         shape = list(quantity.shape)

@@ -19,7 +19,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Index, Tensor, indices
 from radartrack.derive.variable import Variable
 
-SECONDS = 0.7  # spent on deriving other quantities to compare with
+SECONDS = 0.5  # spent on deriving other quantities to compare with
 
 
 @dataclass(frozen=True)
@@ -35,9 +35,7 @@ def conditions_that_help(asked: Asked) -> tuple[str, ...]:
     """`equal when rho = 0`, where that is proved."""
     symbols = [symbol for symbol in asked.reference.symbols if symbol not in asked.conditions]
     independent = {symbol: sp.Integer(0) for symbol in symbols if symbol.is_correlation}
-    if not independent or not _equal_under(
-        asked, asked.reference.entries, {**asked.conditions, **independent}
-    ):
+    if not independent or not _equal_under(asked, asked.reference.entries, {**asked.conditions, **independent}):
         return ()
     return (f"equal when {' and '.join(f'{symbol} = 0' for symbol in independent)}",)
 
@@ -46,8 +44,7 @@ def other_quantities(asked: Asked) -> tuple[Suggestion, ...]:
     """Other quantities of the same model that the formula equals, up to a sign, the one nearest by name first."""
     found = _others(asked)
     return tuple(
-        Suggestion(name, f"this is {name}{when}, not {asked.reference.text}", proved=True)
-        for name, when in found
+        Suggestion(name, f"this is {name}{when}, not {asked.reference.text}", proved=True) for name, when in found
     )
 
 
@@ -85,12 +82,8 @@ def _equal_under(
         (printed.xreplace(conditions), other.xreplace(conditions))
         for printed, other in zip(asked.printed, entries, strict=True)
     ]
-    symbols = {
-        symbol.name: symbol for symbol in (*asked.reference.symbols, *more) if symbol not in conditions
-    }
-    return all(_alike(a, b, list(symbols.values())) for a, b in pairs) and all(
-        proved_equal(a, b) for a, b in pairs
-    )
+    symbols = {symbol.name: symbol for symbol in (*asked.reference.symbols, *more) if symbol not in conditions}
+    return all(_alike(a, b, list(symbols.values())) for a, b in pairs) and all(proved_equal(a, b) for a, b in pairs)
 
 
 def _alike(first: Expr, second: Expr, symbols: Sequence[Variable]) -> bool:

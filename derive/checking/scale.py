@@ -37,9 +37,7 @@ def _deviations(covariance: Tensor[Expr], place: Index) -> Expr:
     return sp.sqrt(product)
 
 
-def _norm(
-    entries: Tensor[Expr], symbols: Sequence[Symbol], under: dict[Symbol, Expr]
-) -> Callable[[Point], Number]:
+def _norm(entries: Tensor[Expr], symbols: Sequence[Symbol], under: dict[Symbol, Expr]) -> Callable[[Point], Number]:
     evaluator = Evaluator(entries.map(lambda entry: entry.xreplace(under)), symbols)
 
     def norm(point: Point) -> Number:

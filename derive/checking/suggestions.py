@@ -13,15 +13,18 @@ from dataclasses import dataclass
 from operator import sub, truediv
 
 from radartrack.derive.checking.comparison import Comparison
+from radartrack.derive.checking.display import shown
 from radartrack.derive.checking.edits import Alternative, alternatives, everywhere
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
 from radartrack.derive.checking.numeric import Screen, Values, close, combined
+from radartrack.derive.checking.pieces import Pieces
 from radartrack.derive.checking.points import generic_points
 from radartrack.derive.checking.printed import Names
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import (
     Call,
     Name,
@@ -38,11 +41,15 @@ from radartrack.derive.formula.tree import (
     replace_at,
     walk,
 )
+from radartrack.derive.formula.tree import (
+    names as names_of,
+)
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
 
 SIZE = 18
+QUICK = 2  # points that rule out nearly every edit
 DIGITS = 20
 FACTORS = 13
 FIRST_EDITS = 150
@@ -75,14 +82,12 @@ def suggest(
 ) -> list[Edited]:
     """The edits that make a printed formula equal to the derived one, the smallest first."""
     points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
-    values = {
-        name: _values(value.xreplace(conditions), symbols, points) for name, value in names.values.items()
-    }
+    values = {name: _values(value.xreplace(conditions), symbols, points) for name, value in names.values.items()}
     target = _values(derived, symbols, points)
     if target is None:
         return []
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
-    search = _Search(screen, target, names, printed)
+    search = _Search(screen, target, names, (printed, *_derived_trees(derived, names)))
     found = search.edits(printed)
     return list(_confirmed(found, names, derived, symbols, conditions))
 
@@ -90,12 +95,14 @@ def suggest(
 class _Search:
     """The points, what is wanted there, and the factors that may be missing."""
 
-    def __init__(self, screen: Screen, target: Values, names: Names, printed: Tree) -> None:
+    def __init__(self, screen: Screen, target: Values, names: Names, trees: Sequence[Tree]) -> None:
         self._screen = screen
+        self._quick = screen.first(min(QUICK, screen.size))
         self._target = target
         self._kinds = {name: names.dimensions[name] for name in screen.names}
         symbols = [name for name in screen.names if names.values[name].is_Symbol]
-        self._fitter = Fitter(self._factors(symbols, printed), screen.size)
+        self._fitter = Fitter(self._factors(symbols, trees), screen.size)
+        self._pieces = Pieces(trees, screen)
 
     def edits(self, tree: Tree) -> list[_Candidate]:
         """One edit, or one that runs through the formula; where there is none, two."""
@@ -105,9 +112,18 @@ class _Search:
         return sorted(found, key=lambda candidate: candidate.cost)
 
     def _everywhere(self, tree: Tree) -> Iterator[_Candidate]:
-        for edit in everywhere(tree, self._kinds):
-            if close(self._screen(edit.tree), self._target):
-                yield _Candidate(edit.tree, edit.words, edit.cost)
+        for edit in everywhere(sorted(names_of(tree)), self._kinds):
+            if edit.values is not None:
+                changed = {name: value(self._quick.names) for name, value in edit.values.items()}
+                quick = Screen({**self._quick.names, **changed}, self._quick.size)
+                if not close(quick(tree), self._target[:QUICK]):
+                    continue
+            edited = rebuild(tree, edit.change)
+            if edited != tree and self._is_worth(edited, self._target):
+                yield _Candidate(edited, edit.words, edit.cost)
+
+    def _is_worth(self, tree: Tree, needed: Values) -> bool:
+        return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
 
     def _single(self, tree: Tree) -> Iterator[_Candidate]:
         for path, node, parent, needed in self._needs(tree):
@@ -122,11 +138,12 @@ class _Search:
             if edit.cost <= 1.1
         ]
         for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
+            if self._is_worth(first.tree, self._target):
+                yield first
+                continue
             for second in self._single(first.tree):
                 if second.tree != tree and second.cost < 2:
-                    yield _Candidate(
-                        second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1
-                    )
+                    yield _Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
 
     def _needs(self, tree: Tree) -> Iterator[tuple[Path, Tree, Tree | None, Values]]:
         """Every part with what it would have to be worth, where that can be said."""
@@ -141,7 +158,7 @@ class _Search:
 
     def _replacements(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
         for edit in alternatives(node, self._kinds):
-            if close(self._screen(edit.tree), needed):
+            if self._is_worth(edit.tree, needed):
                 yield edit
         yield from self._number(node, parent, needed)
         yield from self._zero(node, needed)
@@ -151,28 +168,44 @@ class _Search:
             if not isinstance(parent, Product | Quotient | Negation):
                 yield from self._sign_or_factor(node, parent, ratio)
             return
+        yield from self._piece(node, parent, needed)
         if isinstance(node, Sum) or parent is None:
             yield from self._missing_term(node, needed)
-        if isinstance(parent, Sum) or parent is None:
+        if isinstance(parent, Sum):
             yield from self._other_term(node, needed)
+
+    def _piece(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
+        """A part of the derived formula that is missing as a factor or a term, or stands for another."""
+        values = self._screen(node)
+        if not isinstance(parent, Product | Quotient | Negation):
+            for piece, sign in self._pieces.find(values and combined(truediv, needed, values)):
+                yield Alternative(_signed(_product(node, piece), sign), "a missing factor {}", 2.0, (piece,))
+            for piece, sign in self._pieces.find(values and combined(truediv, values, needed)):
+                yield Alternative(_signed(Quotient(node, piece), sign), "a missing divisor {}", 2.0, (piece,))
+        if not isinstance(parent, Sum):
+            terms = node.terms if isinstance(node, Sum) else (node,)
+            for piece, sign in self._pieces.find(values and combined(sub, needed, values)):
+                yield Alternative(Sum((*terms, _signed(piece, sign))), "a missing term {}", 2.0, (piece,))
+        if parent is not None and not isinstance(node, Number | Name):
+            for piece, sign in self._pieces.find(needed):
+                tree = _signed(piece, sign)
+                yield Alternative(tree, "{} should be {}", 2.5, (node, tree))
 
     def _zero(self, node: Tree, needed: Values) -> Iterator[Alternative]:
         if close(needed, self._screen.constant(0)):
-            yield Alternative(Number("0"), f"{to_text(node)} should be 0", 1.2)
+            yield Alternative(Number("0"), "{} should be 0", 1.2, (node,))
 
     def _number(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
         """A number that should be another."""
         if not isinstance(node, Number) or isinstance(parent, Negation):
-            constant = isinstance(node, Negation | Quotient) and all(
-                isinstance(c, Number) for c in children(node)
-            )
+            constant = isinstance(node, Negation | Quotient) and all(isinstance(c, Number) for c in children(node))
             if not constant:
                 return
         monomial = self._fitter.fit(needed)
         if monomial is not None and monomial.is_number:
             tree = number_tree(monomial.number)
             cost = 1.0 if monomial.number > 0 else 1.6
-            yield Alternative(tree, f"{to_text(node)} should be {to_text(tree)}", cost)
+            yield Alternative(tree, "{} should be {}", cost, (node, tree))
 
     def _sign_or_factor(self, node: Tree, parent: Tree | None, ratio: Monomial) -> Iterator[Alternative]:
         if ratio.complexity > MOST_COMPLEX:
@@ -182,12 +215,10 @@ class _Search:
             signed = node.operand if isinstance(node, Negation) else Negation(node)
         if not ratio.is_number or abs(ratio.number) != 1:
             kind = "a missing factor" if ratio.number > 0 else "a factor"
-            yield Alternative(
-                _times(signed, ratio), f"{kind} {to_text(ratio.signed())}", 1.5 + 0.3 * ratio.complexity
-            )
-        elif not isinstance(parent, Sum):
+            yield Alternative(_times(signed, ratio), f"{kind} {{}}", 1.5 + 0.3 * ratio.complexity, (ratio.signed(),))
+        elif ratio.number < 0 and not isinstance(parent, Sum):
             cost = 1.4 if isinstance(parent, Call | Power) else 1.0
-            yield Alternative(signed, f"the sign of {to_text(node)}", cost)
+            yield Alternative(signed, "the sign of {}", cost, (node,))
 
     def _missing_term(self, node: Tree, needed: Values) -> Iterator[Alternative]:
         values = self._screen(node)
@@ -195,23 +226,36 @@ class _Search:
         if rest is None or rest.complexity > 2 * MOST_COMPLEX:
             return
         terms = node.terms if isinstance(node, Sum) else (node,)
-        words = f"a missing term {to_text(rest.signed())}"
-        yield Alternative(Sum((*terms, rest.signed())), words, 2.0 + 0.2 * rest.complexity)
+        term = rest.signed()
+        yield Alternative(Sum((*terms, term)), "a missing term {}", 2.0 + 0.2 * rest.complexity, (term,))
 
     def _other_term(self, node: Tree, needed: Values) -> Iterator[Alternative]:
         term = self._fitter.fit(needed)
         if term is not None and not isinstance(node, Number) and term.complexity <= 2 * MOST_COMPLEX:
-            words = f"{to_text(node)} should be {to_text(term.signed())}"
-            yield Alternative(term.signed(), words, 2.2 + 0.2 * term.complexity)
+            cost = 2.2 + 0.2 * term.complexity
+            yield Alternative(term.signed(), "{} should be {}", cost, (node, term.signed()))
 
-    def _factors(self, symbols: Sequence[str], printed: Tree) -> list[tuple[Tree, Values]]:
-        """What a missing factor may consist of: the symbols, and functions like those printed."""
-        calls = [node for _, node in walk(printed) if isinstance(node, Call) and node.function in PARTNERS]
+    def _factors(self, symbols: Sequence[str], trees: Sequence[Tree]) -> list[tuple[Tree, Values]]:
+        """What a missing factor may consist of: the symbols, and functions like those that occur."""
+        nodes = [node for tree in trees for _, node in walk(tree)]
+        calls = [node for node in nodes if isinstance(node, Call) and node.function in PARTNERS]
         partners = [Call(PARTNERS[call.function], call.arguments) for call in calls]
-        growth = [node for _, node in walk(printed) if isinstance(node, Call) and node.function == "exp"]
-        trees: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
-        found = [(tree, self._screen(tree)) for tree in dict.fromkeys(trees)]
+        growth = [node for node in nodes if isinstance(node, Call) and node.function == "exp"]
+        factors: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
+        found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
+
+
+def _signed(tree: Tree, sign: int) -> Tree:
+    return tree if sign > 0 else Negation(tree)
+
+
+def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
+    """The derived formula as it would be printed, unless it is too long."""
+    try:
+        return [read_text(shown(Tensor((), (derived,))), names.values)]
+    except FormulaError:
+        return []
 
 
 def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
@@ -226,7 +270,7 @@ def _other_numbers(node: Tree) -> Iterator[Alternative]:
     if isinstance(node, Number):
         for number in dict.fromkeys((node.value * 2, node.value / 2, node.value + 1, node.value - 1)):
             tree = number_tree(number)
-            yield Alternative(tree, f"{to_text(node)} should be {to_text(tree)}", 1.1)
+            yield Alternative(tree, "{} should be {}", 1.1, (node, tree))
 
 
 def _times(node: Tree, factor: Monomial) -> Tree:
@@ -242,9 +286,7 @@ def _times(node: Tree, factor: Monomial) -> Tree:
 
 
 def _product(first: Tree, second: Tree) -> Tree:
-    parts = [
-        part for tree in (first, second) for part in (tree.factors if isinstance(tree, Product) else (tree,))
-    ]
+    parts = [part for tree in (first, second) for part in (tree.factors if isinstance(tree, Product) else (tree,))]
     kept = tuple(part for part in parts if part != Number("1")) or (Number("1"),)
     return kept[0] if len(kept) == 1 else Product(kept)
 
@@ -276,9 +318,7 @@ def _confirmed(
 
 def _tidied(tree: Tree) -> Tree:
     """The tree with x for x**1."""
-    return rebuild(
-        tree, lambda node: node.base if isinstance(node, Power) and node.exponent == Number("1") else node
-    )
+    return rebuild(tree, lambda node: node.base if isinstance(node, Power) and node.exponent == Number("1") else node)
 
 
 def _confirmed_by_numbers(expression: Expr, derived: Expr, symbols: Sequence[Variable]) -> bool:

@@ -71,9 +71,7 @@ def element(tree: Tree) -> str:
         case Quotient(numerator, denominator):
             return f"<mfrac>{element(numerator)}{element(denominator)}</mfrac>"
         case Negation(operand):
-            return _row(
-                MINUS, _bracketed(operand) if isinstance(operand, Sum | Negation) else element(operand)
-            )
+            return _row(MINUS, _bracketed(operand) if isinstance(operand, Sum | Negation) else element(operand))
         case Power(base, exponent):
             return _power(base, exponent)
         case Call(function, arguments):

@@ -11,22 +11,24 @@ from radartrack.derive.formula.error import FormulaError
 MAX_CHARACTERS = 20_000
 
 _FOREIGN = re.compile(r"[^\x20-\x7e\t\n\r]")
-_SIGNS = {
-    **dict.fromkeys("−–—‐‑‒―﹣", "-"),
+_INSTEAD = {
+    **dict.fromkeys("−–—‐‒―", "-"),
     **dict.fromkeys("×·⋅∙•∗⨯", "*"),
-    **dict.fromkeys("÷∕⁄", "/"),
-    "√": "sqrt(...)",
+    **dict.fromkeys("÷∕", "/"),
+    "√": "sqrt",
     "∣": "|",
-    "′": None,
+    **{
+        cyrillic: f"the Latin letter {latin}"
+        for cyrillic, latin in zip("аесорхукіјѕАВЕКМНОРСТХЅІЈ", "aecopxykijsABEKMHOPCTXSIJ", strict=True)
+    },
 }
-_LOOK_ALIKES = dict(zip("аесорхукіјѕАВЕКМНОРСТХЅІЈ", "aecopxykijsABEKMHOPCTXSIJ", strict=True))
 _GREEK = re.compile(
-    r"GREEK\b.*\b(ALPHA|BETA|GAMMA|DELTA|EPSILON|ZETA|ETA|THETA|IOTA|KAPPA|LAMDA|MU|NU|XI|OMICRON|PI|RHO|SIGMA|TAU"
-    r"|UPSILON|PHI|CHI|PSI|OMEGA)\b"
+    r"GREEK (?P<case>SMALL|CAPITAL)?\b.*\b(?P<letter>ALPHA|BETA|GAMMA|DELTA|EPSILON|ZETA|ETA|THETA|IOTA"
+    r"|KAPPA|LAMDA|MU|NU|XI|OMICRON|PI|RHO|SIGMA|TAU|UPSILON|PHI|CHI|PSI|OMEGA)\b"
 )
 
 
-def check_characters(source: str, names: Collection[str]) -> None:
+def check_characters(source: str, names: Collection[str], *, latex: bool = False) -> None:
     """Refuse what is too long or empty, and the first character that is not plain ASCII.
 
     Raises:
@@ -37,43 +39,41 @@ def check_characters(source: str, names: Collection[str]) -> None:
     if not source.strip():
         raise FormulaError("the formula is empty")
     if found := _FOREIGN.search(source):
-        raise FormulaError(_refusal(found.group(), names), source, found.span())
+        raise FormulaError(_refusal(found.group(), names, latex=latex), source, found.span())
 
 
-def _refusal(character: str, names: Collection[str]) -> str:
+def _refusal(character: str, names: Collection[str], *, latex: bool) -> str:
     code = f"U+{ord(character):04X}"
     name = unicodedata.name(character, "")
     if not name:
         kind = "control character" if unicodedata.category(character) == "Cc" else "character"
         return f"the {kind} {code} has no place in a formula: delete it"
-    return f"the character {name} ({code}) is not read: {_instead(character, name, names)}"
+    return f"the character {name} ({code}) is not read: {_instead(character, names, latex=latex)}"
 
 
-def _instead(character: str, name: str, names: Collection[str]) -> str:
-    if sign := _SIGNS.get(character):
-        return f"type {sign}"
-    if letter := _LOOK_ALIKES.get(character):
-        return f"type the Latin letter {letter}"
-    if greek := _GREEK.search(name):
-        return _greek(greek.group(1), name, names)
-    if unicodedata.category(character) in {"Cf", "Cs", "Mn"}:
+def _instead(character: str, names: Collection[str], *, latex: bool) -> str:
+    """What to type for a character, or a variant of it: fullwidth, mathematical, raised or lowered."""
+    plain = unicodedata.normalize("NFKC", character).replace("\N{FRACTION SLASH}", "/")
+    if greek := _GREEK.search(unicodedata.name(plain, "") if len(plain) == 1 else ""):
+        word = _word(greek)
+        return f"type \\{word}" if latex else f"type {word}{_kin(word, names)}"
+    if plain in _INSTEAD:
+        return f"type {_INSTEAD[plain]}"
+    if unicodedata.category(character) in {"Cf", "Mn"}:
         return "delete it"
-    return _compatible(character)
-
-
-def _greek(letter: str, name: str, names: Collection[str]) -> str:
-    word = letter.lower().replace("lamda", "lambda")
-    word = word.capitalize() if "CAPITAL" in name else word
-    kin = sorted(allowed for allowed in names if word in allowed.split("_") and allowed != word)
-    return f"type {word}" + (f", as in {' or '.join(kin)}" if kin and word not in names else "")
-
-
-def _compatible(character: str) -> str:
-    """What to type for a variant of an ASCII character: fullwidth, mathematical, raised or lowered."""
-    plain = unicodedata.normalize("NFKC", character)
-    if not plain.isascii():
-        return "only plain ASCII is read"
     if plain == " ":
         return "type a plain space"
-    raised = unicodedata.decomposition(character).startswith("<super>")
-    return f"type {'^' if raised else ''}{plain}"
+    how = unicodedata.decomposition(character)
+    place = "^" if how.startswith("<super>") else "_" if how.startswith("<sub>") else ""
+    return f"type {place}{plain}" if plain.isascii() else "only plain ASCII is read"
+
+
+def _word(greek: re.Match[str]) -> str:
+    word = greek["letter"].lower().replace("lamda", "lambda")
+    return word.capitalize() if greek["case"] == "CAPITAL" else word
+
+
+def _kin(word: str, names: Collection[str]) -> str:
+    """Names that a Greek letter is part of, when it is none itself."""
+    kin = sorted(name for name in names if word in name.split("_"))
+    return f", as in {' or '.join(kin)}" if kin and word not in names else ""

@@ -12,8 +12,7 @@ from radartrack.derive.formula.characters import check_characters
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.grammar import Part, TreeBuilder, call, check_tree, place, trees
 from radartrack.derive.formula.latex_hints import hint
-from radartrack.derive.formula.latex_tokens import tokens
-from radartrack.derive.formula.limits import check_count
+from radartrack.derive.formula.latex_tokens import WORDS, tokens
 from radartrack.derive.formula.names import check_names
 from radartrack.derive.formula.tree import (
     Array,
@@ -24,9 +23,6 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Tree,
 )
-
-
-_OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAME", "NUMBER", "ROOT"})
 
 
 def read_latex(text: str, names: Collection[str]) -> Tree:
@@ -42,11 +38,9 @@ def read_latex(text: str, names: Collection[str]) -> Tree:
         ValueError: when one of the names is a function's.
     """
     allowed = check_names(names)
-    check_characters(text, allowed)
+    check_characters(text, allowed, latex=True)
     try:
-        found = tokens(text, allowed)
-        check_count(sum(token.type in _OPERANDS for token in found))
-        return check_tree(_parse(found, len(text)))
+        return check_tree(_parse(tokens(text, allowed), len(text)))
     except FormulaError as error:
         raise error.within(text) from None
 
@@ -65,7 +59,7 @@ class _LatexBuilder(TreeBuilder):
     def call(self, parts: Sequence[Part]) -> Tree:
         r"""A function, with or without brackets; \cos^2\beta is the square of the cosine."""
         span = place(parts)
-        applied = call(str(parts[0]), trees(parts), span)
+        applied = call(WORDS[str(parts[0])], trees(parts), span)
         exponents = [part for part in parts if isinstance(part, Token) and part.type == "NUMBER"]
         return Power(applied, self.number(exponents), span=span) if exponents else applied
 

@@ -9,6 +9,7 @@ from lark import Token
 _OPENERS = frozenset({"LPAR", "LBRACE", "LBAR", "LINDEX", "BEGIN"})
 _CLOSERS = frozenset({"RPAR", "RBRACE", "RBAR", "RINDEX", "END"})
 _SEPARATORS = frozenset({"PLUS", "MINUS", "COMMA", "AMPERSAND", "NEWLINE"})
+_ENCLOSING = frozenset({"LPAR", "LBAR", "BEGIN", "TIMES"})  # what ends the argument of a function
 _BETWEEN = frozenset({"PLUS", "MINUS", "TIMES", "SLASH"})
 
 
@@ -25,8 +26,10 @@ def _scope(tokens: Sequence[Token], at: int) -> str | None:
     """What was left open by a function or a slash to the left, within the same term and brackets."""
     if at >= len(tokens) or tokens[at].type in _SEPARATORS | _CLOSERS:
         return None
+    enclosed = False
     for token in _term_before(tokens, at):
-        if token.type == "FUNCTION":
+        enclosed |= token.type in _ENCLOSING
+        if token.type == "FUNCTION" and not enclosed:
             return f"where the argument of \\{token} ends is ambiguous: put it in brackets, \\{token}(...)"
         if token.type == "SLASH":
             return "what is divided by what is ambiguous after a slash: write \\frac{...}{...} or brackets"
@@ -51,15 +54,11 @@ def _sign(tokens: Sequence[Token], at: int) -> str | None:
     before = tokens[at - 1].type if at else ""
     if now in {"PLUS", "MINUS"} and before in _BETWEEN:
         return "two signs stand side by side: put what follows in brackets"
-    if now in {"PLUS", "MINUS", "TIMES", "SLASH"} and before not in _OPENERS:
+    if now in _BETWEEN and before not in _OPENERS | _SEPARATORS | _BETWEEN:
         return "braces are not printed: write \\left( ... \\right) around a sum or product"
     if now == "COMMA":
         decimal = before == "NUMBER" or (before == "LBRACE" and tokens[at - 2].type == "NUMBER")
-        return (
-            "decimals follow a point"
-            if decimal
-            else "a comma stands only between the arguments of a function"
-        )
+        return "decimals follow a point" if decimal else "a comma stands only between a function's arguments"
     return None
 
 

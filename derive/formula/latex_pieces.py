@@ -88,8 +88,6 @@ _SIGNS = MappingProxyType(
         "&": "column",
     }
 )
-
-
 _UNREAD = MappingProxyType(
     dict.fromkeys(("\\pm", "\\mp"), "a formula has one sign: write + or -")
     | dict.fromkeys(
@@ -167,10 +165,10 @@ def _sided(found: Iterable[Piece]) -> Iterator[Piece]:
     for piece in found:
         kind, text = piece.kind, piece.text
         if kind == "bar":
-            closes = bool(waiting) and waiting[-1] == "|"
+            closes = bool(waiting) and waiting[-1] == "bar"
             kind, text = ("close", "\\rvert") if closes else ("open", "\\lvert")
         if kind == "open":
-            waiting.append(piece.text)
+            waiting.append(piece.kind)
         elif kind == "close" and waiting:
             waiting.pop()
         yield Piece(kind, text, piece.span)

@@ -16,8 +16,8 @@ from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS, SQUARED_BY_NAME
 from radartrack.derive.formula.latex_names import ACCENTS, GREEK, resolve
 from radartrack.derive.formula.latex_pieces import CLOSERS, FUNCTIONS, Piece, pieces
-from radartrack.derive.formula.limits import check_brackets
-from radartrack.derive.formula.names import unknown_name
+from radartrack.derive.formula.limits import check_brackets, check_count
+from radartrack.derive.formula.names import unknown_function, unknown_name
 
 _BRACKET_TOKENS = {
     **dict.fromkeys(("(", "[", "\\{"), "LPAR"),
@@ -36,7 +36,9 @@ _SIGN_TOKENS = {
     "column": "AMPERSAND",
     "newline": "NEWLINE",
 }
-_WORDS = {**SPELLINGS, **FUNCTIONS}
+_CONSTANT_TOKENS = {"e": "EULER", "pi": "CONSTANT"}
+WORDS = {**SPELLINGS, **FUNCTIONS}
+_OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAME", "NUMBER", "ROOT"})
 _INVISIBLE = frozenset({"{", "}", "\\rm"})
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
 _SINGLE = frozenset({"digit", "letter", "greek", "word"})  # what may be an argument without braces
@@ -62,6 +64,7 @@ class _Tokenizer:
         self.taken: dict[int, int] = {}  # subscripts that stand behind an exponent, with where they end
         self.roots: set[int] = set()  # the brackets around the index of a root
         self.tokens: list[Token] = []
+        self.operands = 0
 
     def run(self) -> list[Token]:
         index = 0
@@ -79,7 +82,7 @@ class _Tokenizer:
         return after
 
     def _handler(self, piece: Piece) -> Callable[[int], int]:
-        if piece.kind == "function" or (piece.kind == "word" and piece.text in _WORDS.keys() - self.names):
+        if piece.kind == "function" or (piece.kind == "word" and piece.text in WORDS.keys() - self.names):
             return self._function
         handlers = {
             "digit": self._number,
@@ -120,7 +123,7 @@ class _Tokenizer:
 
     def _check_run(self, run: str, index: int, after: int) -> None:
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
-        if len(run) > 1 and run in _WORDS:
+        if len(run) > 1 and run in WORDS:
             raise FormulaError(
                 f"{run} is a product of letters here: write \\{run} for the function", span=span
             )
@@ -146,30 +149,32 @@ class _Tokenizer:
         return self._kind(index) == "digit" and self._touches(index)
 
     def _symbol(self, index: int) -> int:
-        """A letter with its subscript, also where an exponent stands between them."""
+        """A letter with its subscript."""
         base, after = self._base(index)
-        first, below, end = index, "", after
-        if index not in self.alone:
-            if self._kind(after) == "lowered":
-                below, after = self._subscript(after)
-            elif self._kind(after) == "raised" and self._kind(end := self._argument_end(after)) == "lowered":
-                below, self.taken[end] = self._subscript(end)
-        span = (self.pieces[first].span[0], self.pieces[after - 1].span[1])
-        self._emit_symbol(base, below, span, upright=self.pieces[index].kind == "word")
-        return after
-
-    def _emit_symbol(self, base: str, below: str, span: Span, *, upright: bool) -> None:
+        below, after = ("", after) if index in self.alone else self._subscript_behind(after)
         name = resolve(base, below, self.names)
-        if name in self.names and not (upright and name == "e"):
-            self._emit("NAME", name, span)
-        elif name == "e" and "e" not in self.names:
-            self._emit("EULER", name, span)
-        elif name == "e":
+        span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
+        upright = self.pieces[index].kind == "word"
+        if name in self.names and name == "e" and upright:
             raise FormulaError("e is a symbol here: write \\exp(...) for powers of Euler's number", span=span)
-        elif name == "pi":
-            self._emit("CONSTANT", name, span)
+        if name in self.names:
+            self._emit("NAME", name, span)
+        elif name in _CONSTANT_TOKENS:
+            self._emit(_CONSTANT_TOKENS[name], name, span)
+        elif upright and self._kind(after) == "open":
+            raise FormulaError(unknown_function(name), span=span)
         else:
             raise FormulaError(unknown_name(name, self.names), span=span)
+        return after
+
+    def _subscript_behind(self, index: int) -> tuple[str, int]:
+        """The subscript of a letter that ends here, be it behind an exponent, and where the letter ends."""
+        if self._kind(index) == "lowered":
+            return self._subscript(index)
+        if self._kind(index) == "raised" and self._kind(end := self._argument_end(index)) == "lowered":
+            below, self.taken[end] = self._subscript(end)
+            return below, index
+        return "", index
 
     def _base(self, index: int) -> tuple[str, int]:
         """The name of a letter, dotted or not, and where it ends."""
@@ -203,7 +208,7 @@ class _Tokenizer:
 
     def _function(self, index: int) -> int:
         piece = self.pieces[index]
-        function = _WORDS[piece.text.removeprefix("\\")]
+        function = piece.text.removeprefix("\\")
         self._emit("FUNCTION", function, piece.span)
         if self._kind(index + 1) == "lowered":
             raise FormulaError(
@@ -224,7 +229,7 @@ class _Tokenizer:
                 f"^{exponent} may mean the inverse or the reciprocal: write \\arc... or \\frac{{1}}{{...}}",
                 span=span,
             )
-        if function not in SQUARED_BY_NAME or not exponent.isdigit():
+        if WORDS[function] not in SQUARED_BY_NAME or not exponent.isdigit():
             raise FormulaError(
                 f"write the power of {function} behind brackets: \\{function}(...)^{{...}}", span=span
             )
@@ -294,6 +299,8 @@ class _Tokenizer:
         return self.pieces[index - 1].span[1] == self.pieces[index].span[0]
 
     def _emit(self, kind: str, value: str, span: Span) -> None:
+        self.operands += kind in _OPERANDS
+        check_count(self.operands)
         self.tokens.append(Token(kind, value, start_pos=span[0], end_pos=span[1]))
 
 

@@ -88,7 +88,7 @@ def _check_words(text: str, after: str, names: Collection[str]) -> None:
 def _fault(error: UnexpectedInput, text: str) -> Span:
     """Where a parser stopped."""
     if not isinstance(error, UnexpectedToken):
-        start = cast(int, error.pos_in_stream)
+        start = cast("int", error.pos_in_stream)
         return start, start + 1
     if error.token.type == "$END":
         return len(text), len(text)

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-WIDTH = 120  # names and units are never cut; a narrower terminal wraps
+WIDTH = 120  # names are never cut; a narrower terminal wraps
 
 
 def list_quantities(
@@ -25,12 +25,12 @@ def list_quantities(
         typer.echo(f"No quantity's name holds {pattern!r}.", err=True)
         raise typer.Exit(1)
     table = Table(box=None, pad_edge=False)
-    for heading in ("name", "shape", "unit"):
+    for heading in ("name", "shape"):
         table.add_column(heading, no_wrap=True)
-    table.add_column("meaning and source", overflow="fold")
+    for heading in ("unit", "meaning and source"):
+        table.add_column(heading, overflow="fold")
     for quantity in found:
         shape = "×".join(map(str, quantity.shape)) or "scalar"
         meaning = f"{quantity.meaning} ({quantity.source})"
         table.add_row(quantity.name, shape, *map(escape, (quantity.unit_text, meaning)))
-    console = Console()
-    console.print(table, width=max(console.width, WIDTH))
+    Console(width=max(Console().width, WIDTH)).print(table)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import numpy.typing as npt
 
@@ -67,3 +69,39 @@ def _near_quarter_turns(
     offset = np.exp(generator.uniform(np.log(1e-12), np.log(1e-2), angles.shape))
     moved = np.round(angles / eighth) * eighth + np.copysign(offset, angles)
     return np.where(generator.random(angles.shape) < 0.25, moved, angles)
+
+
+def coarse(quantity: Quantity, count: int, seed: int = 0) -> Points:
+    """Points with large, correlated errors, off the axes, where every effect that a formula holds stands out."""
+    generator = np.random.Generator(np.random.Philox(seed))
+    points: Points = {}
+    for symbol in quantity.symbols:
+        highest = points.get(symbol.at_most.name) if symbol.at_most is not None else None
+        drawn = _coarse(symbol, generator.random(count), generator.random(count), highest)
+        points[symbol.name] = np.floor(drawn) if symbol.whole else drawn
+    return points
+
+
+def _coarse(
+    symbol: Variable,
+    uniform: npt.NDArray[np.float64],
+    other: npt.NDArray[np.float64],
+    highest: npt.NDArray[np.float64] | None,
+) -> npt.NDArray[np.float64]:
+    sign = np.where(other < 0.5, -1.0, 1.0)
+    if highest is not None:
+        return np.minimum(symbol.low + (highest - symbol.low + symbol.whole) * uniform, highest)
+    if symbol.is_correlation:
+        return sign * (0.1 + 0.8 * uniform)
+    is_deviation = "sigma_" in symbol.name
+    if symbol.unit == RADIAN:
+        return 0.1 + 0.5 * uniform if is_deviation else symbol.low + (symbol.high - symbol.low) * uniform
+    if symbol.whole:
+        return symbol.low + np.minimum(40.0, symbol.high - symbol.low) * uniform
+    if is_deviation:
+        return math.sqrt(symbol.low * symbol.high) * (10 + 90 * uniform)
+    if symbol.low > 0:
+        return symbol.low * (min(1e3, symbol.high / symbol.low) ** (2 / 3 + uniform / 3))
+    if symbol.low == 0:
+        return min(10.0, symbol.high) * uniform
+    return sign * symbol.high * (0.1 + 0.4 * uniform)

@@ -39,9 +39,7 @@ def assert_same(computed: np.ndarray, expected: np.ndarray, relative: float = 1e
 @share(0.2)
 def test_arguments_broadcast_and_every_element_is_what_its_scalars_give(quantity: Quantity, data: st.DataObject):
     names = [symbol.name for symbol in quantity.symbols]
-    drawn = data.draw(
-        arrays.mutually_broadcastable_shapes(num_shapes=len(names), max_dims=3, max_side=3, min_side=0)
-    )
+    drawn = data.draw(arrays.mutually_broadcastable_shapes(num_shapes=len(names), max_dims=3, max_side=3, min_side=0))
     given_arrays = filled(example(quantity), dict(zip(names, drawn.input_shapes, strict=True)))
     function = conversions.generated(quantity)
     result = function(**given_arrays)
@@ -111,7 +109,11 @@ def test_lists_are_arrays(quantity: Quantity):
     np.testing.assert_array_equal(listed, function(**{name: np.array([value] * 2) for name, value in point.items()}))
 
 
-@pytest.mark.parametrize("bad", [1j, np.array([1 + 0j]), "1", np.array(["1"]), None, object()], ids=lambda bad: type(bad).__name__ + np.asarray(bad).dtype.kind)
+@pytest.mark.parametrize(
+    "bad",
+    [1j, np.array([1 + 0j]), "1", np.array(["1"]), None, object()],
+    ids=lambda bad: type(bad).__name__ + np.asarray(bad).dtype.kind,
+)
 def test_what_is_no_real_number_is_refused(quantity: Quantity, bad: object):
     for name in example(quantity):
         with pytest.raises((TypeError, ValueError)):

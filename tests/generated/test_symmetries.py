@@ -46,9 +46,7 @@ def test_turning_the_azimuth_turns_the_result(quantity: Quantity, data: st.DataO
 @pytest.mark.parametrize("quantity", [q for q in MOVING if q.module in maps.REFLECTIONS], ids=conversions.ids)
 @given(data=st.data())
 @share(0.4)
-def test_mirroring_a_measured_quantity_and_its_correlations_mirrors_the_result(
-    quantity: Quantity, data: st.DataObject
-):
+def test_mirroring_a_measured_quantity_and_its_correlations_mirrors_the_result(quantity: Quantity, data: st.DataObject):
     point = data.draw(conversions.points(quantity))
     function = conversions.generated(quantity)
     for name, signs in maps.REFLECTIONS[quantity.module]:
@@ -78,14 +76,14 @@ def test_other_units_of_length_and_time_give_the_same_result_to_the_last_bit(
 
 @pytest.mark.parametrize(
     "quantity",
-    [q for q in conversions.covariances() if not q.name.endswith("fourth_order")],  # a series cut off has no definite sign
+    [
+        q for q in conversions.covariances() if not q.name.endswith("fourth_order")
+    ],  # a series cut off has no definite sign
     ids=conversions.ids,
 )
 @given(data=st.data())
 @share(0.4)
-def test_covariances_are_symmetric_to_the_last_bit_and_positive_semidefinite(
-    quantity: Quantity, data: st.DataObject
-):
+def test_covariances_are_symmetric_to_the_last_bit_and_positive_semidefinite(quantity: Quantity, data: st.DataObject):
     correlation = st.floats(-1, 1) | st.sampled_from([-1.0, 1.0])
     fully = {s.name: data.draw(correlation) for s in quantity.symbols if s.is_correlation}
     point = data.draw(conversions.points(quantity)) | fully

@@ -1,4 +1,4 @@
-"""Jacobian, Hessian and the moments of Taylor polynomials, from derivatives that mpmath takes of the plain map.
+"""Jacobian, Hessian, the moments of Taylor polynomials and what they neglect, from derivatives that mpmath takes of the plain map.
 
 A moment of the Taylor polynomial of degree n is a polynomial's: few Gauss-Hermite nodes give it exactly. Along the
 line from the point to a node the polynomial's coefficients are the derivatives in one variable.
@@ -51,10 +51,11 @@ def taylor_values(model: str, point: Point, degree: int) -> tuple[np.ndarray, np
     names = maps.measured(model)
     rule = Gaussian.of(names, maps.covariance(model, point), dict.fromkeys(names, degree + 1))
     nodes = np.stack([rule.offsets[name] for name in names], axis=-1)
-    return np.array([_along(model, point, node, degree) for node in nodes]), rule.weights
+    return np.array([np.sum(_along(model, point, node, degree), axis=-1) for node in nodes]), rule.weights
 
 
-def _along(model: str, point: Point, node: np.ndarray, degree: int) -> list[float]:
+def _along(model: str, point: Point, node: np.ndarray, degree: int) -> list[list[float]]:
+    """For each coordinate the terms of degree 1, 2, ... of the error."""
     names = maps.measured(model)
     with mpmath.workdps(DIGITS):
         start = [mpmath.mpf(point[name]) for name in names]
@@ -63,7 +64,9 @@ def _along(model: str, point: Point, node: np.ndarray, degree: int) -> list[floa
             return maps.MAPS[model](mpmath, *(x + s * w for x, w in zip(start, node.tolist(), strict=True)))[a]
 
         series = (mpmath.taylor(lambda s, a=a: coordinate(a, s), 0, degree) for a in itertools.count())
-        return [float(sum(terms[1:])) for terms in itertools.islice(series, len(maps.evaluated(model, np, point)))]
+        return [
+            list(map(float, terms[1:])) for terms in itertools.islice(series, len(maps.evaluated(model, np, point)))
+        ]
 
 
 def mean_of(degree: int) -> Callable[[str, Point], np.ndarray]:
@@ -82,12 +85,28 @@ def covariance_of(degree: int) -> Callable[[str, Point], np.ndarray]:
     return moment
 
 
+def neglected_after(degree: int) -> Callable[[str, Point], np.ndarray]:
+    """Root mean square of the next term, brought back to the measured quantities, over their deviations."""
+
+    def moment(model: str, point: Point) -> np.ndarray:
+        names = maps.measured(model)
+        rule = Gaussian.of(names, maps.covariance(model, point), dict.fromkeys(names, degree + 2))
+        nodes = np.stack([rule.offsets[name] for name in names], axis=-1)
+        terms = np.array([np.array(_along(model, point, node, degree + 1))[:, -1] for node in nodes])
+        brought_back = np.linalg.solve(jacobian(model, point), terms.T).T
+        return np.sqrt(rule.weights @ brought_back**2) / [point[f"sigma_{name}"] for name in names]
+
+    return moment
+
+
 DERIVATIVES = {"map": map_itself, "jacobian": jacobian, "hessian": hessian}
 MOMENTS = {
     "bias.second_order": mean_of(2),
     "bias.fourth_order": mean_of(4),
     "covariance.linear": covariance_of(1),
     "covariance.second_order": covariance_of(2),
+    "validity.linear": neglected_after(1),
+    "validity.second_order": neglected_after(2),
 }
 
 

@@ -1,235 +1,166 @@
-"""Conversion of plots: the methods by their definitions, conventions, shapes, types, and what is refused."""
+"""Conversion of plots: conventions, shapes, types, and what is refused."""
 
 import math
-from collections.abc import Callable
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from radartrack.convert import Converted, Method, Prediction, polar
-
-Floats = npt.NDArray[np.floating[Any]]
-Plot = dict[str, Any]
-METHODS: tuple[Method, ...] = get_args(Method)
-OF_THE_PLOT = [method for method in METHODS if method != "decorrelated"]
-PLOT: Plot = {"r": 900.0, "azimuth": 2.3, "range_std": 40.0, "azimuth_std": 0.3, "correlation": -0.6}
-PREDICTED = (np.array([850.0, 2.2]), np.array([[1600.0, 2.0], [2.0, 0.04]]))
-
-# Every r is more than 15 deviations from zero, so that quadrature stays within ranges that can be measured.
-plots = st.fixed_dictionaries(
-    {
-        "r": st.floats(1e3, 1e4),
-        "azimuth": st.floats(-7, 7),
-        "range_std": st.floats(1, 60),
-        "azimuth_std": st.floats(1e-3, 0.7),
-        "correlation": st.floats(-0.95, 0.95),
-    }
+from radartrack.convert import Method, polar, polar_doppler, ruv, spherical
+from tests.examples import share
+from tests.radartrack.plots import (
+    COORDINATES,
+    METHODS,
+    OF_THE_PLOT,
+    PLOTS,
+    SENSORS,
+    WITH_AZIMUTH,
+    Plot,
+    assert_agree,
+    assert_covariances_agree,
+    centre,
+    convert,
+    noise_covariance,
+    plots,
+    prediction,
+    size,
 )
 
-
-def prediction_for(method: Method) -> Prediction | None:
-    return PREDICTED if method == "decorrelated" else None
-
-
-def convert(method: Method, **arguments: Any) -> Converted:
-    return polar(**{**PLOT, **arguments}, method=method, predicted=prediction_for(method))
-
-
-# The definitions, by quadrature.
-
-
-def cartesian(coordinates: Floats) -> Floats:
-    r, azimuth = np.moveaxis(coordinates, -1, 0)
-    return np.stack([r * np.cos(azimuth), r * np.sin(azimuth)], axis=-1)
-
-
-def errors(range_std: float, azimuth_std: float, correlation: float) -> tuple[Floats, Floats]:
-    """Points and weights of a quadrature over the measurement errors."""
-    nodes, weights = np.polynomial.hermite_e.hermegauss(14)
-    first, second = np.meshgrid(nodes, nodes)
-    second = correlation * first + math.sqrt(1 - correlation**2) * second
-    points = np.stack([range_std * first, azimuth_std * second], axis=-1).reshape(-1, 2)
-    return points, np.outer(weights, weights).ravel() / (2 * np.pi)
-
-
-def expectation(values: Floats, weights: Floats) -> Floats:
-    """Over the axis before the last."""
-    mean: Floats = np.einsum("...wi,w->...i", values, weights)
-    return mean
-
-
-def second_moment(values: Floats, weights: Floats) -> Floats:
-    moment: Floats = np.einsum("...wi,...wj,w->...ij", values, values, weights)
-    return moment
-
-
-def covariance(values: Floats, weights: Floats) -> Floats:
-    return second_moment(values - expectation(values, weights)[..., np.newaxis, :], weights)
-
-
-Definition = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
-FINITE_DIFFERENCES = 1e-4
-EXACT = 1e-10
-
-
-def taylor(measured: Floats, points: Floats, order: int) -> Floats:
-    """The Taylor polynomial of the conversion at the points, by central differences."""
-    step = 1e-3
-    centre, ahead, behind = (cartesian(measured + s * points) for s in (0, step, -step))
-    slope, curvature = (ahead - behind) / (2 * step), (ahead - 2 * centre + behind) / step**2
-    return centre + slope + (curvature / 2 if order == 2 else 0)
-
-
-def linear(measured: Floats, points: Floats, weights: Floats) -> tuple[Floats, Floats]:
-    return cartesian(measured), covariance(taylor(measured, points, 1), weights)
-
-
-def second_order(measured: Floats, points: Floats, weights: Floats) -> tuple[Floats, Floats]:
-    polynomial = taylor(measured, points, 2)
-    bias = expectation(polynomial, weights) - cartesian(measured)
-    return cartesian(measured) - bias, covariance(polynomial, weights)
-
-
-def averaged(measured: Floats, points: Floats, weights: Floats) -> tuple[Floats, Floats]:
-    truths = measured - points
-    plots = cartesian(truths[:, np.newaxis] + points)
-    bias = expectation(expectation(plots, weights) - cartesian(truths), weights)
-    return cartesian(measured) - bias, np.einsum("wij,w->ij", covariance(plots, weights), weights)
-
-
-def posterior(measured: Floats, points: Floats, weights: Floats) -> tuple[Floats, Floats]:
-    truths = cartesian(measured - points)
-    return expectation(truths, weights), covariance(truths, weights)
-
-
-def assert_agree(got: Floats, expected: Floats, scale: Any, tolerance: float) -> None:
-    assert (np.abs(got - expected) <= tolerance * scale).all()
-
-
-def assert_covariances_agree(got: Floats, expected: Floats, tolerance: float) -> None:
-    deviations = np.sqrt(np.diagonal(expected))
-    assert_agree(got, expected, np.outer(deviations, deviations), tolerance)
-
-
-@pytest.mark.parametrize(
-    ("method", "definition", "tolerance"),
-    [
-        ("linear", linear, FINITE_DIFFERENCES),
-        ("second_order", second_order, FINITE_DIFFERENCES),
-        ("averaged", averaged, EXACT),
-        ("posterior", posterior, EXACT),
-    ],
-)
-@given(plot=plots)
-def test_mean_and_covariance_are_those_of_the_definition(
-    method: Method, definition: Definition, tolerance: float, plot: Plot
-) -> None:
-    mean, matrix = definition(np.array([plot["r"], plot["azimuth"]]), *errors(**noise(plot)))
-    got = polar(**plot, method=method)
-    assert_agree(got.mean, mean, plot["r"], tolerance)
-    assert_covariances_agree(got.covariance, matrix, tolerance)
-
-
-def noise(plot: Plot) -> Plot:
-    return {name: plot[name] for name in ("range_std", "azimuth_std", "correlation")}
-
-
-def converted_around(plot: Plot, centres: Floats, points: Floats, **chosen: Any) -> Converted:
-    r, azimuth = np.moveaxis(centres[..., np.newaxis, :] + points, -1, 0)
-    return polar(**{**plot, "r": r, "azimuth": azimuth}, **chosen)
-
-
-@pytest.mark.parametrize("method", ["unbiased", "decorrelated"])
-@given(truth=plots)
-def test_the_unbiased_mean_is_the_true_position_on_average(method: Method, truth: Plot) -> None:
-    centre = np.array([truth["r"], truth["azimuth"]])
-    points, weights = errors(**noise(truth))
-    got = converted_around(truth, centre, points, method=method, predicted=prediction_for(method))
-    assert_agree(expectation(got.mean, weights), cartesian(centre), truth["r"], EXACT)
-
-
-@given(plot=plots)
-def test_the_unbiased_covariance_is_of_its_error_given_the_measurement(plot: Plot) -> None:
-    points, weights = errors(**noise(plot))
-    got = polar(**plot, method="unbiased")
-    truths = cartesian(np.array([plot["r"], plot["azimuth"]]) - points)
-    assert_covariances_agree(got.covariance, second_moment(got.mean - truths, weights), EXACT)
-
-
-@given(plot=plots, predicted=plots)
-def test_the_decorrelated_covariance_is_of_the_unbiased_error_averaged_over_the_prediction(
-    plot: Plot, predicted: Plot
-) -> None:
-    mean = np.array([predicted["r"], predicted["azimuth"]])
-    truths, prediction_weights = errors(**noise(predicted))
-    points, weights = errors(**noise(plot))
-    means = converted_around(plot, mean + truths, points, method="unbiased").mean
-    given_truth = second_moment(means - cartesian(mean + truths)[:, np.newaxis], weights)
-    expected = np.einsum("wij,w->ij", given_truth, prediction_weights)
-    got = polar(**plot, method="decorrelated", predicted=(mean, matrix_of(predicted)))
-    assert_covariances_agree(got.covariance, expected, EXACT)
-
-
-def matrix_of(plot: Plot) -> Floats:
-    deviations = np.array([plot["range_std"], plot["azimuth_std"]])
-    matrix: Floats = np.outer(deviations, deviations)
-    matrix[[0, 1], [1, 0]] *= plot["correlation"]
-    return matrix
+PLOT = PLOTS["polar"]
+PREDICTED = prediction("polar")
 
 
 # The prediction.
 
 
-def test_a_prediction_without_error_gives_the_covariance_at_that_truth() -> None:
-    certain = (PREDICTED[0], np.zeros((2, 2)))
-    nearly = (PREDICTED[0], np.diag([1e-12, 1e-16]))
-    got, expected = (polar(**PLOT, method="decorrelated", predicted=each) for each in (certain, nearly))
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_a_prediction_without_error_gives_the_covariance_at_that_truth(sensor: str) -> None:
+    mean, matrix = prediction(sensor)
+    got, expected = (convert(sensor, "decorrelated", predicted=(mean, matrix * s)) for s in (0, 1e-16))
     np.testing.assert_allclose(got.covariance, expected.covariance, rtol=1e-9)
 
 
-def test_the_decorrelated_covariance_does_not_depend_on_the_plot() -> None:
-    r, azimuth = np.array([10.0, 900.0, 5e4]), np.array([[-1.0], [2.0]])
-    got = convert("decorrelated", r=r, azimuth=azimuth)
-    assert got.covariance.shape == (2, 3, 2, 2)
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_the_decorrelated_covariance_does_not_depend_on_the_plot(sensor: str) -> None:
+    second = COORDINATES[sensor][1]
+    got = convert(sensor, "decorrelated", r=[10.0, 900.0, 5e4], **{second: np.array([[-0.5], [0.2]])})
+    assert got.covariance.shape == (2, 3, size(sensor), size(sensor))
     assert (got.covariance == got.covariance[0, 0]).all()
 
 
 def test_a_correlation_of_the_prediction_beyond_one_by_rounding_counts_as_one() -> None:
     mean, root = PREDICTED[0], math.sqrt(0.3)
     exact, rounded = (
-        polar(**PLOT, method="decorrelated", predicted=(mean, [[3.0, c], [c, 0.1]]))
-        for c in (root, root * (1 + 1e-9))
+        polar(**PLOT, method="decorrelated", predicted=(mean, [[3.0, c], [c, 0.1]])) for c in (root, root * (1 + 1e-9))
     )
     np.testing.assert_allclose(rounded.covariance, exact.covariance, rtol=1e-12)
+
+
+@pytest.mark.parametrize("sensor", SENSORS[1:])
+def test_fully_correlated_predictions_are_those_of_almost_fully_correlated_ones(sensor: str) -> None:
+    mean, matrix = prediction(sensor)
+    deviations = np.sqrt(np.diagonal(matrix)) * [1, -1, 1]
+    full = np.outer(deviations, deviations)
+    nearly = full + np.diag(1e-12 * deviations**2)
+    got, expected = (convert(sensor, "decorrelated", predicted=(mean, each)) for each in (full, nearly))
+    np.testing.assert_allclose(got.covariance, expected.covariance, rtol=1e-8)
+
+
+# The covariance of every method.
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("sensor", SENSORS)
+@given(data=st.data())
+@share(0.5)
+def test_covariances_are_symmetric_and_positive_semidefinite_for_correlated_errors(
+    sensor: str, method: Method, data: st.DataObject
+) -> None:
+    """The series of direction cosines too, up to the edge that they are taken to."""
+    correlation = st.floats(-1, 1) | st.sampled_from([-1.0, 1.0])
+    plot = data.draw(plots(sensor)) | {"correlation": data.draw(correlation)}
+    plot["range_std"] = data.draw(st.sampled_from([0.0, 1e-3, 10.0]))
+    if sensor == "ruv":
+        plot |= data.draw(near_the_edge())
+    predicted = (centre(sensor, plot), noise_covariance(sensor, plot) * data.draw(st.sampled_from([0, 1e-4, 0.1])))
+    chosen = {"predicted": predicted} if method == "decorrelated" else {}
+    if sensor == "ruv" and method == "decorrelated":
+        plot |= {"u_std": 0.9 * plot["u_std"], "v_std": 0.9 * plot["v_std"]}
+    matrix = convert(sensor, method, **plot, **chosen).covariance
+    assert_agree(matrix, matrix.T, np.abs(matrix), 1e-15)
+    deviations = np.sqrt(np.diagonal(matrix))
+    scale = np.where(deviations > 0, deviations, 1)
+    assert np.linalg.eigvalsh(matrix / np.outer(scale, scale)).min() > -1e-9
+
+
+@st.composite
+def near_the_edge(draw: st.DrawFn) -> Plot:
+    deviations = [10.0 ** draw(st.floats(-5, -1)) for _ in range(2)]
+    reach, angle = 0.999 - 5 * max(deviations), draw(st.floats(-7, 7))
+    reach *= draw(st.floats(0, 1) | st.just(1.0)) * (1 - 1e-12)
+    return {
+        "u": reach * math.cos(angle),
+        "v": reach * math.sin(angle),
+        "u_std": deviations[0],
+        "v_std": deviations[1],
+    }
+
+
+@pytest.mark.parametrize("method", METHODS)
+@given(plot=plots("polar"))
+@share(0.5)
+def test_spherical_without_elevation_and_its_error_is_polar(method: Method, plot: Plot) -> None:
+    mean, matrix = centre("polar", plot) + [20.0, 0.1], noise_covariance("polar", plot)
+    predicts = method == "decorrelated"
+    in_plane = polar(**plot, method=method, azimuth_from="y", predicted=(mean, matrix) if predicts else None)
+    mean, matrix = np.append(mean, 0.0), np.pad(matrix, (0, 1))
+    chosen: Plot = {"predicted": (mean, matrix)} if predicts else {}
+    in_space = convert("spherical", method, **plot, elevation=0.0, elevation_std=0.0, **chosen)
+    assert_agree(in_space.mean, np.append(in_plane.mean, 0.0), plot["r"], 1e-14)
+    assert_covariances_agree(in_space.covariance[:2, :2], in_plane.covariance, 1e-12)
+    assert (in_space.covariance[2] == 0).all()
+    assert (in_space.covariance[:, 2] == 0).all()
 
 
 # Conventions.
 
 
 @pytest.mark.parametrize("method", METHODS)
-@given(plot=plots)
-def test_the_compass_convention_is_the_other_one_with_the_axes_exchanged(method: Method, plot: Plot) -> None:
-    predicted = prediction_for(method)
-    from_x = polar(**plot, method=method, azimuth_from="x", predicted=predicted)
-    from_y = polar(**plot, method=method, azimuth_from="y", predicted=predicted)
-    assert (from_y.mean == from_x.mean[::-1]).all()
-    assert (from_y.covariance == from_x.covariance[::-1, ::-1]).all()
+@pytest.mark.parametrize("sensor", WITH_AZIMUTH)
+@given(data=st.data())
+@share(0.4)
+def test_the_compass_convention_is_the_other_one_with_the_axes_exchanged(
+    sensor: str, method: Method, data: st.DataObject
+) -> None:
+    plot = data.draw(plots(sensor))
+    from_x, from_y = (convert(sensor, method, **plot, azimuth_from=axis) for axis in ("x", "y"))
+    order = [1, 0, 2][: size(sensor)]
+    assert (from_y.mean == from_x.mean[order]).all()
+    assert (from_y.covariance == from_x.covariance[np.ix_(order, order)]).all()
 
 
 @pytest.mark.parametrize("method", METHODS)
-@given(plot=plots)
-def test_an_azimuth_counted_from_the_other_axis_gives_the_same_position(method: Method, plot: Plot) -> None:
-    """The sense of rotation changes too, and with it the sign of the correlation."""
-    mirrored = {**plot, "azimuth": math.pi / 2 - plot["azimuth"], "correlation": -plot["correlation"]}
-    other = ([850.0, math.pi / 2 - 2.2], [[1600.0, -2.0], [-2.0, 0.04]]) if prediction_for(method) else None
-    got = polar(**plot, method=method, predicted=prediction_for(method))
-    same = polar(**mirrored, method=method, azimuth_from="y", predicted=other)
-    assert_agree(same.mean, got.mean, plot["r"], 1e-13)
+@pytest.mark.parametrize("sensor", WITH_AZIMUTH)
+@given(data=st.data())
+@share(0.4)
+def test_an_azimuth_counted_from_the_other_axis_gives_the_same_position(
+    sensor: str, method: Method, data: st.DataObject
+) -> None:
+    """The sense of rotation changes too, and with it the sign of the azimuth's correlations."""
+    plot = data.draw(plots(sensor))
+    mirrored: Plot = {**plot, "azimuth": math.pi / 2 - plot["azimuth"]}
+    if sensor != "polar_doppler":
+        mirrored["correlation"] = -plot["correlation"]
+    signs = np.array([1, -1, 1])[: size(sensor)]
+    mean, matrix = prediction(sensor)
+    there = (mean * signs + [0, math.pi / 2, 0][: size(sensor)], matrix * np.outer(signs, signs))
+    got = convert(sensor, method, **plot, azimuth_from="x")
+    chosen: Plot = {"predicted": there} if method == "decorrelated" else {}
+    same = convert(sensor, method, **mirrored, azimuth_from="y", **chosen)
+    assert_agree(same.mean, got.mean, np.linalg.norm(got.mean), 1e-13)
     assert_covariances_agree(same.covariance, got.covariance, 1e-11)
 
 
@@ -238,85 +169,107 @@ def test_an_azimuth_counted_from_the_other_axis_gives_the_same_position(method: 
     [("x", 0.0, (1, 0)), ("x", 0.5, (0, 1)), ("y", 0.0, (0, 1)), ("y", 0.5, (1, 0)), ("y", -0.5, (-1, 0))],
 )
 def test_north_and_east(azimuth_from: Any, azimuth: float, expected: tuple[int, int]) -> None:
-    got = polar(1.0, azimuth * math.pi, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
-    np.testing.assert_allclose(got.mean, expected, atol=1e-15)
+    angle = azimuth * math.pi
+    plane = polar(1.0, angle, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
+    space = spherical(1.0, angle, 0.0, 0.0, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
+    doppler = polar_doppler(1.0, angle, 7.0, 0.0, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
+    np.testing.assert_allclose(plane.mean, expected, atol=1e-15)
+    np.testing.assert_allclose(space.mean, [*expected, 0], atol=1e-15)
+    np.testing.assert_allclose(doppler.mean, [*expected, 7], atol=1e-15)
+
+
+def test_the_azimuth_is_counted_as_each_model_does_unless_one_says_otherwise() -> None:
+    assert polar(1.0, 0.0, 0.0, 0.0).mean.tolist() == [1, 0]
+    assert polar_doppler(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [1, 0, 0]
+    assert spherical(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 1, 0]
+    assert ruv(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 0, 1]
 
 
 # Shapes and types.
 
 
 @pytest.mark.parametrize("method", METHODS)
-@given(
-    shapes=hnp.mutually_broadcastable_shapes(num_shapes=7, min_side=0, max_side=3, max_dims=3),
-    seed=st.integers(0, 99),
-)
+@pytest.mark.parametrize("sensor", SENSORS)
+@given(data=st.data(), seed=st.integers(0, 99))
+@share(0.3)
 def test_arguments_of_any_shapes_broadcast_as_if_converted_one_by_one(
-    method: Method, shapes: hnp.BroadcastableShapes, seed: int
+    sensor: str, method: Method, data: st.DataObject, seed: int
 ) -> None:
     generator = np.random.default_rng(seed)
+    count = len(PLOTS[sensor])
+    shapes = data.draw(hnp.mutually_broadcastable_shapes(num_shapes=count + 2, min_side=0, max_side=3, max_dims=3))
     *of_plot, of_mean, of_matrix = shapes.input_shapes
     plot: Plot = {
         name: value * generator.uniform(0.5, 1, shape)
-        for (name, value), shape in zip(PLOT.items(), of_plot, strict=True)
+        for (name, value), shape in zip(PLOTS[sensor].items(), of_plot, strict=True)
     }
-    mean = PREDICTED[0] * generator.uniform(0.5, 1, (*of_mean, 1))
-    matrix = PREDICTED[1] * generator.uniform(0.5, 1, (*of_matrix, 1, 1))
+    mean, matrix = prediction(sensor)
+    mean = mean * generator.uniform(0.5, 1, (*of_mean, 1))
+    matrix = matrix * generator.uniform(0.5, 1, (*of_matrix, 1, 1))
     predicts = method == "decorrelated"
     shape = shapes.result_shape if predicts else np.broadcast_shapes(*of_plot)
+    ends = (*shape, size(sensor)), (*shape, size(sensor), size(sensor))
 
-    got = polar(**plot, method=method, predicted=(mean, matrix) if predicts else None)
-    assert (got.mean.shape, got.covariance.shape) == ((*shape, 2), (*shape, 2, 2))
+    got = convert(sensor, method, **plot, **({"predicted": (mean, matrix)} if predicts else {}))
+    assert (got.mean.shape, got.covariance.shape) == ends
     for index in np.ndindex(shape):
         one: Plot = {name: np.broadcast_to(values, shape)[index] for name, values in plot.items()}
         if predicts:
-            ends = (*shape, 2), (*shape, 2, 2)
             one["predicted"] = tuple(
                 np.broadcast_to(part, end)[index] for part, end in zip((mean, matrix), ends, strict=True)
             )
-        alone = polar(**one, method=method)
+        alone = convert(sensor, method, **one)
         assert_agree(got.mean[index], alone.mean, np.linalg.norm(alone.mean), 1e-13)
         assert_covariances_agree(got.covariance[index], alone.covariance, 1e-13)
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_scalars_give_one_mean_and_one_matrix(method: Method) -> None:
-    mean, matrix = got = convert(method)
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_scalars_give_one_mean_and_one_matrix(sensor: str, method: Method) -> None:
+    mean, matrix = got = convert(sensor, method)
     assert mean is got.mean
     assert matrix is got.covariance
-    assert (mean.shape, matrix.shape) == ((2,), (2, 2))
+    assert (mean.shape, matrix.shape) == ((size(sensor),), (size(sensor), size(sensor)))
 
 
-@pytest.mark.parametrize("azimuth_from", ["x", "y"])
 @pytest.mark.parametrize("method", METHODS)
-def test_no_plots_give_no_positions(method: Method, azimuth_from: str) -> None:
-    got = convert(method, r=np.empty(0), azimuth=[], azimuth_from=azimuth_from)
-    assert (got.mean.shape, got.covariance.shape) == ((0, 2), (0, 2, 2))
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_no_plots_give_no_positions(sensor: str, method: Method) -> None:
+    got = convert(sensor, method, r=np.empty(0))
+    assert (got.mean.shape, got.covariance.shape) == ((0, size(sensor)), (0, size(sensor), size(sensor)))
 
 
 @pytest.mark.parametrize("azimuth_from", ["x", "y"])
 @pytest.mark.parametrize("range_std_shape", [(3, 2), (3, 1), (4, 1, 1)])
 @pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("sensor", SENSORS)
 def test_results_may_be_written_to_and_arguments_stay_as_they_are(
-    method: Method, azimuth_from: str, range_std_shape: tuple[int, ...]
+    sensor: str, method: Method, azimuth_from: str, range_std_shape: tuple[int, ...]
 ) -> None:
-    given = {name: np.full((3, 2), value) for name, value in PLOT.items()}
-    given["range_std"] = np.full(range_std_shape, PLOT["range_std"])
-    for result in convert(method, **given, azimuth_from=azimuth_from):
+    plot = PLOTS[sensor]
+    given = {name: np.full((3, 2), value) for name, value in plot.items()}
+    given["range_std"] = np.full(range_std_shape, plot["range_std"])
+    convention = {"azimuth_from": azimuth_from} if sensor in WITH_AZIMUTH else {}
+    predicted = prediction(sensor)
+    chosen: Plot = {"predicted": predicted} if method == "decorrelated" else {}
+    for result in convert(sensor, method, **given, **convention, **chosen):
         marks = np.arange(result.size).reshape(result.shape)
         result[...] = marks
         assert (result == marks).all()
-    assert all((given[name] == value).all() for name, value in PLOT.items())
+    assert all((given[name] == value).all() for name, value in plot.items())
+    assert all((a == b).all() for a, b in zip(predicted, prediction(sensor), strict=True))
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_float32_in_gives_float32_out_close_to_float64(method: Method) -> None:
-    single: Plot = {name: np.full(3, value, np.float32) for name, value in PLOT.items()}
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_float32_in_gives_float32_out_close_to_float64(sensor: str, method: Method) -> None:
+    single: Plot = {name: np.full(3, value, np.float32) for name, value in PLOTS[sensor].items()}
     if method == "decorrelated":
-        single["predicted"] = tuple(np.array(part, np.float32) for part in PREDICTED)
-    got = polar(**single, method=method)
+        single["predicted"] = tuple(np.array(part, np.float32) for part in prediction(sensor))
+    got, exact = convert(sensor, method, **single), convert(sensor, method)
     assert {part.dtype for part in got} == {np.dtype(np.float32)}
-    for part, exact in zip(got, convert(method), strict=True):
-        np.testing.assert_allclose(part, np.broadcast_to(exact, part.shape), rtol=1e-5)
+    np.testing.assert_allclose(got.mean, np.broadcast_to(exact.mean, got.mean.shape), rtol=1e-5)
+    assert_covariances_agree(got.covariance, exact.covariance, 1e-5)
 
 
 def test_one_float64_array_makes_the_result_float64() -> None:
@@ -330,27 +283,56 @@ def test_one_float64_array_makes_the_result_float64() -> None:
 
 
 LIMITS = {
-    np.float64: {"r": 1e100, "azimuth": 1e6, "range_std": 1e100, "azimuth_std": math.pi, "correlation": 1.0},
-    np.float32: {"r": 1e10, "azimuth": 1e3, "range_std": 1e10, "azimuth_std": math.pi, "correlation": 1.0},
+    "r": (1e100, 1e10),
+    "azimuth": (1e6, 1e3),
+    "elevation": (math.pi / 2, math.pi / 2),
+    "range_rate": (1e50, 1e8),
+    "range_std": (1e100, 1e10),
+    "azimuth_std": (math.pi, math.pi),
+    "elevation_std": (math.pi, math.pi),
+    "range_rate_std": (1e50, 1e8),
+    "correlation": (1.0, 1.0),
 }
+SIGNED = {"azimuth", "elevation", "range_rate", "correlation"}
+FRACTIONS = st.sampled_from([0.0, 1e-200, 1e-30, 1e-5, 0.3, 1.0])
 
 
-@pytest.mark.parametrize("dtype", LIMITS)
-@pytest.mark.parametrize("method", METHODS)
-@given(data=st.data())
-def test_what_is_allowed_never_gives_infinity_or_nan(
-    method: Method, dtype: type[np.floating[Any]], data: st.DataObject
-) -> None:
-    fractions = st.sampled_from([0.0, 1e-200, 1e-30, 1e-5, 0.3, 1.0])
-    signed = fractions | fractions.map(lambda fraction: -fraction)
-    plot: Plot = {
-        name: dtype(limit * data.draw(signed if name in {"azimuth", "correlation"} else fractions))
-        for name, limit in LIMITS[dtype].items()
+def at_the_limits(sensor: str, dtype: type[np.floating[Any]], data: st.DataObject) -> Plot:
+    signed = FRACTIONS | FRACTIONS.map(lambda fraction: -fraction)
+    return {
+        name: dtype(LIMITS[name][dtype is np.float32] * data.draw(signed if name in SIGNED else FRACTIONS))
+        for name in PLOTS[sensor]
+        if name in LIMITS
     }
+
+
+def at_the_edge(dtype: type[np.floating[Any]], data: st.DataObject) -> Plot:
+    """Direction cosines in the middle or, by rounding less than the limit, at the edge of what is taken."""
+    std = data.draw(st.sampled_from([0.0, 1e-12, 1e-4, 0.04, 0.13]))
+    other, angle = std * data.draw(FRACTIONS), data.draw(st.floats(-7, 7))
+    reach = (0.999 - 5 * std) * (1 - 1e-5) * data.draw(st.sampled_from([0, 0.5, 1]))
+    values = {"u": reach * math.cos(angle), "v": reach * math.sin(angle), "u_std": std, "v_std": other}
+    return {name: dtype(value) for name, value in values.items()}
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("sensor", SENSORS)
+@given(data=st.data())
+@share(0.6)
+def test_what_is_allowed_never_gives_infinity_or_nan(
+    sensor: str, method: Method, dtype: type[np.floating[Any]], data: st.DataObject
+) -> None:
+    plot = at_the_limits(sensor, dtype, data)
+    deviation = 1.0
+    if sensor == "ruv":
+        plot |= at_the_edge(dtype, data)
+        deviation = 1e-4 if method == "decorrelated" else 1.0
     if method == "decorrelated":
-        deviations = np.array([plot["range_std"], plot["azimuth_std"]])
-        plot["predicted"] = np.array([plot["r"], plot["azimuth"]]), np.diag(deviations**2)
-    got = polar(**plot, method=method)
+        scale = np.array([1.0, deviation, deviation][: size(sensor)], dtype)
+        noisy = {**plot, "u_std": 0.0, "v_std": 0.0} if sensor == "ruv" else plot
+        plot["predicted"] = centre(sensor, plot), np.diag(np.diag(noise_covariance(sensor, noisy))) * scale
+    got = convert(sensor, method, **plot)
     assert all(np.isfinite(part).all() for part in got)
 
 

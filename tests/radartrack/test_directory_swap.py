@@ -170,9 +170,7 @@ def test_a_system_without_the_call_gets_renames(target: Path, monkeypatch: pytes
     assert read_set(target) == NEW
 
 
-def test_any_other_refusal_is_raised_and_changes_nothing(
-    target: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_any_other_refusal_is_raised_and_changes_nothing(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     refuse_with(errno.EBUSY, monkeypatch)
     with pytest.raises(OSError, match="busy") as raised:
         replace_directory(target, write_new)

@@ -140,9 +140,7 @@ def test_a_python_number_beyond_float32_beside_float32_arrays_is_refused() -> No
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 @pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
 @given(data=st.data())
-def test_what_is_not_finite_is_refused_with_count_and_first(
-    bad: float, domain: Domain, data: st.DataObject
-) -> None:
+def test_what_is_not_finite_is_refused_with_count_and_first(bad: float, domain: Domain, data: st.DataObject) -> None:
     values = data.draw(hnp.arrays(np.float64, hnp.array_shapes(max_dims=3), elements=st.just(0.5)))
     places = data.draw(st.sets(st.integers(0, values.size - 1), min_size=1))
     values.flat[list(places)] = bad
@@ -162,24 +160,18 @@ def test_what_is_not_finite_is_refused_with_count_and_first(
         (CORRELATION, (-1, 1), (-1, 1)),
     ],
 )
-def test_intervals_are_as_documented(
-    domain: Domain, double: tuple[float, float], single: tuple[float, float]
-) -> None:
+def test_intervals_are_as_documented(domain: Domain, double: tuple[float, float], single: tuple[float, float]) -> None:
     assert domain.bounds(np.dtype(np.float64)) == double
     assert domain.bounds(np.dtype(np.float32)) == single
 
 
 @pytest.mark.parametrize("dtype", TYPES, ids=str)
 @pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
-def test_the_ends_of_an_interval_belong_to_it_and_their_neighbours_do_not(
-    domain: Domain, dtype: np.dtype[Any]
-) -> None:
+def test_the_ends_of_an_interval_belong_to_it_and_their_neighbours_do_not(domain: Domain, dtype: np.dtype[Any]) -> None:
     for end, beyond in zip(domain.bounds(dtype), (-np.inf, np.inf), strict=True):
         last = np.array([end], dtype)
         require_within("r", last, domain)
-        with pytest.raises(
-            ValueError, match=r"^r must be from .* to .*; got .* at \[0\], the first of 1 among 1$"
-        ):
+        with pytest.raises(ValueError, match=r"^r must be from .* to .*; got .* at \[0\], the first of 1 among 1$"):
             require_within("r", np.nextafter(last, dtype.type(beyond)), domain)
 
 
@@ -200,9 +192,7 @@ def test_a_scalar_has_no_index() -> None:
 
 
 def test_a_large_angle_std_is_told_that_it_means_nothing() -> None:
-    with pytest.raises(
-        ValueError, match=r"from 0 to 3.141593 rad .*larger deviation says nothing about direction"
-    ):
+    with pytest.raises(ValueError, match=r"from 0 to 3.141593 rad .*larger deviation says nothing about direction"):
         require_within("azimuth_std", np.array(3.2), ANGLE_STD)
 
 
@@ -229,9 +219,7 @@ def test_the_word_that_is_allowed_is_returned() -> None:
     ],
 )
 def test_an_unknown_word_gets_all_that_are_allowed_the_closest_first(given: str, closest: str) -> None:
-    with pytest.raises(
-        ValueError, match=rf"^method must be one of \['{closest}'.*; got '{given}'$"
-    ) as raised:
+    with pytest.raises(ValueError, match=rf"^method must be one of \['{closest}'.*; got '{given}'$") as raised:
         one_of("method", given, METHODS)
     assert all(repr(word) in str(raised.value) for word in METHODS)
 
@@ -262,9 +250,7 @@ def test_shapes_that_do_not_broadcast_are_all_named() -> None:
 
 def test_trailing_shapes_are_compared() -> None:
     require_trailing_shape("covariance", np.ones((5, 2, 2)), (2, 2))
-    with pytest.raises(
-        ValueError, match=r"^covariance must have shape \(..., 2, 2\); got shape \(2, 5, 2\)$"
-    ):
+    with pytest.raises(ValueError, match=r"^covariance must have shape \(..., 2, 2\); got shape \(2, 5, 2\)$"):
         require_trailing_shape("covariance", np.ones((2, 5, 2)), (2, 2))
     with pytest.raises(ValueError, match=r"^mean must have shape \(..., 2\); got shape \(\)$"):
         require_trailing_shape("mean", np.array(1.0), (2,))

@@ -1,0 +1,45 @@
+"""Parts of formulas, found by what they are worth: a factor or term that print has lost is a part of the derived one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+
+from radartrack.derive.checking.numeric import Screen, Values, close
+from radartrack.derive.formula.tree import Array, Name, Negation, Number, Tree, walk
+
+DIGITS = 7
+MOST = 2000
+
+
+class Pieces:
+    """Parts of some trees by their values, up to sign."""
+
+    def __init__(self, trees: Iterable[Tree], screen: Screen) -> None:
+        self._known: dict[float, list[tuple[Tree, Values]]] = {}
+        nodes = dict.fromkeys(node for tree in trees for _, node in walk(tree))
+        for node in list(nodes)[:MOST]:
+            if not isinstance(node, Number | Name | Negation | Array):
+                self._add(node, screen(node))
+
+    def find(self, values: Values | None) -> Iterator[tuple[Tree, int]]:
+        """Parts with these values, and the sign with which they have them."""
+        if values is None or not values or not values[0]:
+            return
+        for tree, known in self._known.get(_key(values), ()):
+            if close(known, values):
+                yield tree, 1
+            elif close(known, tuple(-value for value in values)):
+                yield tree, -1
+
+    def _add(self, tree: Tree, values: Values | None) -> None:
+        if values and values[0]:
+            self._known.setdefault(_key(values), []).append((tree, values))
+
+
+def _key(values: Values) -> float:
+    """The size at the first point to a few digits."""
+    size = abs(values[0])
+    scale = 10.0 ** (DIGITS - math.floor(math.log10(size)))
+    return float(Fraction(round(size * scale)) / Fraction(scale))

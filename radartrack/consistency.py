@@ -1,0 +1,205 @@
+"""Bias and consistency of a conversion on simulated measurements.
+
+A converted measurement is consistent if its covariance tells the size of its error: the error squared over the
+covariance, averaged, is then the number of coordinates (average normalised estimation error squared, NEES). The
+answer depends on what is held fixed, and most disagreement between published comparisons comes from there:
+
+- "truth": the target stays where it is, and measurements scatter about it;
+- "measurement": one measurement is given, and the targets that may have caused it scatter about it;
+- "prediction": targets scatter about a prediction, and measurements about the targets.
+"""
+
+import math
+import operator
+from collections.abc import Callable, Mapping
+from typing import Literal, NamedTuple, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from radartrack import convert
+from radartrack.chi_square import quantile
+from radartrack.convert import Converted, Method
+from radartrack.prediction import Predicted
+from radartrack.sensors import SENSORS, Sensor, SensorName
+from radartrack.validation import RealArray, one_of, real_arrays
+
+Given: TypeAlias = Literal["truth", "measurement", "prediction"]
+
+MINIMUM = 2
+SMALLEST_FALSE_ALARM = 1e-6
+
+
+class Consistency(NamedTuple):
+    """Averages over simulated errors, each with the interval that holds the expectation.
+
+    Attributes:
+        bias: mean error of each coordinate, converted minus true, shape (n,).
+        bias_band: lower and upper end, shape (n, 2).
+        nees: average NEES over the number of coordinates; 1 where consistent, larger where the covariance is too
+            small.
+        nees_band: lower and upper end, shape (2,).
+
+    """
+
+    bias: RealArray
+    bias_band: RealArray
+    nees: float
+    nees_band: RealArray
+
+    @property
+    def is_unbiased(self) -> bool:
+        """Whether every band of the bias holds zero."""
+        return bool(((self.bias_band[:, 0] <= 0) & (self.bias_band[:, 1] >= 0)).all())
+
+    @property
+    def is_consistent(self) -> bool:
+        """Whether the band of the NEES holds one."""
+        return bool(self.nees_band[0] <= 1 <= self.nees_band[1])
+
+
+def experiment(
+    sensor: SensorName,
+    method: Method = "unbiased",
+    given: Given = "truth",
+    *,
+    predicted_covariance: ArrayLike | None = None,
+    draws: int = 100_000,
+    seed: int = 0,
+    false_alarm: float = 1e-3,
+    **plot: float,
+) -> Consistency:
+    """Simulate measurements, convert them, and compare the errors with what the conversion says of them.
+
+    The bands come from the variance of the sample: each misses the expectation with the stated probability, for
+    as many draws as make the mean normal.
+
+    Args:
+        sensor: "polar", "spherical", "polar_doppler" or "ruv".
+        method: as the conversion of this name takes it.
+        given: what is held fixed; it is at the values in `plot`.
+        predicted_covariance: of a prediction of the measured quantities, whose mean is in `plot`; for the method
+            "decorrelated" and for `given` "prediction", and only there.
+        draws: how many simulated errors, at least 2.
+        seed: of the random numbers; the same one gives the same result.
+        false_alarm: probability with which one band misses, from 1e-6 to 0.5.
+        **plot: the arguments of the conversion of this name, one number each: measured quantities, deviations,
+            and `correlation`, which is 0 if it is not given.
+
+    Returns:
+        Averages and bands.
+
+    Raises:
+        TypeError: an argument is no number, is missing, or is none of the conversion's.
+        ValueError: a simulated measurement or another number lies outside what the conversion takes, a word is
+            unknown, or a covariance is singular.
+
+    """
+    chosen = one_of("sensor", sensor, SENSORS)
+    condition = one_of("given", given, get_args(Given))
+    model = SENSORS[chosen]
+    centre, noise = _point(model, plot)
+    needed = method == "decorrelated" or condition == "prediction"
+    prediction = _prediction(model, centre, predicted_covariance, needed=needed)
+    truth, measured = _simulated(
+        condition, centre, _noise_covariance(model, noise), prediction, _generator(draws, seed)
+    )
+    function: Callable[..., Converted] = getattr(convert, chosen)
+    predicted = prediction if method == "decorrelated" else None
+    converted = function(*np.moveaxis(measured, -1, 0), **noise, method=method, predicted=predicted)
+    symbols = [symbol for symbol, _ in model.coordinates.values()]
+    positions = model.evaluate("map", dict(zip(symbols, np.moveaxis(truth, -1, 0), strict=True)))
+    return _summary(converted.mean - positions, converted.covariance, _width(false_alarm))
+
+
+def _point(sensor: Sensor, plot: Mapping[str, float]) -> tuple[RealArray, dict[str, float]]:
+    """The centre of the simulation, and deviations and correlation by name."""
+    names = [*sensor.coordinates, *sensor.noise]
+    values = {"correlation": 0.0, **plot}
+    if set(values) != set(names):
+        raise TypeError(f"plot must have the arguments {names}; got {sorted(plot)}")
+    arrays = real_arrays({name: values[name] for name in names})
+    for name, array in arrays.items():
+        if array.shape:
+            raise TypeError(f"{name} must be one number; got shape {array.shape}")
+    sensor.read(arrays)
+    centre = np.array([float(arrays[name]) for name in sensor.coordinates])
+    return centre, {name: float(arrays[name]) for name in sensor.noise}
+
+
+def _prediction(
+    sensor: Sensor, centre: RealArray, covariance: ArrayLike | None, *, needed: bool
+) -> tuple[RealArray, RealArray] | None:
+    if needed != (covariance is not None):
+        uses = "for the method 'decorrelated' or given 'prediction', and only there"
+        raise ValueError(f"predicted_covariance must be given {uses}; got {covariance!r}")
+    if covariance is None:
+        return None
+    matrix = real_arrays({"predicted_covariance": covariance})["predicted_covariance"]
+    Predicted(sensor, centre, matrix)
+    return centre, matrix
+
+
+def _noise_covariance(sensor: Sensor, noise: Mapping[str, float]) -> RealArray:
+    *deviations, correlation = noise.values()
+    correlations = np.eye(len(deviations))
+    first, second = sensor.correlated
+    correlations[first, second] = correlations[second, first] = correlation
+    covariance: RealArray = correlations * np.outer(deviations, deviations)
+    return covariance
+
+
+def _simulated(
+    given: Given,
+    centre: RealArray,
+    noise: RealArray,
+    prediction: tuple[RealArray, RealArray] | None,
+    normal: Callable[[int], RealArray],
+) -> tuple[RealArray, RealArray]:
+    """True and measured values, one row a draw."""
+    errors = _scatter(noise, normal)
+    if given == "measurement":
+        return centre - errors, np.broadcast_to(centre, errors.shape)
+    truth = np.broadcast_to(centre, errors.shape)
+    if given == "prediction" and prediction is not None:
+        truth = truth + _scatter(prediction[1], normal)
+    return truth, truth + errors
+
+
+def _scatter(covariance: RealArray, normal: Callable[[int], RealArray]) -> RealArray:
+    deviations = np.sqrt(np.diagonal(covariance))
+    divisors = np.where(deviations > 0, deviations, 1)
+    eigenvalues, vectors = np.linalg.eigh(covariance / np.outer(divisors, divisors))
+    root = vectors * np.sqrt(np.maximum(eigenvalues, 0))
+    scattered: RealArray = normal(len(covariance)) @ root.T * deviations
+    return scattered
+
+
+def _generator(draws: int, seed: int) -> Callable[[int], RealArray]:
+    if isinstance(draws, bool) or operator.index(draws) < MINIMUM:
+        raise ValueError(f"draws must be at least {MINIMUM}; got {draws}")
+    generator = np.random.default_rng(seed)
+    return lambda size: generator.standard_normal((draws, size))
+
+
+def _width(false_alarm: float) -> float:
+    """By how many standard errors a normal mean is off with this probability."""
+    if not SMALLEST_FALSE_ALARM <= false_alarm <= 1 / 2:
+        raise ValueError(f"false_alarm must be from {SMALLEST_FALSE_ALARM} to 0.5; got {false_alarm}")
+    return math.sqrt(quantile(1 - false_alarm, 1))  # the square of a normal variable
+
+
+def _summary(errors: RealArray, covariance: RealArray, width: float) -> Consistency:
+    try:
+        weighted = np.linalg.solve(covariance, errors[..., np.newaxis])[..., 0]
+    except np.linalg.LinAlgError:
+        raise ValueError("the covariance is singular: deviations must be positive, correlations below 1") from None
+    squares = (errors * weighted).sum(axis=-1) / errors.shape[-1]
+    return Consistency(errors.mean(axis=0), _band(errors, width), float(squares.mean()), _band(squares, width))
+
+
+def _band(values: RealArray, width: float) -> RealArray:
+    """The interval about the mean over the first axis, its ends along the last."""
+    mean, deviation = values.mean(axis=0), values.std(axis=0, ddof=1)
+    half = width * deviation / math.sqrt(len(values))
+    return np.stack([mean - half, mean + half], axis=-1)

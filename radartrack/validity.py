@@ -1,0 +1,205 @@
+"""Where linear or second-order formulas are good enough, plot by plot.
+
+Each function gives, for each measured quantity, the root mean square of the leading term that the formulas
+neglect, brought back to that quantity, over its standard deviation. Far below 1 the formulas will do; near 1 and
+above they will not. Along range the linear polar conversion neglects sqrt(3)/2 r azimuth_std^2/range_std. The
+ratios do not depend on how the axes lie, nor on where the azimuth is counted from.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Literal, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from radartrack.sensors import SENSORS, SensorName
+from radartrack.validation import CORRELATION, RealArray, one_of, real_arrays, require_within
+
+Formulas: TypeAlias = Literal["linear", "second_order"]
+
+SMALLEST, LARGEST = 1e-30, 1e30
+
+
+def polar(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    formulas: Formulas = "linear",
+) -> RealArray:
+    """Tell what formulas neglect for range and azimuth.
+
+    The arguments broadcast. The result is float32 where every array given is, and float64 otherwise.
+
+    Args:
+        r: range [m].
+        azimuth: azimuth [rad], from -1e6 to 1e6, in float32 from -1e3 to 1e3.
+        range_std: standard deviation of the range [m].
+        azimuth_std: standard deviation of the azimuth [rad], to pi.
+        correlation: correlation of the errors of range and azimuth, from -1 to 1.
+        formulas: "linear", whose leading neglected term is of second order, or "second_order", of third (Prosov,
+            the question of validity). Range and deviations are from 1e-30 to 1e30.
+
+    Returns:
+        Ratios for range and azimuth, shape (..., 2).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: a number is not finite or lies outside the interval above, the shapes do not broadcast, or a
+            word is unknown.
+
+    """
+    given = {
+        "r": r,
+        "azimuth": azimuth,
+        "range_std": range_std,
+        "azimuth_std": azimuth_std,
+        "correlation": correlation,
+    }
+    return _ratios("polar", given, formulas)
+
+
+def spherical(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    elevation: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    elevation_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    formulas: Formulas = "linear",
+) -> RealArray:
+    """Tell what formulas neglect for range, azimuth and elevation.
+
+    Towards the vertical the ratios grow without bound: there a position does not tell the azimuth.
+
+    Args:
+        r: as for `polar`.
+        azimuth: as for `polar`.
+        elevation: elevation [rad], from -pi/2 to pi/2.
+        range_std: as for `polar`.
+        azimuth_std: as for `polar`.
+        elevation_std: standard deviation of the elevation [rad], to pi.
+        correlation: as for `polar`.
+        formulas: as for `polar`.
+
+    Returns:
+        Ratios for range, azimuth and elevation, shape (..., 3).
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`.
+
+    """
+    given = {
+        "r": r,
+        "azimuth": azimuth,
+        "elevation": elevation,
+        "range_std": range_std,
+        "azimuth_std": azimuth_std,
+        "elevation_std": elevation_std,
+        "correlation": correlation,
+    }
+    return _ratios("spherical", given, formulas)
+
+
+def polar_doppler(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    range_rate: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    range_rate_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    formulas: Formulas = "linear",
+) -> RealArray:
+    """Tell what formulas neglect for range, azimuth and range rate.
+
+    Args:
+        r: as for `polar`.
+        azimuth: as for `polar`.
+        range_rate: range rate [m/s], from -1e30 to 1e30, in float32 from -1e8 to 1e8.
+        range_std: as for `polar`.
+        azimuth_std: as for `polar`.
+        range_rate_std: standard deviation of the range rate [m/s].
+        correlation: correlation of the errors of range and range rate, from -1 to 1.
+        formulas: as for `polar`.
+
+    Returns:
+        Ratios for range, azimuth and range rate, shape (..., 3).
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`.
+
+    """
+    given = {
+        "r": r,
+        "azimuth": azimuth,
+        "range_rate": range_rate,
+        "range_std": range_std,
+        "azimuth_std": azimuth_std,
+        "range_rate_std": range_rate_std,
+        "correlation": correlation,
+    }
+    return _ratios("polar_doppler", given, formulas)
+
+
+def ruv(
+    r: ArrayLike,
+    u: ArrayLike,
+    v: ArrayLike,
+    range_std: ArrayLike,
+    u_std: ArrayLike,
+    v_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    formulas: Formulas = "linear",
+) -> RealArray:
+    """Tell what formulas neglect for range and two direction cosines.
+
+    Args:
+        r: as for `polar`.
+        u: direction cosine along the x axis.
+        v: direction cosine along the y axis; sqrt(u^2 + v^2) + 5 max(u_std, v_std) is at most 0.999.
+        range_std: as for `polar`.
+        u_std: standard deviation of u.
+        v_std: standard deviation of v.
+        correlation: correlation of the errors of u and v, from -1 to 1.
+        formulas: as for `polar`.
+
+    Returns:
+        Ratios for range, u and v, shape (..., 3).
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`; also where the direction is too near the edge of the unit circle.
+
+    """
+    given = {
+        "r": r,
+        "u": u,
+        "v": v,
+        "range_std": range_std,
+        "u_std": u_std,
+        "v_std": v_std,
+        "correlation": correlation,
+    }
+    return _ratios("ruv", given, formulas)
+
+
+def _ratios(name: SensorName, given: Mapping[str, ArrayLike], formulas: Formulas) -> RealArray:
+    word = one_of("formulas", formulas, get_args(Formulas))
+    sensor = SENSORS[name]
+    arrays = real_arrays(given)
+    positive = {"r": sensor.coordinates["r"], **sensor.noise}
+    for argument, (_, domain) in positive.items():
+        if domain is not CORRELATION:
+            largest = min(domain.largest, LARGEST), min(domain.largest_single, LARGEST)
+            reason = "a ratio to zero is none"
+            bounded = replace(domain, smallest=SMALLEST, largest=largest[0], largest_single=largest[1], reason=reason)
+            require_within(argument, arrays[argument], bounded)
+    # Powers of the deviations, up to the eighth, underflow in float32.
+    values = {symbol: array.astype(np.float64) for symbol, array in sensor.read(arrays).items()}
+    return sensor.evaluate(f"validity_{word}", values).astype(arrays["r"].dtype, copy=False)

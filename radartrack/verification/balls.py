@@ -1,0 +1,139 @@
+"""Formulas in ball arithmetic (Arb, through python-flint): many digits with a proved error, and faster than mpmath.
+
+python-flint is optional. What is used of it is tried before it is trusted: there have been versions whose negation
+rounded to 53 bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cache, reduce
+from importlib.util import find_spec
+from operator import add, mul
+from typing import Any
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.evaluation import Evaluator
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.tensor import Tensor
+
+Ball = Any
+PRECISION = 448  # bits; the textbook form of a fourth power of 1e-9 against 1e8 squared loses some 175
+MOST = 8 * PRECISION
+GOOD = 120  # bits that an entry must have, unless it is zero
+
+
+class Balls:
+    """A tensor of formulas, prepared for evaluation at many points; as `derive.evaluation.Evaluator`, with balls."""
+
+    def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol]) -> None:
+        self._places: dict[Expr, int] = {symbol: place for place, symbol in enumerate(symbols)}
+        self._arity = len(symbols)
+        self._steps: list[tuple[Callable[..., Ball], tuple[int, ...]]] = []
+        self._results = [self._place(entry) for entry in entries]
+        self._shape = entries.shape
+
+    def __call__(self, point: Mapping[str, float] | Sequence[float]) -> Tensor[Ball]:
+        """The entries at one point, in more and more bits until they are sharp."""
+        values = list(point.values() if isinstance(point, Mapping) else point)
+        bits = PRECISION
+        while True:
+            with _precision(bits):
+                entries = self._entries(values)
+            if bits >= MOST or all(_sharp(entry) for entry in entries):
+                return Tensor(self._shape, tuple(entry.mid() for entry in entries))
+            bits *= 2
+
+    def _entries(self, values: Sequence[float]) -> list[Ball]:
+        ball = _flint().arb
+        slots = [ball(value) for value in values]
+        for operation, operands in self._steps:
+            slots.append(operation(*(slots[i] for i in operands)))
+        return [slots[i] for i in self._results]
+
+    def _place(self, expression: Expr) -> int:
+        if expression not in self._places:
+            step = self._step(expression)
+            self._places[expression] = self._arity + len(self._steps)
+            self._steps.append(step)
+        return self._places[expression]
+
+    def _step(self, expression: Expr) -> tuple[Callable[..., Ball], tuple[int, ...]]:
+        if isinstance(expression, sp.Rational):
+            above, below = int(expression.p), int(expression.q)
+            return lambda: _flint().arb(above) / below, ()
+        if expression in (sp.pi, sp.E):
+            return (_flint().arb.pi if expression == sp.pi else _flint().arb.const_e), ()
+        if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
+            exponent = int(expression.exp)
+            return lambda base: base**exponent, (self._place(expression.base),)
+        if isinstance(expression, sp.Pow) and expression.exp == sp.Rational(1, 2):
+            return lambda base: base.sqrt(), (self._place(expression.base),)
+        operation = _OPERATIONS[expression.func]
+        return operation, tuple(self._place(argument) for argument in expression.args)
+
+
+def _sharp(entry: Ball) -> bool:
+    return bool(entry.is_exact() or entry.rel_accuracy_bits() >= GOOD)
+
+
+_OPERATIONS: dict[type[Expr], Callable[..., Ball]] = {
+    sp.Abs: abs,
+    sp.Add: lambda *terms: reduce(add, terms),
+    sp.Mul: lambda *factors: reduce(mul, factors),
+    sp.Pow: lambda base, exponent: base**exponent,
+    sp.acos: lambda x: x.acos(),
+    sp.asin: lambda x: x.asin(),
+    sp.atan: lambda x: x.atan(),
+    sp.atan2: lambda y, x: _flint().arb.atan2(y, x),
+    sp.cos: lambda x: x.cos(),
+    sp.cosh: lambda x: x.cosh(),
+    sp.erf: lambda x: x.erf(),
+    sp.exp: lambda x: x.exp(),
+    sp.expm1: lambda x: x.expm1(),
+    sp.hypot: lambda x, y: (x * x + y * y).sqrt(),
+    sp.log: lambda x: x.log(),
+    sp.ratio: lambda above, below: above * 0 if below.is_zero() else above / below,
+    sp.sin: lambda x: x.sin(),
+    sp.sinh: lambda x: x.sinh(),
+    sp.tan: lambda x: x.tan(),
+    sp.tanh: lambda x: x.tanh(),
+}
+
+
+@cache
+def _flint() -> Any:
+    import flint  # noqa: PLC0415 - optional, and slow to load
+
+    return flint
+
+
+@contextmanager
+def _precision(bits: int) -> Iterator[None]:
+    context = _flint().ctx
+    before = context.prec
+    context.prec = bits
+    try:
+        yield
+    finally:
+        context.prec = before
+
+
+@cache
+def trustworthy() -> bool:
+    """Whether python-flint is installed and what is used of it keeps its digits."""
+    if find_spec("flint") is None:
+        return False
+    with _precision(PRECISION):
+        third = _flint().arb(1) / 3
+        residues = [-third + third, abs(-third) - third, third - third.mid(), (third - 1.5) + 1.5 - third]
+        residues += [third.sin() ** 2 + third.cos() ** 2 - 1, (third.expm1() + 1).log() - third]
+    return all(abs(float(residue.mid())) + float(residue.rad()) < 2.0 ** (16 - PRECISION) for residue in residues)
+
+
+def exact_arithmetic() -> tuple[str, Callable[[Tensor[Expr], Sequence[Symbol]], Any]]:
+    """The faster of the two that can be trusted, and its name."""
+    if trustworthy():
+        return f"ball arithmetic, python-flint {_flint().__version__}", Balls
+    return "mpmath", Evaluator

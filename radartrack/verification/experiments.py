@@ -1,0 +1,224 @@
+"""Which simulation a quantity is the mean of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from itertools import combinations_with_replacement
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.evaluation import Evaluator
+from radartrack.derive.model import Covariance, Model
+from radartrack.derive.quantity import Quantity
+from radartrack.derive.tensor import Tensor
+from radartrack.verification.compilation import compiled
+from radartrack.verification.outcome import Function
+from radartrack.verification.programs import Program
+from radartrack.verification.sampling import coarse
+from radartrack.verification.simulation import Experiment, Polynomial, Term
+from radartrack.verification.subject import model_of, row_of
+
+Array = npt.NDArray[np.float64]
+POINTS = 2
+NOISE, PREDICTION = "noise", "prediction"
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What is drawn, and whose mean the quantity is.
+
+    Attributes:
+        errors: the distribution of each error that is drawn.
+        terms: of g.
+        factor: of the second moment E[g gᵀ], or None where the mean E[g] itself is meant.
+    """
+
+    errors: tuple[str, ...]
+    terms: tuple[Term, ...]
+    factor: float | None
+
+
+def _mean(errors: tuple[str, ...], *terms: Term) -> Recipe:
+    return Recipe(errors, terms, None)
+
+
+def _square(factor: float, errors: tuple[str, ...], *terms: Term) -> Recipe:
+    return Recipe(errors, terms, factor)
+
+
+"""A covariance is half the mean square of the difference of two draws; what is averaged over the truth shares it."""
+RECIPES: dict[str, Recipe] = {
+    "bias.truth": _mean((NOISE,), Term(1, (1,), "h"), Term(-1, (0,), "h")),
+    "bias.averaged": _mean((NOISE, NOISE), Term(1, (-1, 1), "h"), Term(-1, (-1, 0), "h")),
+    "unbiased.estimate": _mean((NOISE,), Term(1, (1,), "tested"), Term(-1, (0,), "h")),
+    "posterior.estimate": _mean((NOISE,), Term(1, (-1,), "h")),
+    "covariance.truth": _square(0.5, (NOISE, NOISE), Term(1, (1, 0), "h"), Term(-1, (0, 1), "h")),
+    "posterior.covariance": _square(0.5, (NOISE, NOISE), Term(1, (-1, 0), "h"), Term(-1, (0, -1), "h")),
+    "covariance.averaged": _square(
+        0.5, (NOISE, NOISE, NOISE), Term(1, (-1, 1, 0), "h"), Term(-1, (-1, 0, 1), "h")
+    ),
+    "unbiased.covariance": _square(1.0, (NOISE,), Term(1, (0,), "u"), Term(-1, (-1,), "h")),
+    "decorrelated.covariance": _square(
+        1.0, (PREDICTION, NOISE), Term(1, (-1, 1), "u"), Term(-1, (-1, 0), "h")
+    ),
+}
+
+
+def simulated(quantity: Quantity) -> bool:
+    """Whether a quantity is the mean of a simulation."""
+    return model_of(quantity) is not None and row_of(quantity) in RECIPES
+
+
+def tests_of(quantity: Quantity) -> int:
+    """How many means are compared at all its points."""
+    size = quantity.shape[0]
+    return POINTS * (size if RECIPES[row_of(quantity)].factor is None else size * (size + 1) // 2)
+
+
+@cache
+def tests_of_catalogue() -> int:
+    """How many means a run over the whole catalogue compares; the false alarms of all are one budget."""
+    return sum(tests_of(quantity) for quantity in catalogue().values() if simulated(quantity))
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One quantity at one point: the simulation, and what it should give.
+
+    Attributes:
+        experiment: what is drawn.
+        expected: the mean of what is drawn less its control, by the function that is tested.
+        scale: what errors of each mean are relative to.
+        factor: by which a mean is multiplied to be an entry of the quantity.
+        labels: the index of each mean.
+        beyond: the size, relative to the scale, of what the second-order formulas leave out.
+    """
+
+    experiment: Experiment
+    expected: tuple[float, ...]
+    scale: tuple[float, ...]
+    factor: float
+    labels: tuple[str, ...]
+    beyond: float
+
+
+def trials(quantity: Quantity, function: Function, seed: int) -> Iterator[Trial]:
+    """A trial at each point."""
+    columns = coarse(quantity, POINTS, seed + 6)
+    for number in range(POINTS):
+        point = {name: float(values[number]) for name, values in columns.items()}
+        yield _trial(quantity, function, _small(point, number), f"{seed}/{quantity.name}/{number}")
+
+
+def _small(point: Mapping[str, float], number: int) -> dict[str, float]:
+    """Every second point has errors three times smaller, where the orders of a formula stand apart."""
+    return {name: value / 3 if "sigma_" in name and number % 2 else value for name, value in point.items()}
+
+
+def _trial(quantity: Quantity, function: Function, point: dict[str, float], key: str) -> Trial:
+    model, recipe = model_of(quantity), RECIPES[row_of(quantity)]
+    if model is None:
+        raise LookupError(f"{quantity.name} belongs to no model")
+    names = {NOISE: model.covariance, PREDICTION: model.prediction_covariance}
+    covariances = [_numbers(model, names[error], point) for error in recipe.errors]
+    whole = _stacked(covariances)
+    control = _control(model, recipe, point)
+    size = len(model.outputs)
+    pairs = tuple(combinations_with_replacement(range(size), 2)) if recipe.factor is not None else ()
+    value = _value(quantity, function, point)
+    known = control.second_moments(whole) if pairs else control.means(whole)
+    factor = recipe.factor or 1.0
+    places: tuple[tuple[int, ...], ...] = pairs or tuple((a,) for a in range(size))
+    target = np.zeros(size) if row_of(quantity) == "unbiased.estimate" else value
+    expected = tuple(float(target[place] / factor - known[place]) for place in places)
+    scale = _scale(quantity, value)
+    relative = tuple(float(scale[place]) for place in places)
+    left = max(abs(gap) * factor / size for gap, size in zip(expected, relative, strict=True))
+    factors = tuple(np.linalg.cholesky(covariance) for covariance in covariances)
+    experiment = Experiment(
+        key,
+        point,
+        tuple(variable.name for variable in model.measured),
+        factors,
+        recipe.terms,
+        _functions(quantity, model, recipe, function),
+        control,
+        pairs,
+    )
+    return Trial(experiment, expected, relative, factor, tuple(map(str, map(list, places))), left)
+
+
+def _functions(
+    quantity: Quantity, model: Model, recipe: Recipe, function: Function
+) -> dict[str, Program | tuple[Function, tuple[str, ...]]]:
+    known: dict[str, Program | tuple[Function, tuple[str, ...]]] = {
+        "h": _program(f"{model.name}.map"),
+        "tested": (function, tuple(symbol.name for symbol in quantity.symbols)),
+    }
+    used = {term.value for term in recipe.terms}
+    if "u" in used:
+        known["u"] = _program(f"{model.name}.unbiased.estimate")
+    return {name: value for name, value in known.items() if name in used}
+
+
+@cache
+def _program(name: str) -> Program:
+    quantity = catalogue()[name]
+    return compiled(quantity.expression, quantity.symbols)
+
+
+def _value(quantity: Quantity, function: Function, point: Mapping[str, float]) -> Array:
+    return np.asarray(function(**{s.name: point[s.name] for s in quantity.symbols}), dtype=np.float64)
+
+
+def _exact(name: str, point: Mapping[str, float]) -> Array:
+    """A derived quantity at the point, in many digits before it is rounded."""
+    quantity = catalogue()[name]
+    values = Evaluator(quantity.expression, quantity.symbols)([point[s.name] for s in quantity.symbols])
+    return np.array([float(value) for value in values]).reshape(quantity.shape)
+
+
+def _scale(quantity: Quantity, value: Array) -> Array:
+    if quantity.is_covariance:
+        deviations = np.sqrt(np.abs(np.diagonal(value)))
+        return np.outer(deviations, deviations)
+    return np.abs(value)
+
+
+def _numbers(model: Model, covariance: Covariance, point: Mapping[str, float]) -> Array:
+    size = len(model.measured)
+    symbols = [symbol for symbol in model.symbols if symbol.name in point]
+    entries = Tensor((size, size), tuple(entry for row in covariance for entry in row))
+    return compiled(entries, symbols)(**{symbol.name: point[symbol.name] for symbol in symbols})
+
+
+def _stacked(covariances: list[Array]) -> Array:
+    size = sum(map(len, covariances))
+    whole, start = np.zeros((size, size)), 0
+    for covariance in covariances:
+        stop = start + len(covariance)
+        whole[start:stop, start:stop] = covariance
+        start = stop
+    return whole
+
+
+def _control(model: Model, recipe: Recipe, point: Mapping[str, float]) -> Polynomial:
+    """Taylor's polynomial of g: that of the map at each displacement; the estimate u has nearly the map's own slopes."""
+    jacobian, hessian = _exact(f"{model.name}.jacobian", point), _exact(f"{model.name}.hessian", point)
+    starts = {"h": _exact(f"{model.name}.map", point)}
+    starts["tested"] = starts["h"]
+    if any(term.value == "u" for term in recipe.terms):
+        starts["u"] = _exact(f"{model.name}.unbiased.estimate", point)
+    size, inputs = len(model.outputs), len(model.measured) * len(recipe.errors)
+    constant, linear = np.zeros(size), np.zeros((size, inputs))
+    quadratic = np.zeros((size, inputs, inputs))
+    for term in recipe.terms:
+        often = np.array(term.displacement, dtype=np.float64)
+        constant = constant + term.sign * starts[term.value]
+        linear = linear + term.sign * np.concatenate([times * jacobian for times in often], axis=1)
+        quadratic = quadratic + term.sign * np.stack([np.kron(np.outer(often, often), part) for part in hessian])
+    return Polynomial(constant, linear, quadratic)

@@ -1,0 +1,224 @@
+import math
+import time
+from collections.abc import Mapping
+
+import pytest
+
+from radartrack.derive import check
+from radartrack.derive.catalogue import UnknownQuantity
+from radartrack.derive.checking.reference import UnknownEntry
+from radartrack.derive.checking.verdict import Outcome, Verdict
+from radartrack.derive.formula.error import FormulaError
+
+LINEAR = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"
+INDEPENDENT = {"rho": "0"}
+
+
+def test_a_formula_that_is_right_is_proved_equal() -> None:
+    verdict = check("polar.covariance.linear[0,0]", LINEAR, given=INDEPENDENT)
+    assert verdict.verdict is Outcome.EQUAL
+    assert verdict.counterexample is None
+    assert verdict.suggestions == ()
+    assert verdict.conditions == ("rho = 0",)
+
+
+def test_a_formula_that_is_right_under_a_condition_only_differs_and_is_told_so() -> None:
+    verdict = check("polar.covariance.linear[0,0]", LINEAR)
+    assert verdict.verdict is Outcome.DIFFERS
+    assert "equal when rho = 0" in verdict.remarks
+
+
+def test_the_printed_forms_of_equation_11_are_proved() -> None:
+    attenuated = "exp(-2*sigma_beta**2)*(cos(beta)**2*({c}cosh(2*sigma_beta**2) - cosh(sigma_beta**2))"
+    attenuated += " + sin(beta)**2*({c}sinh(2*sigma_beta**2) - sinh(sigma_beta**2)))"
+    formula = f"r**2*{attenuated.format(c='')} + sigma_r**2*{attenuated.format(c='2*')}"
+    assert check("polar.covariance.averaged[0,0]", formula, given=INDEPENDENT).verdict is Outcome.EQUAL
+
+
+def test_a_counterexample_is_what_anyone_computes_at_that_point() -> None:
+    verdict = check("polar.bias.second_order[0]", "-r*cos(beta)*sigma_beta**2", given=INDEPENDENT)
+    example = verdict.counterexample
+    assert example is not None
+    r, beta, sigma = (example.point[name] for name in ("r", "beta", "sigma_beta"))
+    assert r == 5e4
+    assert beta == math.radians(30)
+    assert sigma == math.radians(1)
+    assert example.printed == pytest.approx(-r * math.cos(beta) * sigma**2)
+    assert example.derived == pytest.approx(-r * math.cos(beta) * sigma**2 / 2)
+    assert example.relative_difference == pytest.approx(1)
+    assert example.largest_relative_difference == pytest.approx(1)
+
+
+def test_a_difference_that_is_tiny_at_the_usual_point_is_shown_where_it_matters() -> None:
+    formula = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2 + sigma_r**2*sigma_beta**2"
+    example = check("polar.covariance.linear[0,0]", formula, given=INDEPENDENT).counterexample
+    assert example is not None
+    assert example.relative_difference > 0.01
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "order"),
+    [
+        ("polar.bias.averaged[0]", "-r*sigma_beta**2/2*cos(beta)", (4, 2)),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**2*cos(beta)", (2, 2)),
+        ("polar.covariance.truth[0,0]", LINEAR, (4, 2)),
+        ("polar.unbiased.estimate[0]", "r*cos(beta)", (2, 0)),
+        ("polar.map[0]", "r*sin(beta)", None),
+    ],
+)
+def test_the_order_of_the_difference_tells_an_approximation_from_a_misprint(
+    name: str, formula: str, order: tuple[int, int] | None
+) -> None:
+    given = INDEPENDENT if "map" not in name else None
+    assert check(name, formula, given=given).order == order
+
+
+def test_another_quantity_that_the_formula_equals_is_named() -> None:
+    formula = "[r*cos(beta)*(exp(-sigma_beta**2/2) - 1), r*sin(beta)*(exp(-sigma_beta**2/2) - 1)]"
+    verdict = check("polar.bias.averaged", formula, given=INDEPENDENT)
+    assert "this is polar.bias.truth, not polar.bias.averaged" in _edits(verdict)
+
+
+def test_another_entry_of_the_same_quantity_is_named() -> None:
+    verdict = check(
+        "polar.covariance.linear[1,1]", LINEAR, given=INDEPENDENT
+    )
+    assert any("polar.covariance.linear[0,0]" in edit for edit in _edits(verdict))
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "edit"),
+    [
+        ("polar.bias.second_order[0]", "r*sigma_beta**2*cos(beta)/2", "the sign"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**2*cos(beta)", "a missing factor 1/2"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**2*cos(beta)/3", "3 should be 2"),
+        ("polar.bias.second_order[0]", "-sigma_beta**2*cos(beta)/2", "a missing factor r"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta*cos(beta)/2", "sigma_beta should be sigma_beta**2"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**3*cos(beta)/2", "3 should be 2"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**2*sin(beta)/2", "sin should be cos"),
+        ("polar.covariance.linear[0,0]", LINEAR.replace("**2*s", "*s", 1), "r should be r**2"),
+        ("polar.covariance.linear[0,0]", LINEAR.replace("sigma_r", "r"), "r should be sigma_r"),
+        ("polar.covariance.linear[0,0]", "r**2*sigma_beta**2*sin(beta)**2", "a missing term"),
+        ("polar.covariance.linear[0,0]", f"{LINEAR} + r**2*sigma_beta**4", "an extra term"),
+        ("polar.covariance.linear[0,0]", f"r**2*sigma_beta**2*sin(beta**2) + sigma_r**2*cos(beta)**2", "a bracket"),
+        ("polar.bias.truth[0]", "r*cos(beta)*exp(-sigma_beta**2/2) - 1", "a bracket"),
+        ("polar.unbiased.estimate[0]", "r*cos(beta)*exp(-sigma_beta**2/2)", "the sign"),
+        ("polar.jacobian[0,1]", "-r*cos(beta)", "cos should be sin"),
+        ("finite_sample.degree2.range_rate.covariance[0,2]",
+         "60*(k - 2)*sigma_r**2/(T**2*k*(k + 1)*(60*C + k**2 + 4))", "the sign of 4"),
+        ("finite_sample.degree2.range_rate.covariance[0,2]",
+         "60*(k - 2)*sigma_r**2/(T*k*(k + 1)*(60*C + k**2 - 4))", "T should be T**2"),
+        ("observe.polar.jacobian[1,0]", "y/(x**2 + y**2)", "the sign"),
+        ("fusion.weights.two[0]", "sigma_1**2/(sigma_1**2 + sigma_2**2)", "sigma_1 should be sigma_2"),
+        ("taylor.mean_shift", "1/2*(f_xx*D_1 + 2*f_xy*K_12 + f_yy*D_1)", "D_1 should be D_2"),
+    ],
+)
+def test_the_smallest_edit_that_makes_it_right_comes_first(name: str, formula: str, edit: str) -> None:
+    given = INDEPENDENT if name.startswith("polar.") and "jacobian" not in name else None
+    verdict = check(name, formula, given=given)
+    assert verdict.verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
+    assert any(said.startswith(edit) for said in _edits(verdict)[:3]), _edits(verdict)
+    assert all(one.proved for one in verdict.suggestions)
+
+
+def test_every_suggestion_is_itself_found_equal() -> None:
+    verdict = check("polar.bias.second_order[0]", "r*sigma_beta**3*cos(beta)/2", given=INDEPENDENT)
+    for suggestion in verdict.suggestions:
+        assert check("polar.bias.second_order[0]", suggestion.formula, given=INDEPENDENT).is_equal
+
+
+def test_two_slips_at_once_are_found() -> None:
+    verdict = check("polar.covariance.linear[0,1]", "(sigma_r**2 + r**2*sigma_beta)*sin(beta)*cos(beta)", given=INDEPENDENT)
+    assert verdict.suggestions
+    assert check("polar.covariance.linear[0,1]", verdict.suggestions[0].formula, given=INDEPENDENT).is_equal
+
+
+def test_metres_added_to_square_metres_are_wrong_dimensions() -> None:
+    verdict = check("polar.covariance.linear[0,0]", LINEAR.replace("r**2*", "r*", 1), given=INDEPENDENT)
+    assert verdict.verdict is Outcome.WRONG_DIMENSIONS
+    assert "cannot be added" in verdict.reason
+    assert verdict.suggestions[0].formula == LINEAR
+
+
+def test_a_paper_s_own_names_are_read() -> None:
+    let = {"D_beta": "sigma_beta**2", "a": "D_beta/2"}
+    assert check("polar.bias.second_order[0]", "-a*r*cos(beta)", given=INDEPENDENT, let=let).is_equal
+
+
+def test_latex_is_compared_as_it_is_read() -> None:
+    formula = r"-\frac{1}{2}\sigma_\beta^2 r\cos\beta"
+    verdict = check("polar.bias.second_order[0]", formula, latex=True, given=INDEPENDENT)
+    assert verdict.verdict is Outcome.EQUAL
+    assert "sigma_beta**2" in verdict.printed
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("polar.jacobian", "[[cos(beta), -r*sin(beta)], [sin(beta), r*cos(beta)]]"),
+        ("polar.hessian[:,0,1]", "[-sin(beta), cos(beta)]"),
+        ("polar.hessian[0,:,:]", "[[0, -sin(beta)], [-sin(beta), -r*cos(beta)]]"),
+        ("polar.map + polar.bias.truth - polar.posterior.estimate", "[0, 0]"),
+    ],
+)
+def test_tensors_slices_and_expressions_may_be_checked(name: str, formula: str) -> None:
+    assert check(name, formula).verdict is Outcome.EQUAL
+
+
+def test_of_a_tensor_the_wrong_entry_is_named() -> None:
+    verdict = check("polar.jacobian", "[[cos(beta), -r*sin(beta)], [sin(beta), -r*cos(beta)]]")
+    assert verdict.verdict is Outcome.DIFFERS
+    assert verdict.counterexample is not None
+    assert verdict.counterexample.entry == (1, 1)
+    assert {one.entry for one in verdict.suggestions} == {(1, 1)}
+
+
+def test_what_algebra_cannot_decide_is_compared_in_numbers_and_said_to_be_unproved() -> None:
+    verdict = check("observe.polar.map[1]", "2*atan2(y, x + sqrt(x**2 + y**2))")
+    assert verdict.verdict is Outcome.EQUAL_NUMERICALLY
+    assert "not proved" in verdict.reason
+
+
+def test_a_difference_far_below_rounding_in_floating_point_is_seen() -> None:
+    verdict = check("polar.map[0]", "r*cos(beta) + 1e-38*r")
+    assert verdict.verdict is Outcome.DIFFERS
+
+
+def test_rounding_is_not_taken_for_a_difference() -> None:
+    verdict = check("polar.hessian[0,0,0]", "(sin(beta)**2 + cos(beta)**2 - 1)/r")
+    assert verdict.verdict is Outcome.EQUAL
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "options", "error"),
+    [
+        ("polar.covariance.linaer", "r", {}, UnknownQuantity),
+        ("polar.covariance.linear[0]", "r", {}, UnknownEntry),
+        ("polar.covariance.linear[0,2]", "r", {}, UnknownEntry),
+        ("polar.map + polar.jacobian", "r", {}, UnknownEntry),
+        ("r + 1", "r", {}, UnknownQuantity),
+        ("polar.map", "r*cos(beta)", {}, FormulaError),
+        ("polar.map[0]", "[r, r]", {}, FormulaError),
+        ("polar.map[0]", "r*cos(theta)", {}, FormulaError),
+        ("polar.map[0]", "r", {"given": {"rho": "0"}}, FormulaError),
+        ("polar.map[0]", "r", {"given": {"r": "1 +"}}, FormulaError),
+        ("polar.map[0]", "r", {"let": {"r": "1"}}, FormulaError),
+        ("polar.map[0]", "r", {"let": {"a": "b"}}, FormulaError),
+    ],
+)
+def test_what_makes_no_sense_is_refused(
+    name: str, formula: str, options: Mapping[str, Mapping[str, str]], error: type[Exception]
+) -> None:
+    with pytest.raises(error):
+        check(name, formula, **options)  # type: ignore[arg-type]
+
+
+def test_a_verdict_is_quick() -> None:
+    check("polar.covariance.averaged[0,0]", LINEAR, given=INDEPENDENT)
+    start = time.process_time()
+    check("polar.covariance.averaged[0,0]", LINEAR, given=INDEPENDENT)
+    assert time.process_time() - start < 2
+
+
+def _edits(verdict: Verdict) -> list[str]:
+    return [suggestion.edit for suggestion in verdict.suggestions]

@@ -1,0 +1,128 @@
+"""Every catalogue entry: rewritings are proved equal, slips are told from it and traced to it.
+
+Here a few slips of a few entries of each quantity; RADARTRACK_MUTANTS=100 takes every entry and a hundred slips.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from random import Random
+
+import pytest
+import sympy
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.check import Question
+from radartrack.derive.checking.display import shown
+from radartrack.derive.checking.equality import proved_equal
+from radartrack.derive.checking.points import generic_points
+from radartrack.derive.checking.printed import Names, Printed, names_for
+from radartrack.derive.checking.reference import Reference, refer
+from radartrack.derive.checking.suggestions import suggest
+from radartrack.derive.checking.verdict import Outcome
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.text import read_text
+from radartrack.derive.formula.tree import Tree
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Tensor
+from radartrack.derive.variable import Variable
+from tests.derive.checking.mutants import mutants, rewritings
+
+MUTANTS = int(os.environ.get("RADARTRACK_MUTANTS", "2"))
+THOROUGH = MUTANTS >= 100
+LONG = 20_000 if THOROUGH else 700
+SHARE = 0.9
+FUNCTIONS = {"expm1": math.expm1, "hypot": math.hypot}
+
+
+def _entries(name: str) -> list[tuple[Reference, Expr]]:
+    """Different entries of a quantity that are formulas, not numbers; outside the thorough run one of them."""
+    quantity = catalogue()[name]
+    found: dict[Expr, str] = {}
+    for index, expression in quantity.expression.items():
+        if expression.free_symbols:
+            found.setdefault(expression, f"{name}[{','.join(map(str, index))}]" if index else name)
+    chosen = list(found.items())
+    if not THOROUGH:
+        chosen = Random(name).sample(chosen, min(1, len(chosen)))
+    return [(refer(entry), expression) for expression, entry in chosen]
+
+
+def _tree(expression: Expr, names: Names) -> Tree | None:
+    text = shown(Tensor((), (expression,)))
+    try:
+        return read_text(text, names.values) if len(text) <= LONG else None
+    except FormulaError:
+        return None
+
+
+@pytest.mark.parametrize("name", sorted(catalogue()))
+def test_rewritten_formulas_are_proved_equal(name: str) -> None:
+    for _, expression in _entries(name):
+        for kind, rewritten in rewritings(expression).items():
+            if len(str(rewritten)) <= LONG:
+                assert proved_equal(rewritten, expression), kind
+
+
+@pytest.mark.parametrize("name", sorted(catalogue()))
+def test_slips_are_told_from_the_formula_and_traced_to_it(name: str) -> None:
+    traced = total = 0
+    for reference, expression in _entries(name):
+        names = names_for(reference, {})
+        tree = _tree(expression, names)
+        if tree is None:
+            continue
+        for mutant in mutants(tree, dict(names.dimensions), MUTANTS, Random(name)):
+            verdict, suggestions = _checked(reference, names, mutant, expression)
+            if verdict is None:
+                continue
+            total += 1
+            traced += any(proved_equal(names.read(read_text(one, names.values)), expression) for one in suggestions)
+    assert traced >= SHARE * total - 1
+
+
+def _checked(
+    reference: Reference, names: Names, mutant: Tree, expression: Expr
+) -> tuple[Outcome | None, list[str]]:
+    """The verdict, held against floating point, and the first three suggestions; None for no slip at all."""
+    try:
+        changed = names.read(mutant)
+    except FormulaError:
+        return None, []
+    printed = Printed(mutant, Tensor((), (mutant,)), Tensor((), (changed,)), names)
+    verdict = Question(reference, printed, {})._compare(()).outcome
+    if not _differ(changed, expression, reference.symbols):
+        assert verdict in {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}, to_text(mutant)
+        return None, []
+    assert verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}, to_text(mutant)
+    found = suggest(mutant, names, expression, reference.symbols, {})
+    return verdict, [one.formula for one in found[:3]]
+
+
+def _differ(first: Expr, second: Expr, symbols: tuple[Variable, ...]) -> bool:
+    """Whether both differ at a point of ordinary size; an oracle that shares nothing with the checker."""
+    one, other = (sympy.lambdify(symbols, e, [FUNCTIONS, "math"]) for e in (first, second))
+    for point in generic_points(symbols, 4):
+        values = [point[symbol.name] for symbol in symbols]
+        try:
+            if not math.isclose(one(*values), other(*values), rel_tol=1e-9, abs_tol=1e-12):
+                return True
+        except (ArithmeticError, TypeError, ValueError):
+            return True
+    return False
+
+
+def test_a_checker_that_calls_everything_equal_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("radartrack.derive.checking.check.find_difference", lambda *_: None)
+    monkeypatch.setattr("radartrack.derive.checking.check.proved_equal", lambda *_: True)
+    with pytest.raises(AssertionError):
+        test_slips_are_told_from_the_formula_and_traced_to_it("polar.covariance.linear")
+
+
+def test_a_search_that_finds_nothing_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(globals(), "suggest", lambda *_: [])
+    monkeypatch.setitem(globals(), "MUTANTS", 20)
+    with pytest.raises(AssertionError):
+        test_slips_are_told_from_the_formula_and_traced_to_it("polar.covariance.linear")

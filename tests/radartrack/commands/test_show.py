@@ -1,0 +1,82 @@
+"""`radartrack show`: every quantity and entry in every format, and hints for what is not there."""
+
+import re
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from radartrack.cli import app
+from radartrack.derive import printing
+from radartrack.derive.quantity import Quantity
+from tests import conversions
+
+POLAR = [q for q in conversions.QUANTITIES if q.module == "polar" and "decorrelated" not in q.name]
+FORMATS = {"text": printing.text, "latex": printing.latex, "python": printing.python}
+COMMENTS = {"text": "", "latex": "% ", "python": "# "}
+
+
+def show(*arguments: str) -> str:
+    result = CliRunner().invoke(app, ["show", *arguments])
+    assert result.exit_code == 0, result.output
+    return result.stdout
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+@pytest.mark.parametrize("quantity", POLAR, ids=conversions.ids)
+def test_heading_and_formula_are_shown_for_the_whole_and_for_every_entry(quantity: Quantity, kind: str):
+    for index in [None, *np.ndindex(quantity.shape)]:
+        name = quantity.name if index is None else f"{quantity.name}[{','.join(map(str, index))}]"
+        heading, _, formula = show(name, "--format", kind).partition("\n\n")
+        assert formula == FORMATS[kind](quantity, index) + "\n"
+        assert [line.removeprefix(COMMENTS[kind]) for line in heading.splitlines()] == printing.heading(quantity)
+        assert all(line.startswith(COMMENTS[kind]) for line in heading.splitlines())
+
+
+def test_text_is_the_format_when_none_is_asked_for():
+    assert show("polar.map") == show("polar.map", "--format", "text")
+
+
+def test_blanks_in_an_index_do_not_matter():
+    assert show("polar.jacobian[ 1 , 0 ]") == show("polar.jacobian[1,0]")
+
+
+def test_a_heading_says_name_meaning_source_conditioning_and_symbols():
+    text = show("polar.bias.truth")
+    for fact in (
+        "polar.bias.truth",
+        "(e^L - 1) h",
+        "truth-conditioned",
+        "Lerro & Bar-Shalom 1993",
+        "sigma_beta",
+        "[rad]",
+    ):
+        assert fact in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hints"),
+    [
+        (["polar.mapp"], ["polar.mapp", "did you mean", "polar.map"]),
+        (["sphericl.bias.truth"], ["spherical.bias.truth"]),
+        (["xyz"], ["radartrack list"]),
+        (["polar.map[2]"], ["polar.map[2]", "shape [2]", "count from 0"]),
+        (["polar.map[0,0]"], ["shape [2]"]),
+        (["polar.jacobian[0]"], ["shape [2, 2]"]),
+        (["polar.map[-1]"], ["no name of a quantity"]),
+        (["polar.map[]"], ["no name of a quantity"]),
+        (["polar.map[a]"], ["no name of a quantity"]),
+        (["polar.map[0"], ["no name of a quantity"]),
+        (["polar map"], ["no name of a quantity"]),
+        ([""], ["no name of a quantity"]),
+        (["polar.map", "--format", "word"], ["text", "latex", "python"]),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else None,
+)
+def test_what_is_not_there_is_answered_with_exit_code_two_and_a_hint(arguments: list[str], hints: list[str]):
+    result = CliRunner(env={"COLUMNS": "200"}).invoke(app, ["show", *arguments])
+    assert result.exit_code == 2
+    said = re.sub(r"[\s│]+", " ", result.stderr)
+    for hint in hints:
+        assert hint in said
+    assert "Traceback" not in result.output
