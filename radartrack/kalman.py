@@ -88,6 +88,23 @@ class _Observation(NamedTuple):
     rows: RealArray
 
 
+class _Sensor(NamedTuple):
+    """H and R, and what they are with independent errors of variance one where nothing is missing.
+
+    Attributes:
+        matrix: H, (m, n).
+        noise: R, (m, m).
+        across: the transpose of the whitening, (m, m, 1).
+        rows: what is measured then, (m, n, 1).
+
+    """
+
+    matrix: RealArray
+    noise: RealArray
+    across: RealArray
+    rows: RealArray
+
+
 def predict(belief: Belief, motion: Motion) -> Belief:
     """Move beliefs by one scan.
 
@@ -118,10 +135,10 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
         ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
 
     """
-    values, H, R = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
+    values, sensor = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
     tracks, mean, covariance = _tracks_last(belief, values.shape[:-1])
     flat = np.broadcast_to(values, (*tracks, values.shape[-1])).reshape(-1, values.shape[-1])
-    return _tracks_first(*_updated(mean, covariance, _whitened(flat.T, H, R)), tracks)
+    return _tracks_first(*_updated(mean, covariance, _whitened(flat.T, sensor)), tracks)
 
 
 def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
@@ -143,22 +160,20 @@ def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, n
         ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
 
     """
-    values, H, R = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
+    values, sensor = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
     tracks, mean, covariance = _tracks_last(start, values.shape[:-2])
     checked = _checked(motion, len(mean))
     flat = np.broadcast_to(values, (*tracks, *values.shape[-2:])).reshape(-1, *values.shape[-2:])
-    means, covariances = [], []
-    for scan in np.ascontiguousarray(np.moveaxis(flat, 0, -1)):
-        observation = _whitened(scan, H, R)
-        mean, covariance = _updated(*_predicted(mean, covariance, checked), observation)
-        means.append(mean)
+    means = np.empty((flat.shape[1], *mean.shape), mean.dtype)
+    covariances = []
+    for number, scan in enumerate(np.ascontiguousarray(np.moveaxis(flat, 0, -1))):
+        predicted = _predicted(mean, covariance, checked)
+        mean, covariance = _updated(*predicted, _whitened(scan, sensor))
+        means[number] = mean
         covariances.append(covariance)
-    if not means:
-        size = len(mean)
-        return Belief(np.empty((*tracks, 0, size)), np.empty((*tracks, 0, size, size)))
-    return _tracks_first(np.stack(means), _stacked(covariances), tracks)
+    return _tracks_first(means, _stacked(covariances, len(mean)), tracks)
 
 
 def _predicted(mean: RealArray, covariance: RealArray, motion: Motion) -> tuple[RealArray, RealArray]:
@@ -193,22 +208,23 @@ def _symmetric(covariance: RealArray) -> RealArray:
     return (covariance + covariance.swapaxes(0, 1)) / 2
 
 
-def _whitened(values: RealArray, matrix: RealArray, noise: RealArray) -> _Observation:
+def _whitened(values: RealArray, sensor: _Sensor) -> _Observation:
     """Measurements, (m, tracks), with their errors made independent; a missing one measures nothing."""
     seen = ~np.isnan(values)
-    whitening = _whitening_of_each(seen, noise)
+    if seen.all():
+        return _Observation(_combination(sensor.across, values[:, np.newaxis]), sensor.rows)
+    across = _whitening_of_each(seen, sensor.noise).swapaxes(0, 1)
     present = np.where(seen, values, 0.0)
-    across = whitening.swapaxes(0, 1)
-    return _Observation(
-        _combination(across, present[:, np.newaxis]),
-        _combination(across[:, :, np.newaxis], matrix[:, np.newaxis, :, np.newaxis]),
-    )
+    return _Observation(_combination(across, present[:, np.newaxis]), _rows(across, sensor.matrix))
+
+
+def _rows(across: RealArray, matrix: RealArray) -> RealArray:
+    """What whitened measurements measure, (m, n, tracks or 1)."""
+    return _combination(across[:, :, np.newaxis], matrix[:, np.newaxis, :, np.newaxis])
 
 
 def _whitening_of_each(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
-    """The whitening of each track, (m, m, tracks), or of all, (m, m, 1), where each sees everything."""
-    if seen.all():
-        return _whitening(np.ones(len(seen), dtype=bool), noise)[..., np.newaxis]
+    """The whitening of each track, (m, m, tracks)."""
     _, first, which = np.unique(2 ** np.arange(len(seen)) @ seen, return_index=True, return_inverse=True)
     return np.stack([_whitening(pattern, noise) for pattern in seen.T[first]], axis=-1)[..., which]
 
@@ -254,15 +270,17 @@ def _tracks_first(mean: RealArray, covariance: RealArray, tracks: tuple[int, ...
     return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
-def _stacked(covariances: list[RealArray]) -> RealArray:
+def _stacked(covariances: list[RealArray], size: int) -> RealArray:
     """The covariances of successive scans, which are shared until a track misses something."""
+    if not covariances:
+        return np.empty((0, size, size, 1))
     widest = max(covariance.shape[-1] for covariance in covariances)
     return np.stack([np.broadcast_to(part, (*part.shape[:-1], widest)) for part in covariances])
 
 
 def _measurement(
     measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, size: tuple[int, ...]
-) -> tuple[RealArray, RealArray, RealArray]:
+) -> tuple[RealArray, _Sensor]:
     arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
     values, H, R = arrays["measured"], arrays["matrix"], arrays["noise"]
     if H.ndim != 2 or not np.isfinite(H).all():
@@ -275,7 +293,8 @@ def _measurement(
         raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
     if R.ndim != 2 or not (np.array_equal(R, R.T) and np.linalg.eigvalsh(R).min(initial=1.0) > 0):
         raise ValueError(f"noise must be symmetric and positive definite, of shape (m, m); got {R.tolist()}")
-    return values, H, R
+    across = _whitening(np.ones(len(H), dtype=bool), R).T[..., np.newaxis]
+    return values, _Sensor(H, R, across, _rows(across, H))
 
 
 def _checked(motion: Motion, size: int) -> Motion:
