@@ -307,8 +307,7 @@ class VarianceTable:
         edges = self.range_edges
         if not np.all((r >= edges[0]) & (r <= edges[-1])):
             raise ValueError(
-                f"r must be within the table, from {edges[0]:g} to {edges[-1]:g} m; "
-                f"got {r.min():g} to {r.max():g}"
+                f"r must be within the table, from {edges[0]:g} to {edges[-1]:g} m; got {r.min():g} to {r.max():g}"
             )
         return np.minimum(np.searchsorted(edges, r, side="right") - 1, edges.size - 2).astype(np.int64)
 
@@ -328,17 +327,11 @@ class VarianceTable:
         parts = self.contributions
         shape = self.range_edges.size - 1, self.sectors
         cells = parts.range_bin[chosen] * self.sectors + parts.sector[chosen]
-        groups = [chosen[cells == cell] for cell in range(math.prod(shape))]
-        return _Totals(
-            *(
-                np.array([math.fsum(column[group]) for group in groups]).reshape(shape)
-                for column in (parts.degrees_of_freedom, parts.radial, parts.mixed, parts.transverse)
-            )
-        )
+        columns = (parts.degrees_of_freedom, parts.radial, parts.mixed, parts.transverse)
+        sums = (np.bincount(cells, column[chosen], minlength=math.prod(shape)) for column in columns)
+        return _Totals(*(total.reshape(shape).astype(np.float64) for total in sums))
 
-    def _interpolated(
-        self, r: Floats, azimuth: Floats, label: str, minimum_degrees: float
-    ) -> tuple[Floats, Floats]:
+    def _interpolated(self, r: Floats, azimuth: Floats, label: str, minimum_degrees: float) -> tuple[Floats, Floats]:
         """Weighted sum over the cells around each plot that are not thin, and the sum of the weights."""
         thin = self.degrees_of_freedom(label) < minimum_degrees
         cells = np.where(thin[..., np.newaxis, np.newaxis], 0.0, self.covariance(label))
@@ -410,9 +403,7 @@ def _read(path: Path) -> Columns:
     if missing:
         raise VarianceTableError(f"{path} is no variance table: it lacks {', '.join(sorted(missing))}")
     if str(stored["digest"]) != _digest(stored):
-        raise VarianceTableError(
-            f"{path} was changed or damaged since it was saved: the checksum does not fit"
-        )
+        raise VarianceTableError(f"{path} was changed or damaged since it was saved: the checksum does not fit")
     return stored
 
 

@@ -219,6 +219,20 @@ def test_the_printed_deviation_is_that_of_folded_distances_over_the_speed(slope:
     assert line.measurement_std(t, x, x, "printed").x.mean() == pytest.approx(expected, rel=0.04)
 
 
+def test_the_printed_deviation_is_equations_8_to_10_word_by_word() -> None:
+    t, x = track(2.0, tracks=4, plots=7, sigma=5.0, seed=6)
+    found, deviations = line.measurement_std(t, x, 3 * x, "printed"), []
+    for values in (x, 3 * x):
+        fitted = line.fit(t, values, method="reweighted")
+        slope, intercept = fitted.slope[:, np.newaxis], fitted.intercept[:, np.newaxis]
+        distances = np.abs(values - slope * t - intercept) / np.sqrt(1 + slope**2)
+        mean = distances.sum(axis=1, keepdims=True) / 7
+        deviations.append(np.sqrt(((distances - mean) ** 2).sum(axis=1) / 6))
+    assert found.x == pytest.approx(deviations[0])
+    assert found.y == pytest.approx(deviations[1])
+    assert found.position == pytest.approx(np.sqrt((deviations[0] ** 2 + deviations[1] ** 2) / 2))
+
+
 def test_a_target_that_stays_where_it_is_is_fitted_by_a_vertical_line_when_the_error_exceeds_the_time() -> None:
     """The perpendicular fit of (t, x) then measures the spread of the times."""
     t = np.linspace(0.0, 40.0, 41)

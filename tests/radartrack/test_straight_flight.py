@@ -62,6 +62,17 @@ def test_intervals_hold_what_another_thousand_runs_give(results: dict[str, Compa
         assert estimate.lower < results["calibrated"].rmse[name].value < estimate.upper
 
 
+def test_the_interval_of_an_excess_is_that_of_a_ratio_over_the_same_runs() -> None:
+    """Over 2000 repetitions the half width at one standard deviation is the scatter of the ratio, within 10 %."""
+    generator = np.random.default_rng(1)
+    reference = generator.exponential(size=(2000, 300))
+    squares = 2.0 * reference + generator.exponential(size=(2000, 300))
+    found = [straight_flight._excess(*pair, 1.0) for pair in zip(squares, reference, strict=True)]
+    values = np.array([estimate.value for estimate in found])
+    assert values.mean() == pytest.approx(2.0, rel=0.01)
+    assert np.mean([e.upper - e.value for e in found]) == pytest.approx(values.std(), rel=0.1)
+
+
 def test_the_same_seed_gives_the_same_numbers() -> None:
     assert compare(runs=20) == compare(runs=20)
 
