@@ -60,8 +60,8 @@ def wobble(t: NDArray[np.float64], x: NDArray[np.float64], y: NDArray[np.float64
 
 
 def flights() -> list[Flight]:
-    """The simulated flight always, and the logged one where the log is there; says which on the terminal."""
-    found = [great_circle(), *([logged()] if LOG.exists() else [])]
-    absent = "" if LOG.exists() else f"; {LOG.name} is not there, so no logged flight is tested"
-    print(f"straight flights: {', '.join(flight.source for flight in found)}{absent}")
-    return found
+    """The simulated flight always, and the logged one where the log is there; where it is not, the name says so."""
+    if LOG.exists():
+        return [great_circle(), logged()]
+    simulated = great_circle()
+    return [simulated._replace(source=f"{simulated.source} alone ({LOG.name} is not there)")]
