@@ -26,9 +26,7 @@ from radartrack.derive.variable import Variable, angle, correlation, deviation, 
 r = length("r", "range")
 beta = angle("beta", "azimuth")
 sigma_beta = deviation(beta, low=1e-9, high=1.0)
-sigma = tuple(
-    Variable(f"sigma_{j}", f"standard deviation of measurement {j}", METRE, 1e-2, 1e5) for j in (1, 2, 3)
-)
+sigma = tuple(Variable(f"sigma_{j}", f"standard deviation of measurement {j}", METRE, 1e-2, 1e5) for j in (1, 2, 3))
 information = Variable("information", "sum of 1/sigma^2 over all measurements", METRE**-2, 1e-10, 1e6)
 weight = sp.Symbol("weight", real=True)
 multiplier = sp.Symbol("multiplier", real=True)
@@ -92,9 +90,7 @@ def diagonal(matrix: Matrix) -> list[Expr]:
 def plane_covariance(number: int) -> tuple[Matrix, tuple[Variable, Variable, Variable]]:
     """The error covariance of x and y of one measurement, and its symbols."""
     first, second = (
-        Variable(
-            f"sigma_{axis}{number}", f"standard deviation of {axis} of measurement {number}", METRE, 1e-2, 1e5
-        )
+        Variable(f"sigma_{axis}{number}", f"standard deviation of {axis} of measurement {number}", METRE, 1e-2, 1e5)
         for axis in "xy"
     )
     rho = correlation(f"rho_{number}", first, second)

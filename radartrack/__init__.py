@@ -7,11 +7,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from radartrack import convert, fusion, kalman, line
+    from radartrack import consistency, convert, fusion, kalman, line, observe, validity
     from radartrack.finite_sample_filter import FiniteSampleFilter
     from radartrack.variance_table import VarianceTable
 
-__all__ = ["FiniteSampleFilter", "VarianceTable", "convert", "fusion", "kalman", "line"]
+__all__ = [
+    "FiniteSampleFilter",
+    "VarianceTable",
+    "consistency",
+    "convert",
+    "fusion",
+    "kalman",
+    "line",
+    "observe",
+    "validity",
+]
 
 _CLASSES = {"FiniteSampleFilter": "finite_sample_filter", "VarianceTable": "variance_table"}
 

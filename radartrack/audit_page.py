@@ -60,8 +60,7 @@ def _claim(record: Mapping[str, Any]) -> str:
     places = [record["equation"], f"p. {record['page']}" if record["page"] else ""]
     where = ", ".join(place for place in places if place)
     parts = [
-        f'<h3><span>{escape(record["id"])}</span> <span class="verdict">{audit_text.WORDS[verdict]}</span>'
-        f' <span class="where">{escape(where)}</span></h3>',
+        _heading(record["id"], audit_text.WORDS[verdict], where),
         f"<p><code>{escape(record['quantity'])}</code></p>" if record["quantity"] else "",
         _formula(record.get("printed_mathml", ""), record["printed"]),
         f"<p>{escape(record['reason'])}</p>",
@@ -70,6 +69,11 @@ def _claim(record: Mapping[str, Any]) -> str:
     ]
     identity = escape(record["id"], quote=True)
     return f'<article class="{verdict}" id="{identity}">{"".join(parts)}</article>'
+
+
+def _heading(identity: str, verdict: str, where: str) -> str:
+    said = f'<span class="verdict">{verdict}</span> <span class="where">{escape(where)}</span>'
+    return f"<h3><span>{escape(identity)}</span> {said}</h3>"
 
 
 def _formula(mathml: str, text: str) -> str:

@@ -33,9 +33,7 @@ def show(paper: Mapping[str, Any], console: Console) -> None:
     for record in paper["claims"]:
         verdict = record["verdict"]
         words = f"[{STYLES[verdict]}]{audit_text.WORDS[verdict]}[/]"
-        table.add_row(
-            *map(escape, (record["id"],)), words, *map(escape, (record["quantity"], record["reason"]))
-        )
+        table.add_row(*map(escape, (record["id"],)), words, *map(escape, (record["quantity"], record["reason"])))
     console.print(table, highlight=False)
     for record in paper["claims"]:
         if record["verdict"] in audit_text.WRONG:

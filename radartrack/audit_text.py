@@ -47,7 +47,9 @@ def order(difference: int, quantity: int) -> str:
             if (difference == quantity)
             else f"the difference is of order {_power(difference)}, the quantity only of order {_power(quantity)}"
         )
-    return f"the difference is of order {_power(difference)} in the deviations, the quantity of order {_power(quantity)}"
+    return (
+        f"the difference is of order {_power(difference)} in the deviations, the quantity of order {_power(quantity)}"
+    )
 
 
 def quantity_value(value: float, unit: str) -> str:
@@ -77,9 +79,7 @@ def _power(exponent: int) -> str:
 
 def _example(example: Record) -> str:
     units = example["units"]
-    values = [
-        f"{name} = {quantity_value(value, units.get(name, '1'))}" for name, value in example["point"].items()
-    ]
+    values = [f"{name} = {quantity_value(value, units.get(name, '1'))}" for name, value in example["point"].items()]
     entry = f" entry {list(example['entry'])}:" if example["entry"] else ""
     place = f"at {', '.join(values)}:" if values else ""
     compared = f"printed {number(example['printed'])}, derived {number(example['derived'])}"
@@ -92,8 +92,7 @@ def _worst(example: Record) -> str:
         return ""
     units = example["units"]
     values = (
-        f"{name} = {quantity_value(value, units.get(name, '1'))}"
-        for name, value in example["largest_at"].items()
+        f"{name} = {quantity_value(value, units.get(name, '1'))}" for name, value in example["largest_at"].items()
     )
     return f"{percent(relative)} over the domain, at {', '.join(values)}"
 

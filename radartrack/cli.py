@@ -9,6 +9,7 @@ from radartrack.commands.check import check
 from radartrack.commands.list_quantities import list_quantities
 from radartrack.commands.regenerate import regenerate
 from radartrack.commands.show import show
+from radartrack.commands.verify import verify
 
 app = typer.Typer(
     name="radartrack",
@@ -21,3 +22,4 @@ app.command(name="list")(list_quantities)
 app.command()(show)
 app.command(context_settings={"ignore_unknown_options": True})(check)  # a formula may begin with a minus sign
 app.command()(audit)
+app.command()(verify)

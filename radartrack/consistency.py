@@ -10,7 +10,6 @@ answer depends on what is held fixed, and most disagreement between published co
 """
 
 import math
-import operator
 from collections.abc import Callable, Mapping
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
@@ -27,7 +26,7 @@ from radartrack.validation import RealArray, one_of, real_arrays
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 
 MINIMUM = 2
-SMALLEST_FALSE_ALARM = 1e-6
+SMALLEST_FALSE_ALARM = 1e-9
 
 
 class Consistency(NamedTuple):
@@ -82,7 +81,7 @@ def experiment(
             "decorrelated" and for `given` "prediction", and only there.
         draws: how many simulated errors, at least 2.
         seed: of the random numbers; the same one gives the same result.
-        false_alarm: probability with which one band misses, from 1e-6 to 0.5.
+        false_alarm: probability with which one band misses, from 1e-9 to 0.5.
         **plot: the arguments of the conversion of this name, one number each: measured quantities, deviations,
             and `correlation`, which is 0 if it is not given.
 
@@ -170,13 +169,15 @@ def _scatter(covariance: RealArray, normal: Callable[[int], RealArray]) -> RealA
     deviations = np.sqrt(np.diagonal(covariance))
     divisors = np.where(deviations > 0, deviations, 1)
     eigenvalues, vectors = np.linalg.eigh(covariance / np.outer(divisors, divisors))
-    root = vectors * np.sqrt(np.maximum(eigenvalues, 0))
-    scattered: RealArray = normal(len(covariance)) @ root.T * deviations
+    root = vectors * np.sqrt(np.maximum(eigenvalues, 0)) @ vectors.T  # the one root that is symmetric
+    scattered: RealArray = normal(len(covariance)) @ root * deviations
     return scattered
 
 
 def _generator(draws: int, seed: int) -> Callable[[int], RealArray]:
-    if isinstance(draws, bool) or operator.index(draws) < MINIMUM:
+    if isinstance(draws, bool) or not isinstance(draws, int):
+        raise TypeError(f"draws must be an integer; got {draws!r}")
+    if draws < MINIMUM:
         raise ValueError(f"draws must be at least {MINIMUM}; got {draws}")
     generator = np.random.default_rng(seed)
     return lambda size: generator.standard_normal((draws, size))

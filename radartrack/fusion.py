@@ -65,9 +65,7 @@ class Motion(NamedTuple):
     def at(self, t: ArrayLike) -> Floats:
         """Positions [m] at times of shape (..., m), shape (..., m, 2)."""
         elapsed = np.asarray(t, np.float64) - self.time[..., np.newaxis]
-        return (
-            self.position[..., np.newaxis, :] + elapsed[..., np.newaxis] * self.velocity[..., np.newaxis, :]
-        )
+        return self.position[..., np.newaxis, :] + elapsed[..., np.newaxis] * self.velocity[..., np.newaxis, :]
 
 
 def weights(std: ArrayLike) -> Floats:
@@ -85,9 +83,7 @@ def weights(std: ArrayLike) -> Floats:
     """
     deviations = _read({"std": std}, {"std": STD})["std"]
     if not deviations.ndim or not deviations.shape[-1]:
-        raise ValueError(
-            f"std must have at least one deviation on its last axis; got shape {deviations.shape}"
-        )
+        raise ValueError(f"std must have at least one deviation on its last axis; got shape {deviations.shape}")
     if not np.all(deviations > 0):
         raise ValueError("std must be positive; got 0")
     inverse: Floats = (deviations.min(axis=-1, keepdims=True) / deviations) ** 2
@@ -257,9 +253,7 @@ def fuse_lines(
         raise ValueError(f"t, x and y must be given for the same radars; got {len(t)}, {len(x)} and {len(y)}")
     fits = [_fused_line(t, coordinate, between, layer) for coordinate in (x, y)]
     if not all(np.all(fit.converged) for fit in fits):
-        raise ValueError(
-            "t must hold at least two different times with positive weights; got a track without"
-        )
+        raise ValueError("t must hold at least two different times with positive weights; got a track without")
     time = fits[0].mean_t
     position = np.stack([fit.at(time[..., np.newaxis])[..., 0] for fit in fits], axis=-1)
     return Motion(time, position, np.stack([fit.slope for fit in fits], axis=-1), None)
@@ -301,18 +295,14 @@ def fuse_plots(t: ArrayLike, position: ArrayLike, covariance: ArrayLike) -> Moti
     return Motion(middle[..., 0], state[..., :2] + origin[..., 0, :], state[..., 2:], spread)
 
 
-def _fused_line(
-    t: Sequence[ArrayLike], x: Sequence[ArrayLike], between: Floats, first_layer: FirstLayer
-) -> line.Fit:
+def _fused_line(t: Sequence[ArrayLike], x: Sequence[ArrayLike], between: Floats, first_layer: FirstLayer) -> line.Fit:
     """The line of one coordinate through the plots of all radars."""
     layers = [_plots_of_radar(j, t[j], x[j], first_layer) for j in range(len(t))]
     shape = broadcast_shape(
         {f"plots of radar {j}": times[..., 0] for j, (times, _, _) in enumerate(layers)}
         | {"radar_weights": between[..., 0]}
     )
-    weighted = [
-        (times, values, own * between[..., j : j + 1]) for j, (times, values, own) in enumerate(layers)
-    ]
+    weighted = [(times, values, own * between[..., j : j + 1]) for j, (times, values, own) in enumerate(layers)]
     joined = (
         np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]) for part in parts], axis=-1)
         for parts in zip(*weighted, strict=True)
@@ -321,17 +311,13 @@ def _fused_line(
     return line.fit(times, values, weights=total)
 
 
-def _plots_of_radar(
-    number: int, t: ArrayLike, x: ArrayLike, first_layer: FirstLayer
-) -> tuple[Floats, Floats, Floats]:
+def _plots_of_radar(number: int, t: ArrayLike, x: ArrayLike, first_layer: FirstLayer) -> tuple[Floats, Floats, Floats]:
     """Times, coordinates and first-layer weights of one radar, all of one shape."""
     names = f"t of radar {number}", f"coordinates of radar {number}"
     arrays = _read(dict(zip(names, (t, x), strict=True)), dict(zip(names, (TIME, COORDINATE), strict=True)))
     shape = broadcast_shape(arrays)
     if not shape or not shape[-1]:
-        raise ValueError(
-            f"t of radar {number} must have at least one plot on its last axis; got shape {shape}"
-        )
+        raise ValueError(f"t of radar {number} must have at least one plot on its last axis; got shape {shape}")
     times, values = (np.broadcast_to(array, shape) for array in arrays.values())
     if first_layer == "equal":
         return times, values, np.ones(shape)

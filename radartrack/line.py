@@ -195,9 +195,7 @@ class MeasurementStd:
             ValueError: for the printed method, and for a confidence that is not between 0 and 1.
         """
         if self.degrees_of_freedom is None:
-            raise ValueError(
-                "interval needs method 'consistent'; the printed deviations have no known distribution"
-            )
+            raise ValueError("interval needs method 'consistent'; the printed deviations have no known distribution")
         if not 0 < confidence < 1:
             raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
         estimates = np.stack([self.x, self.y], axis=-1)
@@ -239,17 +237,13 @@ def measurement_std(
     arrays = _plots({"t": t, "x": x, "y": y}, domains, least=3)
     times, coordinates = arrays["t"], (arrays["x"], arrays["y"])
     if chosen == "printed":
-        lines = [
-            fit(times, values, method="reweighted", max_iterations=max_iterations) for values in coordinates
-        ]
+        lines = [fit(times, values, method="reweighted", max_iterations=max_iterations) for values in coordinates]
         distances = [line.distance(times, values) for line, values in zip(lines, coordinates, strict=True)]
         along_x, along_y = (np.abs(distance).std(axis=-1, ddof=1) for distance in distances)
         return MeasurementStd(along_x, along_y, None, lines[0].converged & lines[1].converged)
     lines = [fit(times, values) for values in coordinates]
     freedom = int(formulas.ordinary_degrees_of_freedom(n=times.shape[-1]))
-    squares = [
-        np.sum(line.residual(times, values) ** 2, -1) for line, values in zip(lines, coordinates, strict=True)
-    ]
+    squares = [np.sum(line.residual(times, values) ** 2, -1) for line, values in zip(lines, coordinates, strict=True)]
     along_x, along_y = (np.sqrt(total / freedom) for total in squares)
     return MeasurementStd(along_x, along_y, freedom, lines[0].converged & lines[1].converged)
 

@@ -178,7 +178,10 @@ def project(
     require_trailing_shape("covariance", arrays["covariance"], (size, size))
     require_covariance("covariance", arrays["covariance"])
     default = SENSORS[name].azimuth_from
-    observed = _observe(name, "mean", arrays["mean"], azimuth_from or default)
+    if default is None and azimuth_from is not None:
+        raise ValueError(f"azimuth_from must be None for sensor {name!r}; got {azimuth_from!r}")
+    chosen = default if azimuth_from is None else azimuth_from
+    observed = _observe(name, "mean", arrays["mean"], chosen)
     broadcast_shape({"mean": arrays["mean"][..., 0], "covariance": arrays["covariance"][..., 0, 0]})
     _require_derivatives(name, arrays["mean"])
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused below

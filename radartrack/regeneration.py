@@ -8,20 +8,25 @@ import json
 import math
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from radartrack.derive.catalogue import catalogue, find
 from radartrack.derive.forms import form_of
 from radartrack.derive.model import Model
 from radartrack.derive.quantity import Quantity
+from radartrack.derive.stable import StableForm
 from radartrack.derive.writer import Function, module_text
 from radartrack.directory_swap import replace_directory
 from radartrack.verification.sampling import sample
 from radartrack.verification.ulp import errors
 
 RECORD = "accuracy.json"
+CHUNK = 4  # neighbours in the catalogue share what they are derived from
 POINTS = 500
 PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
 
@@ -84,11 +89,27 @@ def load_model(path: Path) -> Model:
 
 
 def derive(quantities: Iterable[Quantity], step: Step) -> list[Function]:
-    """The functions of all quantities; `step` is told each name as its turn comes."""
+    """The functions of all quantities; `step` is told each name as its turn comes.
+
+    Those of the catalogue are derived in one process a core, a model of a user's own in this one.
+    """
+    wanted = list(quantities)
+    if all(quantity is catalogue().get(quantity.name) for quantity in wanted):
+        names = [quantity.name for quantity in wanted]
+        with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
+            return _told(wanted, pool.map(_form, names, chunksize=CHUNK), step)
+    return _told(wanted, map(form_of, wanted), step)
+
+
+def _form(name: str) -> StableForm:
+    return form_of(find(name))
+
+
+def _told(quantities: list[Quantity], forms: Iterable[StableForm], step: Step) -> list[Function]:
     functions = []
-    for quantity in quantities:
+    for quantity, form in zip(quantities, forms, strict=True):
         step(quantity.name)
-        functions.append(Function(quantity, form_of(quantity)))
+        functions.append(Function(quantity, form))
     return functions
 
 

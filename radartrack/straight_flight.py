@@ -155,8 +155,7 @@ def compare(
     motions["covariance"] = _by_covariance(radars, plots)
     truth = flight.position(times)
     squares = {
-        name: np.mean(np.sum((motion.at(times) - truth) ** 2, axis=-1), axis=-1)
-        for name, motion in motions.items()
+        name: np.mean(np.sum((motion.at(times) - truth) ** 2, axis=-1), axis=-1) for name, motion in motions.items()
     }
     z = NormalDist().inv_cdf((1 + confidence) / 2)
     return Comparison(
@@ -187,9 +186,7 @@ def _by_covariance(radars: Sequence[Radar], plots: Sequence[Plots]) -> fusion.Mo
     times = np.concatenate([p.t for p in plots])
     positions = np.concatenate([np.stack([p.x, p.y], axis=-1) for p in plots], axis=-2)
     pairs = zip(radars, plots, strict=True)
-    return fusion.fuse_plots(
-        times, positions, np.concatenate([_covariance(*pair) for pair in pairs], axis=-3)
-    )
+    return fusion.fuse_plots(times, positions, np.concatenate([_covariance(*pair) for pair in pairs], axis=-3))
 
 
 def _covariance(radar: Radar, plots: Plots) -> Floats:
@@ -215,9 +212,7 @@ def _propagated(radars: Sequence[Radar], plots: Sequence[Plots]) -> Floats:
 
 def _by_scatter(method: line.StdMethod) -> "Source":
     def weigh(_: Sequence[Radar], plots: Sequence[Plots]) -> Floats:
-        return fusion.weights(
-            np.stack([line.measurement_std(p.t, p.x, p.y, method).position for p in plots], axis=-1)
-        )
+        return fusion.weights(np.stack([line.measurement_std(p.t, p.x, p.y, method).position for p in plots], axis=-1))
 
     return weigh
 

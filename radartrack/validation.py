@@ -60,7 +60,7 @@ DIRECTION_COSINE_STD = Domain("", 1.0, 1.0, "no cosine is larger")
 CORRELATION = Domain("", 1.0, 1.0, "no correlation is larger", signed=True)
 
 
-def one_of(name: str, given: str, allowed: Iterable[Choice]) -> Choice:
+def one_of(name: str, given: str | None, allowed: Iterable[Choice]) -> Choice:
     """Find the allowed word that was given.
 
     Raises:
@@ -180,7 +180,7 @@ def _cast(name: str, array: NDArray[Any], dtype: np.dtype[Any]) -> RealArray:
         raise ValueError(f"{name} must be at most {limit:.7g} to compute in {dtype}; got {largest}") from None
 
 
-def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.bool_]) -> None:
+def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.bool_] | np.bool_) -> None:
     if fulfilled.all():
         return
     first = np.unravel_index(np.argmin(fulfilled), fulfilled.shape)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack.sensors import SENSORS, SensorName
-from radartrack.validation import CORRELATION, RealArray, one_of, real_arrays, require_within
+from radartrack.validation import Domain, RealArray, one_of, real_arrays, require_within
 
 Formulas: TypeAlias = Literal["linear", "second_order"]
 
@@ -193,13 +193,15 @@ def _ratios(name: SensorName, given: Mapping[str, ArrayLike], formulas: Formulas
     word = one_of("formulas", formulas, get_args(Formulas))
     sensor = SENSORS[name]
     arrays = real_arrays(given)
-    positive = {"r": sensor.coordinates["r"], **sensor.noise}
-    for argument, (_, domain) in positive.items():
-        if domain is not CORRELATION:
-            largest = min(domain.largest, LARGEST), min(domain.largest_single, LARGEST)
-            reason = "a ratio to zero is none"
-            bounded = replace(domain, smallest=SMALLEST, largest=largest[0], largest_single=largest[1], reason=reason)
-            require_within(argument, arrays[argument], bounded)
+    for argument, (_, domain) in {**sensor.coordinates, **sensor.noise}.items():
+        if argument == "r" or argument.endswith("_std"):
+            require_within(argument, arrays[argument], _positive(domain))
+        elif argument == "range_rate":
+            require_within(argument, arrays[argument], replace(domain, largest=LARGEST))
     # Powers of the deviations, up to the eighth, underflow in float32.
     values = {symbol: array.astype(np.float64) for symbol, array in sensor.read(arrays).items()}
     return sensor.evaluate(f"validity_{word}", values).astype(arrays["r"].dtype, copy=False)
+
+
+def _positive(domain: Domain) -> Domain:
+    return replace(domain, smallest=SMALLEST, largest=min(domain.largest, LARGEST), reason="a ratio to zero is none")

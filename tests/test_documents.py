@@ -1,6 +1,7 @@
 """The examples in the documents run, and print what the documents say that they print."""
 
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,11 @@ DOCUMENTS = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
 EXAMPLE = re.compile(r"^```python\n(?P<code>.*?)^```\n(?:\n```text\n(?P<output>.*?)^```$)?", re.MULTILINE | re.DOTALL)
 SEPARATOR = "\x1e"
 WITH_EXAMPLES = [document for document in DOCUMENTS if EXAMPLE.search(document.read_text())]
+
+SHOWN = re.compile(r"^```console\n\$ (?P<command>[^\n]*)\n(?P<output>.*?)^```$", re.MULTILINE | re.DOTALL)
+CONSOLE = [
+    (shown["command"], shown["output"]) for document in DOCUMENTS for shown in SHOWN.finditer(document.read_text())
+]
 
 
 def run(blocks: list[str], folder: Path) -> list[str]:
@@ -29,6 +35,15 @@ def test_examples_run_and_print_what_is_written(document: Path, tmp_path: Path) 
     for example, printed in zip(examples, run([e["code"] for e in examples], tmp_path), strict=False):
         if example["output"] is not None:
             assert printed == example["output"]
+
+
+@pytest.mark.parametrize(("command", "output"), CONSOLE, ids=lambda text: text[:40])
+def test_commands_print_what_is_written(command: str, output: str) -> None:
+    program, *arguments = shlex.split(command)
+    finished = subprocess.run(
+        [Path(sys.executable).with_name(program), *arguments], capture_output=True, text=True, cwd=ROOT, check=False
+    )
+    assert [line.rstrip() for line in finished.stdout.splitlines()] == output.splitlines()
 
 
 def test_relative_links_lead_somewhere() -> None:

@@ -187,6 +187,11 @@ def _problems(claim: Claim) -> Iterator[str]:
     kinds = _kinds(claim)
     if len(kinds) != 1:
         yield f"exactly one of {', '.join(_KINDS)} is needed, given {' and '.join(kinds) or 'none'}"
+    yield from _misplaced(claim)
+
+
+def _misplaced(claim: Claim) -> Iterator[str]:
+    """Fields that need others, or belong to another kind of claim."""
     if claim.attained_at and not claim.maximum_over:
         yield "attained_at needs maximum_over"
     if (claim.trend or claim.crosses) and not claim.along:

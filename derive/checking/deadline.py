@@ -129,8 +129,8 @@ class _Child:
             stdout=subprocess.PIPE,
             encoding="utf-8",
         )
-        self._requests = cast(TextIO, self._process.stdin)
-        self._lines = cast(TextIO, self._process.stdout)
+        self._requests = cast("TextIO", self._process.stdin)
+        self._lines = cast("TextIO", self._process.stdout)
         self._answers: queue.SimpleQueue[str] = queue.SimpleQueue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
@@ -11,13 +11,13 @@ from itertools import pairwise
 import mpmath
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.claims import Claim
+from radartrack.derive.checking.claims import Along, Claim
 from radartrack.derive.checking.dimensions import Dimension
 from radartrack.derive.checking.reference import Reference, refer
+from radartrack.derive.checking.scalar import scalar_expression
 from radartrack.derive.checking.verdict import Counterexample, Outcome, Verdict
 from radartrack.derive.evaluation import DIGITS, GUARD, Evaluator, Number
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.expression import to_expression
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
@@ -43,11 +43,11 @@ SHOWN_DIGITS = 6
 class Answer:
     """Whether the claim holds, what was derived, and why."""
 
-    holds: bool
     derived: str
     reason: str
     printed_value: float | None = None
     derived_value: float | None = None
+    holds: bool = field(kw_only=True)
 
 
 def check_number(claim: Claim) -> Verdict:
@@ -61,7 +61,7 @@ def check_number(claim: Claim) -> Verdict:
         return _verdict(
             claim,
             Outcome.WRONG_DIMENSIONS,
-            Answer(False, "", f"the unit is {claim.unit}, the quantity has {quantity.dimension}"),
+            Answer("", f"the unit is {claim.unit}, the quantity has {quantity.dimension}", holds=False),
             quantity,
         )
     answer = _answer(claim, quantity)
@@ -112,17 +112,12 @@ class _Quantity:
 
     def number(self, text: str) -> Number:
         """A formula without symbols."""
-        expression = to_expression(read_text(text, set()), {})
-        if isinstance(expression, tuple):
-            raise FormulaError(f"{text} must be one number")
-        return _evaluated(expression)
+        return _evaluated(scalar_expression(read_text(text, set()), {}))
 
     def level(self, text: str, more: Mapping[str, Number]) -> Number:
         """A formula in the quantity's symbols, in SI."""
         known: dict[str, Expr] = {symbol.name: symbol for symbol in self._symbols}
-        expression = to_expression(read_text(text, known), known)
-        if isinstance(expression, tuple):
-            raise FormulaError(f"{text} must be one number")
+        expression = scalar_expression(read_text(text, known), known)
         missing = {symbol.name for symbol in expression.free_symbols} - self._fixed.keys() - more.keys()
         if missing:
             raise FormulaError(f"at: the value of {', '.join(sorted(missing))} is missing, which {text} needs")
@@ -133,12 +128,11 @@ class _Quantity:
         """The quantity, or its maximum, in SI."""
         if self._claim.maximum_over is None:
             return self._at(self._evaluator, more)
-        return self.maximum(more)[1]
+        return self.maximum(more, self._claim.maximum_over)[1]
 
-    def maximum(self, more: Mapping[str, Number]) -> tuple[str, Number]:
+    def maximum(self, more: Mapping[str, Number], over: Along) -> tuple[str, Number]:
         """Where the quantity is largest, and how large."""
-        assert self._claim.maximum_over is not None
-        symbol, values = self._claim.maximum_over
+        symbol, values = over
         found = [(text, self._at(self._evaluator, {**more, symbol: self.number(text)})) for text in values]
         return max(found, key=lambda pair: pair[1])
 
@@ -161,7 +155,7 @@ class _Quantity:
 
 def _answer(claim: Claim, quantity: _Quantity) -> Answer:
     if claim.maximum_over and claim.along is None:
-        return _maximum(claim, quantity)
+        return _maximum(claim, quantity, claim.maximum_over)
     if claim.value:
         return _value(claim, quantity.value({}), quantity.scale)
     if claim.trend:
@@ -171,16 +165,15 @@ def _answer(claim: Claim, quantity: _Quantity) -> Answer:
     return _bound(claim, quantity)
 
 
-def _maximum(claim: Claim, quantity: _Quantity) -> Answer:
-    where, largest = quantity.maximum({})
-    symbol = claim.maximum_over[0] if claim.maximum_over else ""
-    found = f"{_shown(largest / quantity.scale)} {_unit(claim)}at {symbol} = {where}"
+def _maximum(claim: Claim, quantity: _Quantity, over: Along) -> Answer:
+    where, largest = quantity.maximum({}, over)
+    found = f"{_shown(largest / quantity.scale)} {_unit(claim)}at {over[0]} = {where}"
     is_there = not claim.attained_at or quantity.number(claim.attained_at) == quantity.number(where)
     value = _value(claim, largest, quantity.scale) if claim.value else None
     holds = is_there and (value is None or value.holds)
     said = "the maximum is" if holds else "the maximum is instead"
     printed = value.printed_value if value else None
-    return Answer(holds, found, f"{said} {found}", printed, float(largest / quantity.scale))
+    return Answer(found, f"{said} {found}", printed, float(largest / quantity.scale), holds=holds)
 
 
 def _value(claim: Claim, value: Number, scale: Number) -> Answer:
@@ -191,14 +184,13 @@ def _value(claim: Claim, value: Number, scale: Number) -> Answer:
         holds = bool(error <= mpmath.mpf(half.numerator) / half.denominator)
     shown = f"{_shown(derived)} {_unit(claim)}".strip()
     reason = f"{shown} rounds to {claim.value}" if holds else f"derived is {shown}, printed {claim.value}"
-    return Answer(holds, shown, reason, float(printed), float(derived))
+    return Answer(shown, reason, float(printed), float(derived), holds=holds)
 
 
 def _half_of_last_digit(claim: Claim) -> Fraction:
     """Half a unit of the last digit that counts."""
     number = Decimal(claim.value)
-    exponent = number.as_tuple().exponent
-    assert isinstance(exponent, int)
+    exponent = int(number.as_tuple().exponent)
     if claim.significant is not None:
         exponent = max(exponent, number.adjusted() - claim.significant + 1)
     return Fraction(10) ** exponent / 2
@@ -214,8 +206,8 @@ def _trend(claim: Claim, quantity: _Quantity) -> Answer:
     shown = ", ".join(f"{_shown(value / quantity.scale)}" for _, value, _ in _few(found))
     ends = f"from {found[0][0]} to {found[-1][0]}"
     if not against:
-        return Answer(True, shown, f"{claim.trend} {ends}")
-    return Answer(False, shown, f"not {claim.trend} at {against[0]}: the values {ends} are {shown}")
+        return Answer(shown, f"{claim.trend} {ends}", holds=True)
+    return Answer(shown, f"not {claim.trend} at {against[0]}: the values {ends} are {shown}", holds=False)
 
 
 def _steps(found: Sequence[tuple[str, Number, Mapping[str, Number]]]) -> list[tuple[str, Number]]:
@@ -235,7 +227,7 @@ def _crossing(claim: Claim, quantity: _Quantity) -> Answer:
     shown = " and ".join(values)
     holds = bool(gaps[0] * gaps[1] <= 0)
     between = f"the level {level} is {'' if holds else 'not '}crossed between them"
-    return Answer(holds, shown, f"{shown}: {between}")
+    return Answer(shown, f"{shown}: {between}", holds=holds)
 
 
 def _bound(claim: Claim, quantity: _Quantity) -> Answer:
@@ -246,13 +238,13 @@ def _bound(claim: Claim, quantity: _Quantity) -> Answer:
     extreme = (max if above else min)(found, key=lambda one: one[1])
     shown = f"{_shown(extreme[1] / quantity.scale)}{f' at {extreme[0]}' if extreme[0] else ''}"
     if not broken:
-        return Answer(True, shown, f"the {'largest' if above else 'smallest'} value is {shown}")
+        return Answer(shown, f"the {'largest' if above else 'smallest'} value is {shown}", holds=True)
     where, value, level = broken[0]
     place = f" at {where}" if where else ""
     reason = (
         f"{_shown(value / quantity.scale)}{place} is {'above' if above else 'below'} {_shown(level / quantity.scale)}"
     )
-    return Answer(False, shown, reason)
+    return Answer(shown, reason, holds=False)
 
 
 def _verdict(claim: Claim, outcome: Outcome, answer: Answer, quantity: _Quantity) -> Verdict:

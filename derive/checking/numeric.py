@@ -73,9 +73,10 @@ def combined(operation: Callable[..., float], *operands: Values) -> Values | Non
 
 def total(parts: Sequence[Values], operation: Callable[[float, float], float], start: float) -> Values | None:
     """A sum or product of parts; of none it is `start`, once."""
-    result: Values | None = (start,) * len(parts[0]) if parts else None
+    result = (start,) * len(parts[0]) if parts else None
     for part in parts:
-        result = result and combined(operation, result, part)
+        if result is not None:
+            result = combined(operation, result, part)
     return result
 
 
@@ -116,12 +117,8 @@ class Screen:
 
     def _evaluate(self, tree: Tree) -> Values | None:
         match tree:
-            case Number():
-                return self.constant(float(tree.value))
-            case Constant(name):
-                return self.constant(math.pi if name == "pi" else math.e)
-            case Name(name):
-                return self.names[name]
+            case Number() | Constant() | Name():
+                return self._atom(tree)
             case Sum(parts):
                 return self._folded(parts, add, 0.0)
             case Product(parts):
@@ -136,6 +133,13 @@ class Screen:
                 return self._applied(FUNCTIONS[function], arguments)
             case Array():
                 return None
+
+    def _atom(self, tree: Number | Constant | Name) -> Values:
+        if isinstance(tree, Name):
+            return self.names[tree.name]
+        if isinstance(tree, Constant):
+            return self.constant(math.pi if tree.name == "pi" else math.e)
+        return self.constant(float(tree.value))
 
     def _applied(self, operation: Callable[..., float], operands: Sequence[Tree]) -> Values | None:
         values = [self(operand) for operand in operands]
@@ -190,5 +194,5 @@ def _exponent(power: float, base: float) -> float:
 
 def _base(power: float, exponent: float) -> float:
     if power < 0 and exponent % 2 == 1:
-        return -((-power) ** (1 / exponent))
+        return -math.pow(-power, 1 / exponent)
     return math.pow(power, 1 / exponent)

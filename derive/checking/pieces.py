@@ -1,4 +1,4 @@
-"""Parts of formulas, found by what they are worth: a factor or term that print has lost is a part of the derived one."""
+"""Parts of formulas, found by their values: a factor or term that print has lost is a part of the derived one."""
 
 from __future__ import annotations
 

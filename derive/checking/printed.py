@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
 from radartrack.derive.checking.reference import Reference
+from radartrack.derive.checking.scalar import scalar_expression
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.expression import to_expression
 from radartrack.derive.formula.latex import read_latex
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import shape
@@ -32,9 +32,7 @@ class Names:
 
     def read(self, tree: Tree) -> Expr:
         """A scalar tree in the quantity's symbols."""
-        expression = to_expression(tree, self.values)
-        assert not isinstance(expression, tuple)
-        return expression
+        return scalar_expression(tree, self.values)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """What a printed formula is compared with: a catalogue quantity, entries of one, or an expression over several.
 
-`polar.covariance.linear`, `polar.covariance.linear[0,1]`, `polar.hessian[:,0,1]`, `polar.map - polar.bias.second_order`.
+`polar.covariance.linear`, `polar.covariance.linear[0,1]`, `polar.hessian[:,0,1]`,
+`polar.map - polar.bias.second_order`.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from functools import cached_property
 
 from radartrack.derive import catalogue
 from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
-from radartrack.derive.formula.expression import to_expression
+from radartrack.derive.checking.scalar import scalar_expression
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import Array, Tree
 from radartrack.derive.gaussian import COVERAGE
@@ -93,9 +94,7 @@ class Reference:
     def _entry(self, index: Index) -> Expr:
         known: dict[str, Expr] = {symbol.name: symbol for symbol in self.symbols}
         known |= {name: part.entry(index) for name, part in self.parts.items()}
-        result = to_expression(self.tree, known)
-        assert not isinstance(result, tuple)
-        return result
+        return scalar_expression(self.tree, known)
 
     def _dimension(self, index: Index) -> Dimension:
         known = {symbol.name: Dimension.of(symbol.unit) for symbol in self.symbols}

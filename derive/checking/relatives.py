@@ -34,7 +34,7 @@ class Asked:
 def conditions_that_help(asked: Asked) -> tuple[str, ...]:
     """`equal when rho = 0`, where that is proved."""
     symbols = [symbol for symbol in asked.reference.symbols if symbol not in asked.conditions]
-    independent = {symbol: sp.Integer(0) for symbol in symbols if symbol.is_correlation}
+    independent = _without_correlation(symbols)
     if not independent or not _equal_under(asked, asked.reference.entries, {**asked.conditions, **independent}):
         return ()
     return (f"equal when {' and '.join(f'{symbol} = 0' for symbol in independent)}",)
@@ -56,8 +56,8 @@ def _others(asked: Asked) -> Iterator[tuple[str, str]]:
     for quantity in _candidates(part.quantity):
         for shape, places, name in _slices(part, quantity):
             entries = Tensor(shape, tuple(quantity.expression[place] for place in places))
-            for sign, prefix in ((1, ""), (-1, "-")):
-                when = _match(asked, entries.map(lambda entry, sign=sign: sign * entry), quantity.symbols)
+            for signed, prefix in ((entries, ""), (entries.map(lambda entry: -entry), "-")):
+                when = _match(asked, signed, quantity.symbols)
                 if when is not None:
                     yield prefix + name, when
                     return
@@ -69,10 +69,14 @@ def _match(asked: Asked, entries: Tensor[Expr], symbols: Sequence[Variable]) -> 
     """Under which condition the formula equals these entries: "" for none, None when it does not."""
     if _equal_under(asked, entries, asked.conditions, symbols):
         return ""
-    independent = {symbol: sp.Integer(0) for symbol in symbols if symbol.is_correlation}
+    independent = _without_correlation(symbols)
     if independent and _equal_under(asked, entries, {**asked.conditions, **independent}, symbols):
         return " when " + " and ".join(f"{symbol} = 0" for symbol in independent)
     return None
+
+
+def _without_correlation(symbols: Sequence[Variable]) -> dict[Symbol, Expr]:
+    return {symbol: sp.Integer(0) for symbol in symbols if symbol.is_correlation}
 
 
 def _equal_under(

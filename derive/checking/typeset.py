@@ -58,12 +58,8 @@ def mathml(text: str) -> str:
 def element(tree: Tree) -> str:
     """One tree as MathML."""
     match tree:
-        case Number(text):
-            return f"<mn>{escape(text)}</mn>"
-        case Constant(name):
-            return "<mi>π</mi>" if name == "pi" else '<mi mathvariant="normal">e</mi>'
-        case Name(name):
-            return _name(name)
+        case Number() | Constant() | Name():
+            return _atom(tree)
         case Sum(terms):
             return _row(*(_term(term, first=not place) for place, term in enumerate(terms)))
         case Product(factors):
@@ -78,6 +74,14 @@ def element(tree: Tree) -> str:
             return _call(function, arguments)
         case Array(entries):
             return _array(entries)
+
+
+def _atom(tree: Number | Constant | Name) -> str:
+    if isinstance(tree, Number):
+        return f"<mn>{escape(tree.text)}</mn>"
+    if isinstance(tree, Name):
+        return _name(tree.name)
+    return "<mi>π</mi>" if tree.name == "pi" else '<mi mathvariant="normal">e</mi>'
 
 
 def _row(*parts: str) -> str:

@@ -8,11 +8,14 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+if TYPE_CHECKING:
+    from radartrack.derive.checking.claims import Claim
 
 PROCESSES = 2
 PLAIN_WIDTH = 120  # in a file or a pipe
@@ -23,9 +26,7 @@ def audit(
         list[Path] | None, typer.Argument(help="Claims files; without any, the papers that are shipped.")
     ] = None,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the verdicts here as JSON.")] = None,
-    html_out: Annotated[
-        Path | None, typer.Option("--html", help="Write a page with typeset formulas here.")
-    ] = None,
+    html_out: Annotated[Path | None, typer.Option("--html", help="Write a page with typeset formulas here.")] = None,
     timeout: Annotated[float, typer.Option(help="Seconds after which a claim is given up.", min=0.1)] = 20.0,
 ) -> None:
     """Check every formula and number of a paper; a verdict that is not `equal` is no failure of the command.
@@ -59,21 +60,18 @@ def audit(
         raise typer.Exit(2)
 
 
-def _decided(
-    claims: list[object], timeout: float, *, typeset: bool
-) -> tuple[list[dict[str, object]], list[str]]:
+def _decided(claims: list[Claim], timeout: float, *, typeset: bool) -> tuple[list[dict[str, Any]], list[str]]:
     """A record for each claim, and what is wrong with it where it cannot be read."""
-    from radartrack.derive.checking.claims import Claim, UnreadableClaim
+    from radartrack.derive.checking.claims import UnreadableClaim
     from radartrack.derive.checking.deadline import decide_all, undecided
 
-    known = [claim for claim in claims if isinstance(claim, Claim)]
     processes = max(1, min(PROCESSES, os.cpu_count() or 1))
-    with _progress(len(known)) as step:
-        answers = decide_all(known, timeout, processes, step, typeset=typeset)
+    with _progress(len(claims)) as step:
+        answers = decide_all(claims, timeout, processes, step, typeset=typeset)
     errors = [str(answer) if isinstance(answer, UnreadableClaim) else "" for answer in answers]
     records = [
         undecided(claim, str(answer)) if isinstance(answer, UnreadableClaim) else answer
-        for claim, answer in zip(known, answers, strict=True)
+        for claim, answer in zip(claims, answers, strict=True)
     ]
     return records, errors
 

@@ -12,18 +12,14 @@ COLOURS = {"equal": "green", "equal_numerically": "green", "differs": "red", "wr
 
 
 def check(
-    name: Annotated[
-        str, typer.Argument(help="A quantity, one entry of it, or an expression over quantities.")
-    ],
+    name: Annotated[str, typer.Argument(help="A quantity, one entry of it, or an expression over quantities.")],
     formula: Annotated[str, typer.Argument(help="The printed formula; arrays as nested lists.")],
     latex: Annotated[bool, typer.Option("--latex", help="The formula is LaTeX.")] = False,
     given: Annotated[list[str] | None, typer.Option(help="A condition: rho=0. May be repeated.")] = None,
     let: Annotated[
         list[str] | None, typer.Option(help="The paper's own name: D_beta=sigma_beta**2. May be repeated.")
     ] = None,
-    timeout: Annotated[
-        float, typer.Option(help="Seconds after which the check is given up.", min=0.1)
-    ] = 20.0,
+    timeout: Annotated[float, typer.Option(help="Seconds after which the check is given up.", min=0.1)] = 20.0,
     as_json: Annotated[bool, typer.Option("--json", help="Print the verdict as JSON.")] = False,
 ) -> None:
     """Say whether a printed formula is right, where it is wrong, and what was probably meant.
@@ -73,9 +69,7 @@ def _tell(record: dict[str, object], *, latex: bool) -> None:
     verdict = str(record["verdict"])
     if latex:
         typer.echo(f"read as: {record['printed']}")
-    typer.echo(
-        f"{typer.style(audit_text.WORDS[verdict], fg=COLOURS.get(verdict), bold=True)}: {record['reason']}"
-    )
+    typer.echo(f"{typer.style(audit_text.WORDS[verdict], fg=COLOURS.get(verdict), bold=True)}: {record['reason']}")
     if verdict != "equal":
         typer.echo(f"derived: {record['derived']}")
     for heading, text in audit_text.explanation(record):

@@ -86,7 +86,7 @@ _OPERATIONS: dict[type[Expr], Callable[..., Ball]] = {
     sp.acos: lambda x: x.acos(),
     sp.asin: lambda x: x.asin(),
     sp.atan: lambda x: x.atan(),
-    sp.atan2: lambda y, x: _flint().arb.atan2(y, x),
+    sp.atan2: lambda y, x: y.atan2(y, x),
     sp.cos: lambda x: x.cos(),
     sp.cosh: lambda x: x.cosh(),
     sp.erf: lambda x: x.erf(),

@@ -105,9 +105,7 @@ def _correlated(model: Model, variable: Variable) -> list[str]:
 def _opposite_deviation(quantity: Quantity, model: Model, variable: Variable, deviation: Variable) -> Change:
     flipped = [deviation.name, *_correlated(model, variable)]
     both = [*flipped, *(f"predicted_{name}" for name in flipped)]
-    return Change(
-        f"the other sign of {deviation.name}", dict.fromkeys(both, (-1.0, 0.0)), np.ones(quantity.shape)
-    )
+    return Change(f"the other sign of {deviation.name}", dict.fromkeys(both, (-1.0, 0.0)), np.ones(quantity.shape))
 
 
 def _mirrored(quantity: Quantity, model: Model, variable: Variable) -> Change | None:

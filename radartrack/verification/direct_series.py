@@ -12,9 +12,9 @@ import mpmath
 
 from radartrack.derive.evaluation import evaluate
 from radartrack.derive.model import Covariance, Model
+from radartrack.derive.neglected import NEGLECTED
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
-from radartrack.derive.neglected import NEGLECTED
 from radartrack.verification.definitions import ROWS, defined
 from radartrack.verification.jets import Jet, Powers, averaged, jets
 
@@ -71,11 +71,7 @@ class DirectSeries:
 def at_point(jet: Jet, order: int | None = None) -> Number:
     """The sum over the powers of the errors, up to an order, where nothing is displaced."""
     return sum(
-        (
-            value
-            for (*places, size), value in jet.terms.items()
-            if not any(places) and (order is None or size <= order)
-        ),
+        (value for (*places, size), value in jet.terms.items() if not any(places) and (order is None or size <= order)),
         mpmath.mpf(0),
     )
 
@@ -110,9 +106,7 @@ def _derivatives(order: int) -> Callable[[Model, Mapping[Symbol, Number]], Tenso
     return lambda model, at: derivatives(DirectSeries(model, at, order).h, order, len(model.measured))
 
 
-def _moment(
-    row: str, degree: int, polynomial: int
-) -> Callable[[Model, Mapping[Symbol, Number]], Tensor[Number]]:
+def _moment(row: str, degree: int, polynomial: int) -> Callable[[Model, Mapping[Symbol, Number]], Tensor[Number]]:
     return lambda model, at: defined(row, DirectSeries(model, at, degree, polynomial)).map(at_point)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -13,17 +14,19 @@ import numpy.typing as npt
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.model import Covariance, Model
+from radartrack.derive.models import models
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.tensor import Tensor
 from radartrack.verification.compilation import compiled
 from radartrack.verification.outcome import Function
 from radartrack.verification.programs import Program
 from radartrack.verification.sampling import coarse
-from radartrack.verification.simulation import Experiment, Polynomial, Term
+from radartrack.verification.simulation import Experiment, Slopes, Term
 from radartrack.verification.subject import model_of, row_of
 
 Array = npt.NDArray[np.float64]
 POINTS = 2
+ROUNDING = 2.0**-49  # some multiple of the rounding of one double
 NOISE, PREDICTION = "noise", "prediction"
 
 
@@ -58,13 +61,9 @@ RECIPES: dict[str, Recipe] = {
     "posterior.estimate": _mean((NOISE,), Term(1, (-1,), "h")),
     "covariance.truth": _square(0.5, (NOISE, NOISE), Term(1, (1, 0), "h"), Term(-1, (0, 1), "h")),
     "posterior.covariance": _square(0.5, (NOISE, NOISE), Term(1, (-1, 0), "h"), Term(-1, (0, -1), "h")),
-    "covariance.averaged": _square(
-        0.5, (NOISE, NOISE, NOISE), Term(1, (-1, 1, 0), "h"), Term(-1, (-1, 0, 1), "h")
-    ),
+    "covariance.averaged": _square(0.5, (NOISE, NOISE, NOISE), Term(1, (-1, 1, 0), "h"), Term(-1, (-1, 0, 1), "h")),
     "unbiased.covariance": _square(1.0, (NOISE,), Term(1, (0,), "u"), Term(-1, (-1,), "h")),
-    "decorrelated.covariance": _square(
-        1.0, (PREDICTION, NOISE), Term(1, (-1, 1), "u"), Term(-1, (-1, 0), "h")
-    ),
+    "decorrelated.covariance": _square(1.0, (PREDICTION, NOISE), Term(1, (-1, 1), "u"), Term(-1, (-1, 0), "h")),
 }
 
 
@@ -86,12 +85,32 @@ def tests_of_catalogue() -> int:
 
 
 @dataclass(frozen=True)
+class Polynomial:
+    """c(w) = constant + linear·w + wᵀ quadratic w/2, one row a component, over all errors stacked."""
+
+    constant: Array
+    linear: Array
+    quadratic: Array
+
+    def means(self, covariance: Array) -> Array:
+        """E[c], one a component."""
+        return np.asarray(self.constant + 0.5 * np.einsum("aij,ij->a", self.quadratic, covariance))
+
+    def second_moments(self, covariance: Array) -> Array:
+        """E[c_a c_b] = mean mean + linear K linear + tr(quadratic K quadratic K)/2."""
+        means, spread = self.means(covariance), self.quadratic @ covariance
+        linear = self.linear @ covariance @ self.linear.T
+        return np.asarray(np.outer(means, means) + linear + 0.5 * np.einsum("aij,bji->ab", spread, spread))
+
+
+@dataclass(frozen=True)
 class Trial:
     """One quantity at one point: the simulation, and what it should give.
 
     Attributes:
         experiment: what is drawn.
-        expected: the mean of what is drawn less its control, by the function that is tested.
+        finite: whether the function gave numbers.
+        rounding: how far rounding alone may move each mean; more draws do not make it smaller.
         scale: what errors of each mean are relative to.
         factor: by which a mean is multiplied to be an entry of the quantity.
         labels: the index of each mean.
@@ -99,7 +118,8 @@ class Trial:
     """
 
     experiment: Experiment
-    expected: tuple[float, ...]
+    finite: bool
+    rounding: tuple[float, ...]
     scale: tuple[float, ...]
     factor: float
     labels: tuple[str, ...]
@@ -120,36 +140,44 @@ def _small(point: Mapping[str, float], number: int) -> dict[str, float]:
 
 
 def _trial(quantity: Quantity, function: Function, point: dict[str, float], key: str) -> Trial:
-    model, recipe = model_of(quantity), RECIPES[row_of(quantity)]
-    if model is None:
-        raise LookupError(f"{quantity.name} belongs to no model")
+    model, recipe = models()[quantity.module], RECIPES[row_of(quantity)]
     names = {NOISE: model.covariance, PREDICTION: model.prediction_covariance}
     covariances = [_numbers(model, names[error], point) for error in recipe.errors]
-    whole = _stacked(covariances)
-    control = _control(model, recipe, point)
-    size = len(model.outputs)
+    whole, starts = _stacked(covariances), _starts(model, recipe, point)
+    slopes = Slopes(_exact(f"{model.name}.jacobian", point), _exact(f"{model.name}.hessian", point))
+    control = _control(recipe, starts, slopes)
+    size, factor = len(model.outputs), recipe.factor or 1.0
     pairs = tuple(combinations_with_replacement(range(size), 2)) if recipe.factor is not None else ()
-    value = _value(quantity, function, point)
-    known = control.second_moments(whole) if pairs else control.means(whole)
-    factor = recipe.factor or 1.0
     places: tuple[tuple[int, ...], ...] = pairs or tuple((a,) for a in range(size))
+    value = np.asarray(function(**{s.name: point[s.name] for s in quantity.symbols}), dtype=np.float64)
     target = np.zeros(size) if row_of(quantity) == "unbiased.estimate" else value
-    expected = tuple(float(target[place] / factor - known[place]) for place in places)
-    scale = _scale(quantity, value)
-    relative = tuple(float(scale[place]) for place in places)
-    left = max(abs(gap) * factor / size for gap, size in zip(expected, relative, strict=True))
-    factors = tuple(np.linalg.cholesky(covariance) for covariance in covariances)
+    known = control.second_moments(whole) if pairs else control.means(whole)
+    scale, sizes = _scale(quantity, value), _sizes(recipe, starts, control, whole)
+    expected = [float(target[place] / factor - known[place]) for place in places]
+    rounding = [ROUNDING * math.prod(sizes[a] for a in place) for place in places]
+    relative = [float(scale[place]) for place in places]
     experiment = Experiment(
         key,
         point,
         tuple(variable.name for variable in model.measured),
-        factors,
+        tuple(np.asarray(np.linalg.cholesky(k), dtype=np.float64) for k in covariances),
         recipe.terms,
         _functions(quantity, model, recipe, function),
-        control,
+        control.constant,
+        slopes,
         pairs,
+        tuple(expected),
     )
-    return Trial(experiment, expected, relative, factor, tuple(map(str, map(list, places))), left)
+    labels = tuple(str(list(place)) for place in places)
+    left = max(abs(gap) * factor / unit for gap, unit in zip(expected, relative, strict=True))
+    finite = all(map(math.isfinite, expected))
+    return Trial(experiment, finite, tuple(rounding), tuple(relative), factor, labels, left)
+
+
+def _sizes(recipe: Recipe, starts: Mapping[str, Array], control: Polynomial, covariance: Array) -> Array:
+    """How large the numbers are that meet in each component of g, before they cancel."""
+    largest = sum(np.abs(starts[term.value]) for term in recipe.terms)
+    return np.asarray(largest + np.sqrt(np.diagonal(control.second_moments(covariance))))
 
 
 def _functions(
@@ -169,10 +197,6 @@ def _functions(
 def _program(name: str) -> Program:
     quantity = catalogue()[name]
     return compiled(quantity.expression, quantity.symbols)
-
-
-def _value(quantity: Quantity, function: Function, point: Mapping[str, float]) -> Array:
-    return np.asarray(function(**{s.name: point[s.name] for s in quantity.symbols}), dtype=np.float64)
 
 
 def _exact(name: str, point: Mapping[str, float]) -> Array:
@@ -206,19 +230,23 @@ def _stacked(covariances: list[Array]) -> Array:
     return whole
 
 
-def _control(model: Model, recipe: Recipe, point: Mapping[str, float]) -> Polynomial:
-    """Taylor's polynomial of g: that of the map at each displacement; the estimate u has nearly the map's own slopes."""
-    jacobian, hessian = _exact(f"{model.name}.jacobian", point), _exact(f"{model.name}.hessian", point)
+def _starts(model: Model, recipe: Recipe, point: Mapping[str, float]) -> dict[str, Array]:
+    """What each function of g is at the point; an estimate that is tested has nearly the value of the map."""
     starts = {"h": _exact(f"{model.name}.map", point)}
     starts["tested"] = starts["h"]
     if any(term.value == "u" for term in recipe.terms):
         starts["u"] = _exact(f"{model.name}.unbiased.estimate", point)
-    size, inputs = len(model.outputs), len(model.measured) * len(recipe.errors)
-    constant, linear = np.zeros(size), np.zeros((size, inputs))
-    quadratic = np.zeros((size, inputs, inputs))
+    return starts
+
+
+def _control(recipe: Recipe, starts: Mapping[str, Array], slopes: Slopes) -> Polynomial:
+    """Taylor's polynomial of g: that of the map at each displacement; estimates have nearly the map's own slopes."""
+    size, inputs = slopes.jacobian.shape
+    whole = inputs * len(recipe.errors)
+    constant, linear, quadratic = np.zeros(size), np.zeros((size, whole)), np.zeros((size, whole, whole))
     for term in recipe.terms:
         often = np.array(term.displacement, dtype=np.float64)
         constant = constant + term.sign * starts[term.value]
-        linear = linear + term.sign * np.concatenate([times * jacobian for times in often], axis=1)
-        quadratic = quadratic + term.sign * np.stack([np.kron(np.outer(often, often), part) for part in hessian])
+        linear = linear + term.sign * np.concatenate([times * slopes.jacobian for times in often], axis=1)
+        quadratic = quadratic + term.sign * np.stack([np.kron(np.outer(often, often), part) for part in slopes.hessian])
     return Polynomial(constant, linear, quadratic)

@@ -60,9 +60,7 @@ class GeneratingFunction:
             linear = sum((s * ring(v) for s, v in zip(slopes, self._model.measured, strict=True)), ring.zero)
             for monomial, number in coefficient.terms():
                 powers = tuple(monomial[place] for place in places)
-                rest = ring.from_dict(
-                    {tuple(0 if n in places else power for n, power in enumerate(monomial)): number}
-                )
+                rest = ring.from_dict({tuple(0 if n in places else power for n, power in enumerate(monomial)): number})
                 outer = ExponentialPolynomial(ring, {exponent - linear: rest})
                 total = total + outer * self._moment(covariance, powers, slopes)
         return total

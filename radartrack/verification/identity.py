@@ -128,7 +128,7 @@ def _references(quantity: Quantity, seed: int) -> Numbers:
 
 def _reference(quantity: Quantity, point: Mapping[str, float]) -> Tensor[Number]:
     model, row = model_of(quantity), row_of(quantity)
-    at = {symbol: mpmath.mpf(point[symbol.name]) for symbol in quantity.symbols}
+    at: dict[Symbol, Number] = {symbol: mpmath.mpf(point[symbol.name]) for symbol in quantity.symbols}
     if quantity.module == "finite_sample":
         found = least_squares(row, point)
     elif quantity.module == "observe":
@@ -200,7 +200,5 @@ def _values(quantity: Quantity, numbers: list[Number]) -> tuple[Number, ...]:
 def _difference(found: Tensor[Number], expected: Tensor[Number]) -> float:
     """The largest difference of an entry by the entry; a zero by the largest entry."""
     size = max(abs(value) for value in expected) or mpmath.mpf(1)
-    differences = [
-        abs(first - second) / (abs(second) or size) for first, second in zip(found, expected, strict=True)
-    ]
+    differences = [abs(first - second) / (abs(second) or size) for first, second in zip(found, expected, strict=True)]
     return max(float(mpmath.re(d)) if mpmath.isfinite(d) and mpmath.im(d) == 0 else float("inf") for d in differences)

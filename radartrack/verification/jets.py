@@ -119,9 +119,7 @@ class _Reader:
         if exponent == int(exponent) and exponent >= 0:
             return prod([base] * int(exponent), start=Jet(self.degree, {self.zero: mpmath.mpf(1)}))
         start = base.value
-        return base.composed(
-            [mpmath.binomial(exponent, n) * start ** (exponent - n) for n in range(self.degree + 1)]
-        )
+        return base.composed([mpmath.binomial(exponent, n) * start ** (exponent - n) for n in range(self.degree + 1)])
 
     def _angle(self, y: Jet, x: Jet) -> Jet:
         """The angle at the point, and the arc tangent of how far it turns."""

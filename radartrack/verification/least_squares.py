@@ -72,7 +72,9 @@ class LeastSquares:
     def weights(self, observation: int) -> list[Fraction]:
         """What one observation of scan j adds to each component."""
         row, precision = self.rows(self.at["j"])[observation], self.precisions[observation]
-        return [sum((r * h for r, h in zip(line, row, strict=True)), Fraction(0)) * precision for line in self.covariance]
+        return [
+            sum((r * h for r, h in zip(line, row, strict=True)), Fraction(0)) * precision for line in self.covariance
+        ]
 
 
 def inverse(matrix: Matrix) -> Matrix:
@@ -113,9 +115,7 @@ def _precision(of: LeastSquares) -> Tensor[Number]:
 
 def _correlation(of: LeastSquares) -> Tensor[Number]:
     matrix = of.covariance
-    return Tensor.build(
-        (of.size, of.size), lambda m, n: _number(matrix[m][n]) / _root(matrix[m][m] * matrix[n][n])
-    )
+    return Tensor.build((of.size, of.size), lambda m, n: _number(matrix[m][n]) / _root(matrix[m][m] * matrix[n][n]))
 
 
 QUANTITIES: dict[str, Callable[[LeastSquares], Tensor[Number]]] = {

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -18,6 +19,7 @@ from radartrack.derive.catalogue import catalogue
 from radartrack.derive.model import Covariance, Model
 from radartrack.derive.models import models
 from radartrack.derive.quantity import Quantity
+from radartrack.derive.symbolic import Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import RADIAN
 from radartrack.verification.compilation import compiled
@@ -222,7 +224,7 @@ class Integrals:
         return Rule.of([variable.name for variable in self.model.measured], numbers, orders)
 
     def _jets(self, degree: int) -> list[Jet]:
-        at = {symbol: mpmath.mpf(self.errors[symbol.name]) for symbol in self.model.arguments}
+        at: dict[Symbol, Any] = {s: mpmath.mpf(self.errors[s.name]) for s in self.model.arguments}
         return jets(list(self.model.map), at, self.model.measured, degree)
 
 

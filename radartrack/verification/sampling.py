@@ -38,14 +38,12 @@ def sample(quantity: Quantity, count: int, seed: int = 0, *, correlated: bool = 
     return points
 
 
-def _draw(
-    symbol: Variable, count: int, generator: np.random.Generator, *, correlated: bool
-) -> npt.NDArray[np.float64]:
+def _draw(symbol: Variable, count: int, generator: np.random.Generator, *, correlated: bool) -> npt.NDArray[np.float64]:
     uniform = generator.random(count)
     if symbol.is_correlation:
         return symbol.low + (symbol.high - symbol.low) * uniform if correlated else np.zeros(count)
     if symbol.low == 0:
-        return np.where(generator.random(count) < 0.125, 0.0, symbol.high * SMALLEST_SHARE**uniform)
+        return np.where(generator.random(count) < 0.125, 0.0, symbol.high * np.power(SMALLEST_SHARE, uniform))
     if symbol.logarithmic:
         drawn = np.exp(np.log(symbol.low) + (np.log(symbol.high) - np.log(symbol.low)) * uniform)
         return np.clip(drawn, symbol.low, symbol.high)
@@ -61,9 +59,7 @@ def _up_to(
     return np.minimum(symbol.low + room * generator.random(highest.shape), highest)
 
 
-def _near_quarter_turns(
-    angles: npt.NDArray[np.float64], generator: np.random.Generator
-) -> npt.NDArray[np.float64]:
+def _near_quarter_turns(angles: npt.NDArray[np.float64], generator: np.random.Generator) -> npt.NDArray[np.float64]:
     """One angle in four is moved close to a multiple of 45 degrees, where sines or cosines vanish or agree."""
     eighth = np.pi / 4
     offset = np.exp(generator.uniform(np.log(1e-12), np.log(1e-2), angles.shape))
@@ -101,7 +97,7 @@ def _coarse(
     if is_deviation:
         return math.sqrt(symbol.low * symbol.high) * (10 + 90 * uniform)
     if symbol.low > 0:
-        return symbol.low * (min(1e3, symbol.high / symbol.low) ** (2 / 3 + uniform / 3))
+        return symbol.low * np.power(min(1e3, symbol.high / symbol.low), 2 / 3 + uniform / 3)
     if symbol.low == 0:
         return min(10.0, symbol.high) * uniform
     return sign * symbol.high * (0.1 + 0.4 * uniform)

@@ -23,9 +23,8 @@ from radartrack.verification.programs import Program
 
 Array = npt.NDArray[np.float64]
 Function = Callable[..., Any]
-CHUNK = 1 << 14
-CHUNKS_OF_A_TASK = 64
-POWERS = 4
+CHUNK = 1 << 13
+CHUNKS_OF_A_TASK = 128
 
 
 @dataclass(frozen=True)
@@ -44,22 +43,23 @@ class Term:
 
 
 @dataclass(frozen=True)
-class Polynomial:
-    """c(w) = constant + linear·w + wᵀ quadratic w/2, one row a component, over all errors stacked."""
+class Slopes:
+    """The first two derivatives of the map at the point, [out, in] and [out, in, in]."""
 
-    constant: Array
-    linear: Array
-    quadratic: Array
+    jacobian: Array
+    hessian: Array
 
-    def means(self, covariance: Array) -> Array:
-        """E[c], one a component."""
-        return np.asarray(self.constant + 0.5 * np.einsum("aij,ij->a", self.quadratic, covariance))
+    @property
+    def products(self) -> list[tuple[int, int]]:
+        """The pairs of displacements whose products occur."""
+        size = range(self.hessian.shape[-1])
+        return [(i, j) for i in size for j in range(i + 1) if np.any(self.hessian[:, i, j])]
 
-    def second_moments(self, covariance: Array) -> Array:
-        """E[c_a c_b] = mean mean + linear K linear + tr(quadratic K quadratic K)/2."""
-        means, spread = self.means(covariance), self.quadratic @ covariance
-        linear = self.linear @ covariance @ self.linear.T
-        return np.asarray(np.outer(means, means) + linear + 0.5 * np.einsum("aij,bji->ab", spread, spread))
+    @property
+    def weights(self) -> Array:
+        """One row a component: for each displacement, then for each product of two."""
+        squares = [self.hessian[:, i, j] * (0.5 if i == j else 1.0) for i, j in self.products]
+        return np.concatenate([self.jacobian, np.stack(squares, axis=-1)], axis=-1) if squares else self.jacobian
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,10 @@ class Experiment:
         factors: a Cholesky factor for each error that is drawn.
         terms: whose sum is g.
         functions: by name, each giving an array (draws, components) or, as a program, its components.
-        control: the Taylor polynomial of g.
+        start: g without any error, one number a component.
+        slopes: of the map, for the Taylor polynomial of g.
         pairs: products g_a g_b that are averaged; empty for the components themselves.
+        shift: what each mean should be; it is taken from every draw, so that squares keep their digits.
     """
 
     key: str
@@ -83,13 +85,10 @@ class Experiment:
     factors: tuple[Array, ...]
     terms: tuple[Term, ...]
     functions: Mapping[str, Program | tuple[Function, tuple[str, ...]]]
-    control: Polynomial
+    start: Array
+    slopes: Slopes
     pairs: tuple[tuple[int, int], ...]
-
-    @property
-    def count(self) -> int:
-        """How many means are estimated."""
-        return len(self.pairs) or len(self.control.constant)
+    shift: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -118,6 +117,26 @@ def simulate(experiment: Experiment, chunks: Sequence[int], chunk: int = CHUNK) 
     return reduce(add, (_sums(_residuals(experiment, number, chunk)) for number in chunks))
 
 
+@dataclass(frozen=True)
+class Draws:
+    """A task: some chunks of one simulation."""
+
+    experiment: Experiment
+    chunks: range
+
+    @property
+    def key(self) -> str:
+        """Its name in a checkpoint."""
+        return f"{self.experiment.key}/{self.chunks.start}-{self.chunks.stop}"
+
+    def __call__(self) -> dict[str, Any] | None:
+        """The sums as JSON has them; None where what was drawn is no number."""
+        try:
+            return simulate(self.experiment, self.chunks).record()
+        except ValueError:
+            return None
+
+
 def chunks_of(task: int, draws: int) -> range:
     """The chunks of a task, so many draws in all being wanted."""
     first = task * CHUNKS_OF_A_TASK
@@ -139,14 +158,17 @@ def _sums(residuals: list[Array]) -> Sums:
 
 
 def _residuals(experiment: Experiment, number: int, chunk: int) -> list[Array]:
-    """g − c for every mean, one array of draws each."""
+    """g − c less what its mean should be, one array of draws for every mean."""
     errors = _errors(experiment, number, chunk)
-    stacked = [error for group in errors for error in group]
-    values = _values(experiment, errors, chunk)
-    control = _control(experiment.control, stacked)
-    if not experiment.pairs:
-        return [g - c for g, c in zip(values, control, strict=True)]
-    return [values[a] * values[b] - control[a] * control[b] for a, b in experiment.pairs]
+    displacements = [_displacement(term, errors) for term in experiment.terms]
+    values = _values(experiment, displacements, chunk)
+    control = _control(experiment, displacements, chunk)
+    pairs = experiment.pairs
+    if pairs:
+        left = [values[a] * values[b] - control[a] * control[b] for a, b in pairs]
+    else:
+        left = [g - c for g, c in zip(values, control, strict=True)]
+    return [residual - shift for residual, shift in zip(left, experiment.shift, strict=True)]
 
 
 def _errors(experiment: Experiment, number: int, chunk: int) -> list[list[Array]]:
@@ -157,7 +179,7 @@ def _errors(experiment: Experiment, number: int, chunk: int) -> list[list[Array]
 
 
 def _correlated(normal: Array, factor: Array) -> list[Array]:
-    """Row by row in a fixed order; a matrix product may sum in another one on another machine."""
+    """Row by row in a fixed order; a matrix product may sum in another one elsewhere."""
     rows = []
     for i, line in enumerate(factor):
         total = line[0] * normal[0]
@@ -168,24 +190,30 @@ def _correlated(normal: Array, factor: Array) -> list[Array]:
     return rows
 
 
-def _values(experiment: Experiment, errors: list[list[Array]], chunk: int) -> list[Array]:
+def _displacement(term: Term, errors: list[list[Array]]) -> list[Array]:
+    """One array a measured quantity; empty where the term stays at the point."""
+    moved: list[Array] = []
+    for times, group in zip(term.displacement, errors, strict=True):
+        if times and not moved:
+            moved = [times * error for error in group]
+        elif times:
+            moved = [so_far + times * error for so_far, error in zip(moved, group, strict=True)]
+    return moved
+
+
+def _values(experiment: Experiment, displacements: list[list[Array]], chunk: int) -> list[Array]:
     """g, one array a component."""
-    total: list[Array] | None = None
-    for term in experiment.terms:
-        found = _evaluated(experiment, term, errors, chunk)
-        if total is None:
-            total = [term.sign * value for value in found]
-        else:
-            total = [a + b if term.sign > 0 else a - b for a, b in zip(total, found, strict=True)]
-    return total or []
+    found = [
+        [term.sign * value for value in _evaluated(experiment, term, displacement, chunk)]
+        for term, displacement in zip(experiment.terms, displacements, strict=True)
+    ]
+    return [reduce(add, parts) for parts in zip(*found, strict=True)]
 
 
-def _evaluated(experiment: Experiment, term: Term, errors: list[list[Array]], chunk: int) -> list[Array]:
+def _evaluated(experiment: Experiment, term: Term, displacement: list[Array], chunk: int) -> list[Array]:
     moved: dict[str, Any] = dict(experiment.point)
-    for place, name in enumerate(experiment.names):
-        for times, error in zip(term.displacement, errors, strict=True):
-            if times:
-                moved[name] = moved[name] + error[place] if times > 0 else moved[name] - error[place]
+    for name, distance in zip(experiment.names, displacement, strict=False):
+        moved[name] = moved[name] + distance
     function = experiment.functions[term.value]
     if isinstance(function, Program):
         return [np.broadcast_to(entry, (chunk,)) for entry in function.entries(moved)]
@@ -194,22 +222,12 @@ def _evaluated(experiment: Experiment, term: Term, errors: list[list[Array]], ch
     return [np.broadcast_to(table[..., a], (chunk,)) for a in range(table.shape[-1])]
 
 
-def _control(polynomial: Polynomial, errors: list[Array]) -> list[Array]:
-    """c, one array a component; each product of two errors is computed once."""
-    size = range(len(errors))
-    used = [(i, j) for i in size for j in range(i + 1) if np.any(polynomial.quadratic[:, i, j])]
-    products = {(i, j): errors[i] * errors[j] for i, j in used}
-    components = []
-    for start, linear, quadratic in zip(
-        polynomial.constant, polynomial.linear, polynomial.quadratic, strict=True
-    ):
-        total = np.full(errors[0].shape, start)
-        for i in size:
-            if linear[i]:
-                total = total + linear[i] * errors[i]
-        for (i, j), product in products.items():
-            weight = quadratic[i, j] if i != j else 0.5 * quadratic[i, j]
-            if weight:
-                total = total + weight * product
-        components.append(total)
-    return components
+def _control(experiment: Experiment, displacements: list[list[Array]], chunk: int) -> Array:
+    """c, shape (components, draws): the second-order Taylor polynomial of each term."""
+    products, weights = experiment.slopes.products, experiment.slopes.weights
+    total = np.repeat(experiment.start[:, np.newaxis], chunk, axis=1)
+    for term, displacement in zip(experiment.terms, displacements, strict=True):
+        if displacement:
+            features = np.stack([*displacement, *(displacement[i] * displacement[j] for i, j in products)])
+            total += np.einsum("ak,kn->an", term.sign * weights, features)
+    return total

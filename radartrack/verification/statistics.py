@@ -11,7 +11,7 @@ from radartrack.verification.exact_sum import ExactSum
 
 FALSE_ALARM = 1e-6
 POWER = 0.999
-MOST_CORRECTION = 1.0
+MOST_CORRECTION = 4.0
 _NORMAL = NormalDist()
 
 
@@ -43,19 +43,21 @@ class Mean:
             return cls(draws, float(first), 0.0, 0.0, 0.0)
         cubed = third - 3 * first * second + 2 * first**3
         quartic = fourth - 4 * first * third + 6 * first**2 * second - 3 * first**4
-        return cls(draws, float(first), deviation, float(cubed / variance) / deviation, float(quartic / variance**2) - 3)
+        return cls(
+            draws, float(first), deviation, float(cubed / variance) / deviation, float(quartic / variance**2) - 3
+        )
 
     @property
     def error(self) -> float:
         """The standard error of the mean."""
         return self.deviation / math.sqrt(self.draws)
 
-    def standardised(self, expected: float) -> float:
-        """By how many standard errors the mean is off; rounding of the mean itself does not count."""
-        gap = self.value - expected
-        if abs(gap) <= 8 * math.ulp(max(abs(self.value), abs(expected))):
+    def standardised(self, rounding: float = 0.0) -> float:
+        """By how many standard errors the mean is off zero, beyond what rounding may do."""
+        beyond = max(abs(self.value) - rounding, 0.0)
+        if not beyond:
             return 0.0
-        return gap / self.error if self.error else math.copysign(math.inf, gap)
+        return math.copysign(beyond / self.error if self.error else math.inf, self.value)
 
     def correction(self, z: float) -> float:
         """The logarithm of how much larger than the normal one the tail beyond z may be.
@@ -67,16 +69,16 @@ class Mean:
         cubic = x**3 * abs(self.skewness) / (3 * root)
         return cubic + x**4 * (abs(self.kurtosis) + 3 * self.skewness**2) / (8 * self.draws)
 
-    def p_value(self, expected: float) -> float:
+    def p_value(self, rounding: float = 0.0) -> float:
         """The probability, two-sided and corrected, of a mean at least as far off by chance."""
-        z = abs(self.standardised(expected))
+        z = abs(self.standardised(rounding))
         if math.isinf(z):
             return 0.0
         return min(1.0, math.erfc(z / math.sqrt(2)) * math.exp(min(700.0, self.correction(z))))
 
-    def plain_p_value(self, expected: float) -> float:
+    def plain_p_value(self) -> float:
         """The same by the normal distribution alone: uniform on correct code, for calibration."""
-        return math.erfc(abs(self.standardised(expected)) / math.sqrt(2))
+        return math.erfc(abs(self.standardised()) / math.sqrt(2))
 
 
 def threshold(tests: int) -> float:
@@ -84,8 +86,8 @@ def threshold(tests: int) -> float:
     return -_NORMAL.inv_cdf(FALSE_ALARM / tests / 2)
 
 
-def detectable(mean: Mean, tests: int) -> float:
-    """The smallest error of the mean that is found with probability POWER, the correction included."""
+def detectable(mean: Mean, rounding: float, tests: int) -> float:
+    """The smallest error of the mean that is found with probability POWER, rounding and correction included."""
     limit = threshold(tests)
     widened = math.sqrt(limit**2 + 2 * mean.correction(limit))
-    return (widened + _NORMAL.inv_cdf(POWER)) * mean.error
+    return (widened + _NORMAL.inv_cdf(POWER)) * mean.error + 2 * rounding

@@ -42,9 +42,7 @@ def errors(
     )
 
 
-def _scales(
-    quantity: Quantity, exact_arithmetic: Exact
-) -> Callable[[tuple[float, ...], tuple[Any, ...]], list[float]]:
+def _scales(quantity: Quantity, exact_arithmetic: Exact) -> Callable[[tuple[float, ...], tuple[Any, ...]], list[float]]:
     """What the entries are measured against, as a function of the point and the exact values there."""
     if quantity.scale is not None or quantity.is_difference:
         stated = quantity.scale() if quantity.scale else form_of(quantity).expanded().map(term_sizes)
@@ -79,9 +77,7 @@ def _geometric_mean(magnitudes: list[float]) -> float:
 
 
 def _error(computed: list[float], exact: tuple[Any, ...], scales: list[float]) -> float:
-    return max(
-        _ulps(found, value, scale) for found, value, scale in zip(computed, exact, scales, strict=True)
-    )
+    return max(_ulps(found, value, scale) for found, value, scale in zip(computed, exact, scales, strict=True))
 
 
 def _ulps(computed: float, exact: Any, scale: float) -> float:

@@ -58,15 +58,12 @@ def test_mirroring_a_measured_quantity_and_its_correlations_mirrors_the_result(q
         np.testing.assert_array_less(np.abs(function(**mirrored) - expected), EXACT * scale)
 
 
-@pytest.mark.parametrize(("metre", "second"), [(2, 0), (0, -2), (-6, 4)])
 @pytest.mark.parametrize("quantity", catalogue().values(), ids=conversions.ids)
-def test_other_units_of_length_and_time_give_the_same_result_to_the_last_bit(
-    quantity: Quantity, metre: int, second: int
-):
+def test_other_units_of_length_and_time_give_the_same_result_to_the_last_bit(quantity: Quantity):
     points = sample(quantity, 50, seed=22, correlated=True)
 
     def factor(unit: Unit) -> float:
-        return math.ldexp(1.0, int(unit.metre * metre + unit.second * second))
+        return math.ldexp(1.0, int(4 * unit.metre - 6 * unit.second))
 
     function = conversions.generated(quantity)
     scaled = function(**{s.name: points[s.name] * factor(s.unit) for s in quantity.symbols})

@@ -1,4 +1,4 @@
-"""Jacobian, Hessian, the moments of Taylor polynomials and what they neglect, from derivatives that mpmath takes of the plain map.
+"""Jacobian, Hessian, moments of Taylor polynomials and what they neglect, from derivatives of the plain map by mpmath.
 
 A moment of the Taylor polynomial of degree n is a polynomial's: few Gauss-Hermite nodes give it exactly. Along the
 line from the point to a node the polynomial's coefficients are the derivatives in one variable.

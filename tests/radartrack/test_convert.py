@@ -87,7 +87,7 @@ def test_covariances_are_symmetric_and_positive_semidefinite_for_correlated_erro
         plot |= data.draw(near_the_edge())
     predicted = (centre(sensor, plot), noise_covariance(sensor, plot) * data.draw(st.sampled_from([0, 1e-4, 0.1])))
     chosen = {"predicted": predicted} if method == "decorrelated" else {}
-    if sensor == "ruv" and method == "decorrelated":
+    if sensor == "ruv" and method == "decorrelated":  # prediction and measurement share the margin
         plot |= {"u_std": 0.9 * plot["u_std"], "v_std": 0.9 * plot["v_std"]}
     matrix = convert(sensor, method, **plot, **chosen).covariance
     assert_agree(matrix, matrix.T, np.abs(matrix), 1e-15)
@@ -113,7 +113,7 @@ def near_the_edge(draw: st.DrawFn) -> Plot:
 @given(plot=plots("polar"))
 @share(0.5)
 def test_spherical_without_elevation_and_its_error_is_polar(method: Method, plot: Plot) -> None:
-    mean, matrix = centre("polar", plot) + [20.0, 0.1], noise_covariance("polar", plot)
+    mean, matrix = centre("polar", plot) + np.array([20.0, 0.1]), noise_covariance("polar", plot)
     predicts = method == "decorrelated"
     in_plane = polar(**plot, method=method, azimuth_from="y", predicted=(mean, matrix) if predicts else None)
     mean, matrix = np.append(mean, 0.0), np.pad(matrix, (0, 1))
@@ -324,14 +324,12 @@ def test_what_is_allowed_never_gives_infinity_or_nan(
     sensor: str, method: Method, dtype: type[np.floating[Any]], data: st.DataObject
 ) -> None:
     plot = at_the_limits(sensor, dtype, data)
-    deviation = 1.0
     if sensor == "ruv":
         plot |= at_the_edge(dtype, data)
-        deviation = 1e-4 if method == "decorrelated" else 1.0
     if method == "decorrelated":
-        scale = np.array([1.0, deviation, deviation][: size(sensor)], dtype)
-        noisy = {**plot, "u_std": 0.0, "v_std": 0.0} if sensor == "ruv" else plot
-        plot["predicted"] = centre(sensor, plot), np.diag(np.diag(noise_covariance(sensor, noisy))) * scale
+        certain = {**plot, "u_std": 0.0, "v_std": 0.0}  # the measurement's own deviations fill the margin
+        matrix = noise_covariance(sensor, certain if sensor == "ruv" else plot)
+        plot["predicted"] = centre(sensor, plot), np.diag(np.diag(matrix)).astype(dtype)
     got = convert(sensor, method, **plot)
     assert all(np.isfinite(part).all() for part in got)
 
@@ -384,6 +382,59 @@ def test_bad_arguments_are_named_with_what_was_given_and_what_is_allowed(
 ) -> None:
     with pytest.raises(error, match=message):
         polar(**{**PLOT, **arguments})
+
+
+OTHERS: list[tuple[str, Plot, type[Exception], str]] = [
+    ("spherical", {"elevation": 1.6}, ValueError, r"elevation must be from -1.570796 to 1.570796 rad .*vertical"),
+    ("spherical", {"elevation": math.nan}, ValueError, r"elevation must be finite; got nan"),
+    ("spherical", {"elevation_std": -0.1}, ValueError, r"elevation_std must be from 0 to 3.14.*; got -0.1$"),
+    ("spherical", {"elevation_std": "a"}, TypeError, r"elevation_std must be real numbers; got 'a'"),
+    ("spherical", {"azimuth_from": None}, TypeError, r"azimuth_from must be one of \['x', 'y'\]; got None"),
+    ("polar_doppler", {"range_rate": math.inf}, ValueError, r"range_rate must be finite; got inf$"),
+    ("polar_doppler", {"range_rate": 1e51}, ValueError, r"range_rate must be from -1e\+50 to 1e\+50 m/s"),
+    ("polar_doppler", {"range_rate_std": -1.0}, ValueError, r"range_rate_std must be from 0 to 1e\+50 m/s"),
+    ("ruv", {"u": 1.5}, ValueError, r"u must be from -1 to 1 in float64 \(no cosine is larger\); got 1.5$"),
+    ("ruv", {"v_std": -1e-3}, ValueError, r"v_std must be from 0 to 1 .*; got -0.001$"),
+    ("ruv", {"u": 0.8, "v": 0.6}, ValueError, r"sqrt\(u\^2 \+ v\^2\) \+ 5 max\(u_std, v_std\) must be from 0"),
+    ("ruv", {"u": [0, 0.9], "v": 0.0}, ValueError, r"to 0.999 in float64 .*; got 1\.0 at \[1\]"),
+]
+
+
+@pytest.mark.parametrize(("sensor", "arguments", "error", "message"), OTHERS)
+def test_bad_arguments_of_the_other_sensors_are_named_too(
+    sensor: str, arguments: Plot, error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        convert(sensor, "unbiased", **arguments)
+
+
+def test_direction_cosines_have_no_azimuth() -> None:
+    with pytest.raises(TypeError, match="azimuth_from"):
+        convert("ruv", "unbiased", azimuth_from="x")
+
+
+def test_a_prediction_with_impossible_correlations_is_refused() -> None:
+    """Each correlation is possible alone."""
+    mean, matrix = prediction("spherical")
+    deviations = np.sqrt(np.diagonal(matrix))
+    correlations = np.array([[1, 0.9, 0.9], [0.9, 1, -0.9], [0.9, -0.9, 1]])
+    impossible = correlations * np.outer(deviations, deviations)
+    with pytest.raises(ValueError, match="predicted covariance must be positive semidefinite; got"):
+        convert("spherical", "decorrelated", predicted=(mean, impossible))
+
+
+def test_a_predicted_direction_keeps_its_distance_from_the_edge_with_the_errors_of_the_plot() -> None:
+    mean, matrix = np.array([900.0, 0.9, 0.0]), np.diag([100.0, 1e-4, 1e-4])
+    convert("ruv", "decorrelated", predicted=(mean, matrix), u_std=0.01, v_std=0.01)
+    with pytest.raises(ValueError, match=r"max\(u_std, v_std\) of predicted mean must be .*; got 1.01"):
+        convert("ruv", "decorrelated", predicted=(mean, matrix), u_std=0.02, v_std=0.01)
+
+
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_a_prediction_of_another_sensor_is_refused(sensor: str) -> None:
+    other = prediction("spherical" if sensor == "polar" else "polar")
+    with pytest.raises(ValueError, match=r"predicted mean must have shape \(..., \d\); got shape \(\d,\)"):
+        convert(sensor, "decorrelated", predicted=other)
 
 
 MEAN, MATRIX = PREDICTED
@@ -449,6 +500,7 @@ def test_bad_predictions_are_named_with_what_was_given_and_what_is_allowed(
 
 
 @pytest.mark.parametrize("method", OF_THE_PLOT)
-def test_a_prediction_without_a_use_is_refused(method: Method) -> None:
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_a_prediction_without_a_use_is_refused(sensor: str, method: Method) -> None:
     with pytest.raises(ValueError, match=rf"predicted must be None for method '{method}'; got \(array"):
-        polar(**PLOT, method=method, predicted=PREDICTED)
+        convert(sensor, method, predicted=prediction(sensor))

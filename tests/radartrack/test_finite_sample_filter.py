@@ -325,3 +325,14 @@ def test_no_tracks_give_no_estimates() -> None:
     assert f.estimate(ranges, rates).state.shape == (0, 3)
     assert f.run(ranges, rates).state.shape == (0, 6, 3)
     assert rt.FiniteSampleFilter is FiniteSampleFilter
+
+
+@pytest.mark.parametrize("rate_std", [1e5, 1e-5])
+def test_very_unequal_accuracies_are_no_obstacle_to_the_normal_equations(rate_std: float) -> None:
+    """C of 1e-10 and 1e10: two scans determine a cubic whatever the range rate is worth."""
+    f = FiniteSampleFilter(1.0, 1.0, rate_std, 3)
+    ranges, rates = np.array([3.0, 5.0]), np.array([-1.0, 2.0])
+    closed, general = f.estimate(ranges, rates), f.estimate(ranges, rates, times=[0.0, 1.0])
+    deviations = np.sqrt(np.diagonal(closed.covariance))
+    assert np.all(np.abs(general.covariance - closed.covariance) <= 1e-9 * np.outer(deviations, deviations))
+    assert np.all(np.abs(general.state - closed.state) <= 1e-9 * deviations)

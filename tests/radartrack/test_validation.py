@@ -302,3 +302,32 @@ def test_what_is_no_covariance_is_refused_with_the_reason_and_the_first(
     assert "[2" in str(raised.value)
     with pytest.raises(ValueError, match=rf"^covariance must be {allowed}; got "):
         require_covariance("covariance", np.array(matrix))
+
+
+@given(
+    entries=st.lists(st.floats(-1, 1), min_size=16, max_size=16),
+    scales=st.lists(st.floats(-8, 8), min_size=4, max_size=4),
+)
+def test_every_product_of_a_matrix_and_its_transpose_is_a_covariance(entries: list[float], scales: list[float]) -> None:
+    """However different the units of its quantities are."""
+    root = np.reshape(entries, (4, 4)) * 10.0 ** np.array(scales)[:, np.newaxis]
+    require_covariance("matrix", root @ root.T)
+
+
+@given(least=st.floats(-1, -1e-6), scales=st.lists(st.floats(-8, 8), min_size=3, max_size=3))
+def test_a_negative_eigenvalue_of_the_correlations_is_refused_though_each_correlation_is_possible(
+    least: float, scales: list[float]
+) -> None:
+    """With correlations (c, c, -c) the least eigenvalue is 1 - 2c."""
+    c = (1 - least) / 2
+    deviations = 10.0 ** np.array(scales)
+    matrix = np.array([[1, c, c], [c, 1, -c], [c, -c, 1]]) * np.outer(deviations, deviations)
+    with pytest.raises(ValueError, match="matrix must be positive semidefinite; got"):
+        require_covariance("matrix", matrix)
+
+
+def test_a_domain_may_begin_above_zero() -> None:
+    domain = Domain(" m", 10.0, 5.0, "why", smallest=2.0)
+    require_within("r", np.array([2.0, 10.0]), domain)
+    with pytest.raises(ValueError, match=r"r must be from 2 to 10 m in float64 \(why\); got 1.9"):
+        require_within("r", np.array(1.9), domain)

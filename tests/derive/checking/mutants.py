@@ -29,9 +29,7 @@ POINTS = 3
 
 def mutants(tree: Tree, names: dict[str, object], count: int, random: Random) -> Iterator[Tree]:
     """Up to `count` formulas that differ from this one in one place, no two alike."""
-    changed = [
-        replace_at(tree, path, new) for path, node in walk(tree) for new in _changes(node, names, bool(path))
-    ]
+    changed = [replace_at(tree, path, new) for path, node in walk(tree) for new in _changes(node, names, bool(path))]
     distinct = [one for one in {to_text(one): one for one in changed}.values() if one != tree]
     yield from random.sample(distinct, min(count, len(distinct)))
 
@@ -39,31 +37,28 @@ def mutants(tree: Tree, names: dict[str, object], count: int, random: Random) ->
 def _changes(node: Tree, names: dict[str, object], below: bool) -> Iterator[Tree]:
     match node:
         case Number():
-            for number in (node.value + 1, node.value * 2, abs(node.value - 1)):
-                yield Number(str(number)) if number.denominator == 1 else node
-            yield Quotient(Number("1"), node) if node.value > 1 else node
+            yield from _other_numbers(node)
         case Name(name):
             yield Power(node, Number("2"))
-            for other in names:
-                if other != name and names[other] == names[name]:
-                    yield Name(other)
+            yield from (Name(other) for other, kind in names.items() if other != name and kind == names[name])
         case Call(function, arguments) if function in SWAPS:
             yield Call(SWAPS[function], arguments)
         case Power(base, Number() as exponent):
-            yield base
-            yield Power(base, Number(str(exponent.value + 1)))
+            yield from (base, Power(base, Number(str(exponent.value + 1))))
         case Negation(operand):
             yield operand
         case Sum(terms) | Product(terms):
             yield from _without_one(node, terms)
-            if isinstance(node, Sum):
-                yield from _with_a_sign(terms)
+            yield from _with_a_sign(node, terms)
         case Quotient(numerator, denominator):
-            yield numerator
-            yield Product((numerator, denominator))
-    if not below:
-        yield Negation(node)
-        yield Product((Number("2"), node))
+            yield from (numerator, Product((numerator, denominator)))
+    yield from () if below else (Negation(node), Product((Number("2"), node)))
+
+
+def _other_numbers(node: Number) -> Iterator[Tree]:
+    for number in (node.value + 1, node.value * 2, abs(node.value - 1)):
+        yield Number(str(number)) if number.denominator == 1 else node
+    yield Quotient(Number("1"), node) if node.value > 1 else node
 
 
 def _without_one(node: Sum | Product, parts: tuple[Tree, ...]) -> Iterator[Tree]:
@@ -72,8 +67,8 @@ def _without_one(node: Sum | Product, parts: tuple[Tree, ...]) -> Iterator[Tree]
         yield rest[0] if len(rest) == 1 else type(node)(rest)
 
 
-def _with_a_sign(terms: tuple[Tree, ...]) -> Iterator[Tree]:
-    for place, term in enumerate(terms):
+def _with_a_sign(node: Sum | Product, terms: tuple[Tree, ...]) -> Iterator[Tree]:
+    for place, term in enumerate(terms if isinstance(node, Sum) else ()):
         other = term.operand if isinstance(term, Negation) else Negation(term)
         yield Sum((*terms[:place], other, *terms[place + 1 :]))
 

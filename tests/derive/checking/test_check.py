@@ -80,9 +80,7 @@ def test_another_quantity_that_the_formula_equals_is_named() -> None:
 
 
 def test_another_entry_of_the_same_quantity_is_named() -> None:
-    verdict = check(
-        "polar.covariance.linear[1,1]", LINEAR, given=INDEPENDENT
-    )
+    verdict = check("polar.covariance.linear[1,1]", LINEAR, given=INDEPENDENT)
     assert any("polar.covariance.linear[0,0]" in edit for edit in _edits(verdict))
 
 
@@ -100,14 +98,20 @@ def test_another_entry_of_the_same_quantity_is_named() -> None:
         ("polar.covariance.linear[0,0]", LINEAR.replace("sigma_r", "r"), "r should be sigma_r"),
         ("polar.covariance.linear[0,0]", "r**2*sigma_beta**2*sin(beta)**2", "a missing term"),
         ("polar.covariance.linear[0,0]", f"{LINEAR} + r**2*sigma_beta**4", "an extra term"),
-        ("polar.covariance.linear[0,0]", f"r**2*sigma_beta**2*sin(beta**2) + sigma_r**2*cos(beta)**2", "a bracket"),
+        ("polar.covariance.linear[0,0]", "r**2*sigma_beta**2*sin(beta**2) + sigma_r**2*cos(beta)**2", "a bracket"),
         ("polar.bias.truth[0]", "r*cos(beta)*exp(-sigma_beta**2/2) - 1", "a bracket"),
         ("polar.unbiased.estimate[0]", "r*cos(beta)*exp(-sigma_beta**2/2)", "the sign"),
         ("polar.jacobian[0,1]", "-r*cos(beta)", "cos should be sin"),
-        ("finite_sample.degree2.range_rate.covariance[0,2]",
-         "60*(k - 2)*sigma_r**2/(T**2*k*(k + 1)*(60*C + k**2 + 4))", "the sign of 4"),
-        ("finite_sample.degree2.range_rate.covariance[0,2]",
-         "60*(k - 2)*sigma_r**2/(T*k*(k + 1)*(60*C + k**2 - 4))", "T should be T**2"),
+        (
+            "finite_sample.degree2.range_rate.covariance[0,2]",
+            "60*(k - 2)*sigma_r**2/(T**2*k*(k + 1)*(60*C + k**2 + 4))",
+            "the sign of 4",
+        ),
+        (
+            "finite_sample.degree2.range_rate.covariance[0,2]",
+            "60*(k - 2)*sigma_r**2/(T*k*(k + 1)*(60*C + k**2 - 4))",
+            "T should be T**2",
+        ),
         ("observe.polar.jacobian[1,0]", "y/(x**2 + y**2)", "the sign"),
         ("fusion.weights.two[0]", "sigma_1**2/(sigma_1**2 + sigma_2**2)", "sigma_1 should be sigma_2"),
         ("taylor.mean_shift", "1/2*(f_xx*D_1 + 2*f_xy*K_12 + f_yy*D_1)", "D_1 should be D_2"),
@@ -128,7 +132,9 @@ def test_every_suggestion_is_itself_found_equal() -> None:
 
 
 def test_two_slips_at_once_are_found() -> None:
-    verdict = check("polar.covariance.linear[0,1]", "(sigma_r**2 + r**2*sigma_beta)*sin(beta)*cos(beta)", given=INDEPENDENT)
+    verdict = check(
+        "polar.covariance.linear[0,1]", "(sigma_r**2 + r**2*sigma_beta)*sin(beta)*cos(beta)", given=INDEPENDENT
+    )
     assert verdict.suggestions
     assert check("polar.covariance.linear[0,1]", verdict.suggestions[0].formula, given=INDEPENDENT).is_equal
 

@@ -181,9 +181,17 @@ POINT = {"r": "2", "beta": "0"}
         (Claim("a", "polar.map[0]**2", at={"beta": "0"}, along=("r", ("1", "2", "5")), trend="concave"), False),
         (Claim("a", "polar.map[0]", at={"r": "1"}, along=("beta", ("1", "2")), crosses="0"), True),
         (Claim("a", "polar.map[0]", at={"r": "1"}, along=("beta", ("0", "1")), crosses="0"), False),
-        (Claim("a", "polar.map[1]", "", maximum_over=("beta", ("0", "pi/2", "3")), attained_at="pi/2", at={"r": "1"}), True),
+        (
+            Claim(
+                "a", "polar.map[1]", "", maximum_over=("beta", ("0", "pi/2", "3")), attained_at="pi/2", at={"r": "1"}
+            ),
+            True,
+        ),
         (Claim("a", "polar.map[1]", value="1.0", maximum_over=("beta", ("0", "pi/2", "3")), at={"r": "1"}), True),
-        (Claim("a", "polar.map[1]", "", maximum_over=("beta", ("0", "pi/2", "3")), attained_at="3", at={"r": "1"}), False),
+        (
+            Claim("a", "polar.map[1]", "", maximum_over=("beta", ("0", "pi/2", "3")), attained_at="3", at={"r": "1"}),
+            False,
+        ),
     ],
 )
 def test_claims_about_numbers(claim: Claim, holds: bool) -> None:

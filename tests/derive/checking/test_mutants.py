@@ -83,9 +83,7 @@ def test_slips_are_told_from_the_formula_and_traced_to_it(name: str) -> None:
     assert traced >= SHARE * total - 1
 
 
-def _checked(
-    reference: Reference, names: Names, mutant: Tree, expression: Expr
-) -> tuple[Outcome | None, list[str]]:
+def _checked(reference: Reference, names: Names, mutant: Tree, expression: Expr) -> tuple[Outcome | None, list[str]]:
     """The verdict, held against floating point, and the first three suggestions; None for no slip at all."""
     try:
         changed = names.read(mutant)

@@ -1,0 +1,157 @@
+"""`radartrack verify`: how well each generated function is known to be right."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from enum import StrEnum
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+if TYPE_CHECKING:
+    from radartrack.verification.engines import Engine
+
+PLAIN_WIDTH = 140  # in a file or a pipe
+INTERRUPTED = 130
+
+
+class EngineName(StrEnum):
+    """Where the work is done."""
+
+    LOCAL = "local"
+    DASK = "dask"
+
+
+def verify(  # noqa: PLR0913, PLR0917 - one an option
+    names: Annotated[list[str] | None, typer.Argument(help="Quantities or parts of names; without any, all.")] = None,
+    full: Annotated[bool, typer.Option("--full", help="100 000 points, 100 000 000 draws, and mutants.")] = False,
+    draws: Annotated[int | None, typer.Option(help="Draws at each point of the simulation.", min=1)] = None,
+    points: Annotated[int | None, typer.Option(help="Points compared with 50 digits.", min=20)] = None,
+    mutants: Annotated[int | None, typer.Option(help="Mutants of each formula.", min=0)] = None,
+    seed: Annotated[int, typer.Option(help="Of everything random.", min=0)] = 0,
+    engine: Annotated[
+        EngineName, typer.Option(help="Processes of this machine, or a Dask cluster.")
+    ] = EngineName.LOCAL,
+    scheduler: Annotated[str | None, typer.Option(help="Address of the Dask scheduler.")] = None,
+    workers: Annotated[int | None, typer.Option(help="Local processes.", min=1)] = None,
+    checkpoint: Annotated[Path, typer.Option(help="Kept while a run is not complete; a rerun goes on from it.")] = Path(
+        "radartrack-verify.jsonl"
+    ),
+    json_out: Annotated[Path | None, typer.Option("--json", help="Write the record here.")] = None,
+) -> None:
+    """Measure every layer of verification and show the worst function first.
+
+    Exit 1 when a layer fails, 2 for names that fit nothing, 130 when interrupted.
+    """
+    from dataclasses import replace
+
+    from radartrack.verification.campaign import FULL, QUICK, Campaign, report
+
+    chosen = _chosen(names or [])
+    asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
+    effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
+    work = Campaign(chosen, effort, checkpoint)
+    try:
+        with _progress() as step:
+            records = work.run(_engine(engine, scheduler, workers), step)
+    except KeyboardInterrupt:
+        typer.echo(f"Interrupted; what was done stands in {checkpoint}, and the same command goes on.", err=True)
+        raise typer.Exit(INTERRUPTED) from None
+    _show(records)
+    if json_out is not None:
+        json_out.write_text(json.dumps(report(records, effort), indent=1) + "\n", encoding="utf-8")
+    if any(record["verdict"] == "failed" for record in records):
+        raise typer.Exit(1)
+
+
+def _chosen(patterns: Sequence[str]) -> list[str]:
+    """Names that are one of the patterns, or hold one."""
+    from radartrack.derive.catalogue import catalogue, find
+
+    known = list(catalogue())
+    found: dict[str, None] = {}
+    for pattern in patterns:
+        fitting = [pattern] if pattern in known else [name for name in known if pattern in name]
+        if not fitting:
+            try:
+                find(pattern)
+            except KeyError as error:
+                raise typer.BadParameter(str(error)) from None
+        found |= dict.fromkeys(fitting)
+    return list(found) if patterns else known
+
+
+def _engine(name: EngineName, scheduler: str | None, workers: int | None) -> Engine:
+    from radartrack.verification.engines import Dask, Local
+
+    if name is EngineName.LOCAL:
+        if scheduler is not None:
+            raise typer.BadParameter("--scheduler is for --engine dask")
+        return Local(workers) if workers else Local.of_this_machine()
+    if scheduler is None:
+        raise typer.BadParameter("--engine dask needs --scheduler ADDRESS, such as tcp://host:8786")
+    if find_spec("distributed") is None:
+        raise typer.BadParameter("--engine dask needs the extra: pip install radartrack[dask]")
+    return Dask(scheduler)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str, int], None]]:
+    """A bar with the time left, on the error stream."""
+    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    named = TextColumn("{task.description}")
+    console = Console(stderr=True)
+    with Progress(*columns, named, console=console, transient=True, disable=not console.is_terminal) as progress:
+        task = progress.add_task("", total=None)
+
+        def step(description: str, total: int) -> None:
+            progress.update(task, advance=1, total=total, description=description)
+
+        yield step
+
+
+def _badness(layer: Mapping[str, Any]) -> float:
+    """The figure by its bound; infinite for a failure without one."""
+    if layer["verdict"] == "failed":
+        return float("inf") if not layer["bound"] else 1e6 + (layer["figure"] or 0.0) / layer["bound"]
+    return (layer["figure"] or 0.0) / layer["bound"] if layer["bound"] else 0.0
+
+
+def _show(records: Sequence[Mapping[str, Any]]) -> None:
+    """One row a function, worst first, then what failed in words."""
+    from rich.table import Table
+
+    console = Console() if sys.stdout.isatty() else Console(width=int(os.environ.get("COLUMNS", PLAIN_WIDTH)))
+    titles = [layer["layer"] for layer in records[0]["layers"]] if records else []
+    table = Table("function", *titles)
+    for record in sorted(records, key=lambda r: -max(map(_badness, r["layers"]))):
+        table.add_row(record["quantity"], *map(_cell, record["layers"]))
+    console.print(table)
+    for record in records:
+        for layer in record["layers"]:
+            if layer["verdict"] == "failed":
+                console.print(f"{record['quantity']}, {layer['layer']}: {layer['detail']}", style="red")
+    failed = sum(record["verdict"] == "failed" for record in records)
+    console.print(f"{len(records)} functions, {failed} failed.")
+
+
+def _cell(layer: Mapping[str, Any]) -> str:
+    if layer["verdict"] == "not applicable":
+        return "–"
+    figure = "" if layer["figure"] is None else f"{layer['figure']:.2g}"
+    return f"[bold red]{figure} failed[/]" if layer["verdict"] == "failed" else figure or "passed"

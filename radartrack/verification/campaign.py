@@ -1,0 +1,194 @@
+"""A run over many functions: what is left to do, who does it, and what came out."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import platform
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import reduce
+from importlib.util import find_spec
+from operator import add
+from pathlib import Path
+from typing import Any
+
+from radartrack.derive.catalogue import find
+from radartrack.derive.quantity import Quantity
+from radartrack.verification import monte_carlo
+from radartrack.verification.accuracy import Accuracy
+from radartrack.verification.checkpoint import Checkpoint, digest_of
+from radartrack.verification.dimensions import Dimensions
+from radartrack.verification.engines import Engine
+from radartrack.verification.experiments import Trial, simulated, trials
+from radartrack.verification.identity import Identity
+from radartrack.verification.mutants import Mutants
+from radartrack.verification.outcome import Layer, Outcome, Verdict
+from radartrack.verification.quadrature import Quadrature
+from radartrack.verification.simulation import CHUNK, Draws, Sums, chunks_of, tasks_for
+from radartrack.verification.statistics import FALSE_ALARM
+from radartrack.verification.subject import NotGenerated, generated
+
+PACKAGES = ("numpy", "sympy", "mpmath", "python-flint")
+Step = Callable[[str, int], None]
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How much is spent on one function.
+
+    Attributes:
+        points: of the comparison with many digits.
+        nodes: points of the quadrature.
+        draws: at each point of the simulation.
+        mutants: that are tried; none with 0.
+        seed: of everything random.
+    """
+
+    points: int
+    nodes: int
+    draws: int
+    mutants: int
+    seed: int = 0
+
+    @property
+    def layers(self) -> list[Layer]:
+        """All but Monte Carlo, whose draws are spread over tasks of their own."""
+        found: list[Layer] = [
+            Dimensions(self.seed),
+            Identity(self.seed),
+            Accuracy(self.points, self.seed),
+            Quadrature(self.nodes, self.seed),
+        ]
+        return [*found, Mutants(self.mutants, self.seed)] if self.mutants else found
+
+
+QUICK = Effort(points=2_000, nodes=1, draws=1 << 20, mutants=0)
+FULL = Effort(points=100_000, nodes=4, draws=100_000_000, mutants=60)
+
+
+@dataclass(frozen=True)
+class Examination:
+    """A task: one layer on one function."""
+
+    name: str
+    layer: Layer
+
+    @property
+    def key(self) -> str:
+        """Its name in a checkpoint."""
+        return f"{self.name}/{self.layer.name}"
+
+    def __call__(self) -> dict[str, Any]:
+        """The outcome as JSON has it."""
+        quantity = find(self.name)
+        try:
+            return asdict(self.layer(quantity, generated(quantity)))
+        except NotGenerated as error:
+            return asdict(Outcome.failed(self.layer.name, str(error)))
+
+
+@dataclass
+class Campaign:
+    """All layers over some quantities.
+
+    Attributes:
+        names: of the quantities.
+        effort: spent on each.
+        checkpoint: a file to go on from; None for none.
+    """
+
+    names: Sequence[str]
+    effort: Effort
+    checkpoint: Path | None = None
+    _trials: dict[str, list[Trial]] = field(default_factory=dict)
+
+    def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
+        """Do what is not done yet; `step` is told what has ended and how many tasks there are."""
+        kept = Checkpoint(self.checkpoint, digest_of(_sources(), repr(self.effort)))
+        todo = list(self._tasks())
+        left = [task for task in todo if task.key not in kept.done]
+        for _ in range(len(todo) - len(left)):
+            step("done before", len(todo))
+        for number, result in engine.run(enumerate(left)):
+            kept.add(left[number].key, result)
+            step(left[number].key, len(todo))
+        records = [self._record(name, kept.done) for name in self.names]
+        kept.finish()
+        return records
+
+    def _tasks(self) -> Iterator[Examination | Draws]:
+        for name in self.names:
+            for layer in self.effort.layers:
+                yield Examination(name, layer)
+        for name in self.names:
+            for trial in self._simulations(find(name)):
+                for task in range(tasks_for(self.effort.draws)):
+                    yield Draws(trial.experiment, chunks_of(task, self.effort.draws))
+
+    def _simulations(self, quantity: Quantity) -> list[Trial]:
+        if quantity.name not in self._trials:
+            self._trials[quantity.name] = list(self._planned(quantity))
+        return self._trials[quantity.name]
+
+    def _planned(self, quantity: Quantity) -> Iterator[Trial]:
+        if simulated(quantity):
+            try:
+                yield from trials(quantity, generated(quantity), self.effort.seed)
+            except NotGenerated:
+                return
+
+    def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
+        quantity = find(name)
+        outcomes = [done[Examination(name, layer).key] for layer in self.effort.layers]
+        outcomes.append(asdict(self._monte_carlo(quantity, done)))
+        ranked = {Verdict.FAILED: 2, Verdict.PASSED: 1, Verdict.NOT_APPLICABLE: 0}
+        verdict = max((Verdict(outcome["verdict"]) for outcome in outcomes), key=ranked.__getitem__)
+        return {"quantity": name, "verdict": verdict, "layers": outcomes}
+
+    def _monte_carlo(self, quantity: Quantity, done: Mapping[str, Any]) -> Outcome:
+        if not simulated(quantity):
+            return monte_carlo.reason(quantity)
+        planned = self._simulations(quantity)
+        if not planned:
+            return Outcome.failed(monte_carlo.NAME, f"{quantity.name} has no generated function")
+        return monte_carlo.decided((trial, self._sums(trial, done)) for trial in planned)
+
+    def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
+        total: Sums | None = None
+        for task in range(tasks_for(self.effort.draws)):
+            record = done[Draws(trial.experiment, chunks_of(task, self.effort.draws)).key]
+            if record is None:
+                return ValueError("not a number")
+            total = reduce(add, [total, Sums.read(record)]) if total else Sums.read(record)
+        return total if total is not None else ValueError("nothing was drawn")
+
+
+def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, Any]:
+    """Everything that a reader needs to repeat the run."""
+    versions = {name: importlib.metadata.version(name) for name in PACKAGES if _installed(name)}
+    return {
+        "effort": asdict(effort),
+        "draws_of_a_chunk": CHUNK,
+        "false_alarm_of_the_catalogue": FALSE_ALARM,
+        "versions": {"python": platform.python_version(), "radartrack": _own_version(), **versions},
+        "functions": list(records),
+    }
+
+
+def _installed(name: str) -> bool:
+    try:
+        importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return False
+    return True
+
+
+def _own_version() -> str:
+    return importlib.metadata.version("radartrack") if _installed("radartrack") else "not installed"
+
+
+def _sources() -> list[Path]:
+    """What the outcome depends on: derivations, generated code and this package."""
+    packages = ("radartrack.derive", "radartrack.generated", "radartrack.verification")
+    specs = [find_spec(package) for package in packages]
+    return [Path(place) for spec in specs if spec for place in spec.submodule_search_locations or ()]

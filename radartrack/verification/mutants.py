@@ -1,0 +1,114 @@
+"""Layer: faults put into a derived formula on purpose, which the other layers must notice."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from radartrack.derive.quantity import Quantity
+from radartrack.verification.accuracy import Accuracy
+from radartrack.verification.compilation import compiled
+from radartrack.verification.dimensions import Dimensions
+from radartrack.verification.identity import Identity
+from radartrack.verification.monte_carlo import MonteCarlo
+from radartrack.verification.mutations import Mutant, mutants
+from radartrack.verification.outcome import Function, Layer, Outcome, Verdict
+from radartrack.verification.quadrature import Quadrature
+
+NAME = "mutants"
+DRAWS = 1 << 14
+SIMULATED = 12  # mutants of a function that are simulated too
+POINTS = 24
+
+
+@dataclass(frozen=True)
+class Caught:
+    """What noticed one mutant.
+
+    Attributes:
+        mutant: which.
+        derivation: layers that notice it as a slip in the derivation, which the code repeats.
+        code: layers that notice it as a slip in the code alone.
+    """
+
+    mutant: Mutant
+    derivation: frozenset[str]
+    code: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Mutants:
+    """How many mutants of a quantity the layers notice.
+
+    Attributes:
+        count: of mutants that are tried.
+        seed: of their choice.
+    """
+
+    count: int = 20
+    seed: int = 0
+    name: str = NAME
+
+    def __call__(self, quantity: Quantity, function: Function) -> Outcome:  # noqa: ARG002 - one interface for all
+        """The share that nothing but Monte Carlo could notice, or nothing at all; none may be left."""
+        found = caught(quantity, self.count, self.seed)
+        if not found:
+            return Outcome.not_applicable(NAME, "the formula has no part that could be mistaken")
+        layers = _layers(self.seed)
+        blind = not any(_applies(layer, quantity) for layer in layers if not isinstance(layer, Dimensions))
+        survivors = [each for each in found if not each.code or not (each.derivation or blind)]
+        detail = f"{len(found)} mutants; slips of the derivation: {_shares(found)}; slips of the code: {_shares(found, in_code=True)}"
+        if blind:
+            detail += "; no second derivation, so slips of the derivation show in its dimensions alone"
+        simulated = _simulated(quantity, found[:SIMULATED], self.seed)
+        if simulated is not None:
+            detail += f"; Monte Carlo alone {simulated[0]} of {simulated[1]}"
+        if survivors:
+            detail += "; survivors: " + ", ".join(sorted({each.mutant.kind for each in survivors}))
+        return Outcome.measured(NAME, len(survivors) / len(found), 0.0, detail)
+
+
+def caught(quantity: Quantity, count: int, seed: int) -> list[Caught]:
+    """Every mutant with the layers that notice it, Monte Carlo apart."""
+    layers, code = _layers(seed), [Accuracy(POINTS, seed), Quadrature(1, seed)]
+    return [
+        Caught(
+            mutant,
+            frozenset(layer.name for layer in layers if fails(layer, _mistaken(quantity, mutant), mutant)),
+            frozenset(layer.name for layer in code if fails(layer, quantity, mutant)),
+        )
+        for mutant in mutants(quantity, count, seed)
+    ]
+
+
+def fails(layer: Layer, quantity: Quantity, mutant: Mutant) -> bool:
+    """Whether a layer notices code that computes the mutant."""
+    return layer(quantity, compiled(mutant.entries, quantity.symbols)).verdict is Verdict.FAILED
+
+
+def _mistaken(quantity: Quantity, mutant: Mutant) -> Quantity:
+    """The quantity as if the mutant had been derived."""
+    return replace(quantity, derivation=lambda: mutant.entries, rewriting=None)
+
+
+def _layers(seed: int) -> list[Layer]:
+    return [Dimensions(seed), Identity(seed), Quadrature(1, seed)]
+
+
+def _applies(layer: Layer, quantity: Quantity) -> bool:
+    function = compiled(quantity.expression, quantity.symbols)
+    return layer(quantity, function).verdict is not Verdict.NOT_APPLICABLE
+
+
+def _shares(found: Sequence[Caught], *, in_code: bool = False) -> str:
+    counts = Counter(layer for each in found for layer in (each.code if in_code else each.derivation))
+    return ", ".join(f"{layer} {number}/{len(found)}" for layer, number in sorted(counts.items())) or "none noticed"
+
+
+def _simulated(quantity: Quantity, found: list[Caught], seed: int) -> tuple[int, int] | None:
+    layer = MonteCarlo(DRAWS, seed)
+    if not _applies(layer, quantity):
+        return None
+    noticed = [fails(layer, quantity, each.mutant) for each in found]
+    return sum(noticed), len(noticed)
