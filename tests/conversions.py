@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.models import models
 from radartrack.derive.quantity import Quantity
-from radartrack.derive.units import RADIAN
+from radartrack.derive.units import ONE, RADIAN
 from radartrack.derive.variable import Variable
 
 QUANTITIES = [quantity for quantity in catalogue().values() if quantity.module in models()]
@@ -63,12 +63,19 @@ def coarse(symbol: Variable) -> st.SearchStrategy[float]:
     is_deviation = "sigma_" in symbol.name
     if symbol.unit == RADIAN:
         return st.floats(0.05, 1.0) if is_deviation else st.floats(symbol.low, symbol.high)
+    if symbol.unit == ONE:
+        return st.floats(symbol.high / 10, symbol.high / 2) if is_deviation else signed(symbol.high)
     if is_deviation:
         middle = math.sqrt(symbol.low * symbol.high)
         return st.floats(10 * middle, 100 * middle)
     if symbol.low > 0:
         return st.floats(1e2, 1e3)
-    return st.floats(symbol.high / 8, symbol.high / 2) | st.floats(symbol.low / 2, symbol.low / 8)
+    return signed(symbol.high)
+
+
+def signed(high: float) -> st.SearchStrategy[float]:
+    """Values of either sign, away from zero."""
+    return st.floats(high / 8, high / 2) | st.floats(-high / 2, -high / 8)
 
 
 def ids(quantity: Quantity) -> str:

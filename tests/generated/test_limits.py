@@ -29,6 +29,12 @@ def shrunk(point: Mapping[str, float], factor: float) -> dict[str, float]:
     return {name: number * factor if "sigma_" in name else number for name, number in point.items()}
 
 
+def largest_alike(quantity: Quantity, variances: np.ndarray) -> np.ndarray:
+    """For each variance the largest one of its unit: along some direction the linear one may vanish."""
+    units = quantity.axes[0]
+    return np.array([max(v for v, other in zip(variances, units, strict=True) if other == unit) for unit in units])
+
+
 @pytest.mark.parametrize("quantity", BIASES, ids=conversions.ids)
 @given(data=st.data())
 @share(0.4)
@@ -45,8 +51,9 @@ def test_the_bias_approaches_the_one_of_second_order(quantity: Quantity, data: s
 def test_the_covariance_approaches_the_linear_one(quantity: Quantity, data: st.DataObject):
     point = shrunk(data.draw(conversions.points(quantity)), SHRINK)
     expected = value(f"{quantity.module}.covariance.linear", point)
-    scale = conversions.scale(quantity, value(f"{quantity.module}.covariance.linear", point | {"rho": 0.0}))
-    assert (np.abs(conversions.generated(quantity)(**point) - expected) / scale).max() < 1000 * NEGLECTED
+    independent = value(f"{quantity.module}.covariance.linear", point | {"rho": 0.0})
+    scale = conversions.scale(quantity, np.diag(largest_alike(quantity, np.diagonal(independent))))
+    assert (np.abs(conversions.generated(quantity)(**point) - expected) / scale).max() < 100 * NEGLECTED
 
 
 @pytest.mark.parametrize(("row", "sign"), [("unbiased.estimate", -1), ("posterior.estimate", 1)])
@@ -65,7 +72,9 @@ def test_the_estimate_approaches_the_plain_conversion_corrected_to_second_order(
     np.testing.assert_array_less(error, NEGLECTED * conversions.scale(quantity, bias) + rounding)
 
 
-@pytest.mark.parametrize("quantity", conversions.QUANTITIES, ids=conversions.ids)
+@pytest.mark.parametrize(
+    "quantity", [q for q in conversions.QUANTITIES if "validity" not in q.name], ids=conversions.ids
+)
 @given(data=st.data())
 @share(0.2)
 def test_without_errors_there_is_no_bias_and_no_covariance(quantity: Quantity, data: st.DataObject):

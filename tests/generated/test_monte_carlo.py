@@ -18,7 +18,7 @@ from tests.quadrature import square
 
 Columns = Mapping[str, np.ndarray | float]
 
-DRAWS = 250_000
+DRAWS = 200_000
 FALSE_ALARM = 1e-6
 POINT = {"r": 900.0, "beta": 2.2, "epsilon": 0.6, "rdot": -120.0, "rho": 0.6}
 POINT |= {"sigma_r": 150.0, "sigma_beta": 0.5, "sigma_epsilon": 0.3, "sigma_rdot": 40.0}

@@ -20,6 +20,8 @@ EXACT = 1e-13
 
 
 def turned(matrix: np.ndarray, quantity: Quantity, value: np.ndarray) -> np.ndarray:
+    if "validity" in quantity.name:  # of the measured quantities, which directions in space do not concern
+        return value
     return matrix @ value @ matrix.T if quantity.is_covariance else matrix @ value
 
 

@@ -4,10 +4,10 @@ To fourth order in the deviations a moment depends on derivatives up to the four
 that degree, for which the exact words are polynomials, has the same moment once that is cut off.
 """
 
+import functools
 import itertools
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,10 +15,10 @@ import pytest
 import sympy
 
 from radartrack.derive import words
-from radartrack.derive.closed import Closed
-from radartrack.derive.exponential import ExponentialPolynomial
-from radartrack.derive.models import models
+from radartrack.derive.exponential import ExponentialPolynomial, ring_over
+from radartrack.derive.operator import GaussianOperator
 from radartrack.derive.quantity import Quantity
+from radartrack.derive.tensor import Tensor
 from tests import conversions, maps
 
 DEGREES = {"second_order": 2, "fourth_order": 4}
@@ -34,6 +34,7 @@ WORDS: dict[str, Callable[[Any], Any]] = {
     "decorrelated.covariance": words.decorrelated_covariance,
 }
 TRUNCATED = {f"{word}.{order}" for word in WORDS for order in DEGREES}
+SHRINK = sympy.Symbol("shrink", real=True)
 SEVENTH = sympy.Rational(1, 7)
 POINT = {"r": sympy.Integer(900), "u": 2 * SEVENTH, "v": -3 * SEVENTH}
 NOISE = {"sigma_r": 150.0, "sigma_u": 0.05, "sigma_v": 0.08, "rho": 0.6}
@@ -52,18 +53,39 @@ def taylor_polynomial(expression: sympy.Expr, variables: tuple[sympy.Symbol, ...
     return sympy.expand(total)
 
 
+class Numbers:
+    """The calculus of a model's Taylor polynomial at POINT with numbers for the noise, deviations times `shrink`."""
+
+    def __init__(self, name: str) -> None:
+        variables = tuple(symbols(maps.measured(name)))
+        ring = ring_over((*variables, SHRINK))
+        plain = maps.evaluated(name, sympy, dict(zip(maps.measured(name), variables, strict=True)))
+        polynomials = [ExponentialPolynomial.read(taylor_polynomial(h, variables), ring) for h in plain]
+        self.map = Tensor((len(plain),), tuple(polynomials))
+        measurement, prediction = (exact(maps.covariance(name, NOISE, prefix)) for prefix in ("", "predicted_"))
+        self.expectation = GaussianOperator(variables, measurement).exponential
+        self.prediction = GaussianOperator(variables, prediction).exponential
+
+
+def symbols(names: list[str]) -> list[sympy.Symbol]:
+    return [sympy.Symbol(name, real=True) for name in names]
+
+
+def exact(covariance: np.ndarray) -> list[list[sympy.Expr]]:
+    return [[sympy.Rational(float(entry)) * SHRINK**2 for entry in row] for row in covariance]
+
+
+@functools.cache
+def polynomials_of(name: str, word: str) -> Tensor[sympy.Poly]:
+    """The word for the Taylor polynomial as polynomials in `shrink`."""
+    at = {symbol: POINT[symbol.name] for symbol in symbols(maps.measured(name))}
+    return WORDS[word](Numbers(name)).map(lambda value: sympy.Poly(value.expression().subs(at), SHRINK))
+
+
 def moment(name: str, word: str, degree: int) -> np.ndarray:
-    """The word for the Taylor polynomial at POINT, without what is beyond a degree in the deviations."""
-    model = models()[name]
-    plain = maps.evaluated(name, sympy, {variable.name: variable for variable in model.measured})
-    outputs = {str(a): taylor_polynomial(h, model.measured) for a, h in enumerate(plain)}
-    tensor = WORDS[word](Closed(replace(model, outputs=outputs)))
-    shrink = sympy.Symbol("shrink")
-    at: dict[sympy.Symbol, Any] = {variable: POINT[variable.name] for variable in model.measured}
-    for symbol in (*model.noise_symbols, *model.prediction_symbols):
-        at[symbol] = sympy.Rational(NOISE[symbol.name]) * (shrink if "sigma_" in symbol.name else 1)
-    polynomials = tensor.map(lambda value: sympy.Poly(ExponentialPolynomial.expression(value).subs(at), shrink))
-    kept = [sum(c for (power,), c in polynomial.terms() if power <= degree) for polynomial in polynomials]
+    """The word without what is beyond a degree in the deviations."""
+    tensor = polynomials_of(name, word)
+    kept = [sum(c for (power,), c in polynomial.terms() if power <= degree) for polynomial in tensor]
     return np.array([float(value) for value in kept]).reshape(tensor.shape)
 
 
