@@ -91,11 +91,12 @@ class Dask:
             numbers: dict[str, int] = {}
 
             def submitted(number: int, task: Task) -> Any:
-                future = client.submit(task, pure=False, retries=RETRIES)
+                future = client.submit(task, key=f"{client.id}-{number}", retries=RETRIES)
                 numbers[future.key] = number
                 return future
 
-            running = distributed.as_completed([submitted(*each) for each in islice(source, AHEAD * threads)])
+            first = [submitted(*each) for each in islice(source, AHEAD * threads)]
+            running = distributed.as_completed(first, loop=client.loop)
             for future in running:
                 yield numbers.pop(future.key), future.result()
                 for each in islice(source, 1):

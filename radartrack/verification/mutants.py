@@ -58,7 +58,8 @@ class Mutants:
         layers = _layers(self.seed)
         blind = not any(_applies(layer, quantity) for layer in layers if not isinstance(layer, Dimensions))
         survivors = [each for each in found if not each.code or not (each.derivation or blind)]
-        detail = f"{len(found)} mutants; slips of the derivation: {_shares(found)}; slips of the code: {_shares(found, in_code=True)}"
+        shares = _shares(found), _shares(found, in_code=True)
+        detail = f"{len(found)} mutants; slips of the derivation: {shares[0]}; slips of the code: {shares[1]}"
         if blind:
             detail += "; no second derivation, so slips of the derivation show in its dimensions alone"
         simulated = _simulated(quantity, found[:SIMULATED], self.seed)
@@ -71,7 +72,8 @@ class Mutants:
 
 def caught(quantity: Quantity, count: int, seed: int) -> list[Caught]:
     """Every mutant with the layers that notice it, Monte Carlo apart."""
-    layers, code = _layers(seed), [Accuracy(POINTS, seed), Quadrature(1, seed)]
+    layers = _layers(seed)
+    code: list[Layer] = [Accuracy(POINTS, seed), Quadrature(1, seed)]
     return [
         Caught(
             mutant,

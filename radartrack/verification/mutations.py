@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from random import Random
 from typing import TypeVar
 
@@ -59,11 +60,12 @@ def _all(quantity: Quantity) -> Iterator[tuple[str, Build[Tensor[Expr]]]]:
     entries = quantity.expression
     for index, entry in entries.items():
         for kind, build in _changes(entry, quantity.symbols):
-            yield kind, lambda index=index, build=build: _replaced(entries, index, build())
+            yield kind, partial(_rebuilt, entries, index, build)
     yield from _transposed(entries)
 
 
-def _replaced(entries: Tensor[Expr], index: Index, changed: Expr) -> Tensor[Expr]:
+def _rebuilt(entries: Tensor[Expr], index: Index, build: Build[Expr]) -> Tensor[Expr]:
+    changed = build()
     return Tensor(
         entries.shape,
         tuple(changed if place == index else entry for place, entry in entries.items()),
@@ -78,21 +80,27 @@ def _transposed(entries: Tensor[Expr]) -> Iterator[tuple[str, Build[Tensor[Expr]
             second = (*first[:axis], first[axis] + 1, *first[axis + 1 :])
             if second in table and table[first] != table[second]:
                 exchanged = table | {first: table[second], second: table[first]}
-                yield "transposed index", lambda exchanged=exchanged: Tensor(entries.shape, tuple(exchanged.values()))
+                yield "transposed index", partial(Tensor, entries.shape, tuple(exchanged.values()))
 
 
 def _changes(expression: Expr, symbols: Sequence[Variable]) -> Iterator[tuple[str, Build[Expr]]]:
     """Every formula that differs from this one in one place, with what was done; built when it is called."""
     for kind, changed in _here(expression, symbols):
-        yield kind, lambda changed=changed: changed
+        yield kind, partial(_itself, changed)
     arguments = expression.args[:1] if isinstance(expression, sp.Pow) else expression.args
     for place, argument in enumerate(arguments):
         for kind, build in _changes(argument, symbols):
-            yield kind, lambda place=place, build=build: _with(expression, place, build())
+            yield kind, partial(_with, expression, place, build)
 
 
-def _with(expression: Expr, place: int, argument: Expr) -> Expr:
-    return expression.func(*expression.args[:place], argument, *expression.args[place + 1 :])
+def _itself(expression: Expr) -> Expr:
+    return expression
+
+
+def _with(expression: Expr, place: int, build: Build[Expr]) -> Expr:
+    arguments = list(expression.args)
+    arguments[place] = build()
+    return expression.func(*arguments)
 
 
 def _here(expression: Expr, symbols: Sequence[Variable]) -> Iterator[tuple[str, Expr]]:

@@ -86,4 +86,4 @@ class Program:
             columns = [np.broadcast_to(entry, outer) for entry in self.entries(given)]
         if not columns:
             return np.empty((*outer, *self.shape))
-        return np.stack(columns, axis=-1).reshape(*outer, *self.shape)
+        return np.stack(columns, axis=-1).reshape((*outer, *self.shape))

@@ -41,12 +41,13 @@ def sample(quantity: Quantity, count: int, seed: int = 0, *, correlated: bool = 
 def _draw(symbol: Variable, count: int, generator: np.random.Generator, *, correlated: bool) -> npt.NDArray[np.float64]:
     uniform = generator.random(count)
     if symbol.is_correlation:
-        return symbol.low + (symbol.high - symbol.low) * uniform if correlated else np.zeros(count)
+        spread = symbol.low + (symbol.high - symbol.low) * uniform
+        return spread if correlated else np.zeros(count)
     if symbol.low == 0:
         return np.where(generator.random(count) < 0.125, 0.0, symbol.high * np.power(SMALLEST_SHARE, uniform))
     if symbol.logarithmic:
         drawn = np.exp(np.log(symbol.low) + (np.log(symbol.high) - np.log(symbol.low)) * uniform)
-        return np.clip(drawn, symbol.low, symbol.high)
+        return np.asarray(np.clip(drawn, symbol.low, symbol.high))
     spread = symbol.low + (symbol.high - symbol.low) * uniform
     return _near_quarter_turns(spread, generator) if symbol.unit == RADIAN else spread
 
@@ -93,7 +94,7 @@ def _coarse(
     if symbol.unit == RADIAN:
         return 0.1 + 0.5 * uniform if is_deviation else symbol.low + (symbol.high - symbol.low) * uniform
     if symbol.whole:
-        return symbol.low + np.minimum(40.0, symbol.high - symbol.low) * uniform
+        return np.asarray(symbol.low + min(40.0, symbol.high - symbol.low) * uniform)
     if is_deviation:
         return math.sqrt(symbol.low * symbol.high) * (10 + 90 * uniform)
     if symbol.low > 0:
