@@ -59,6 +59,7 @@ class Consistency(NamedTuple):
 
 def experiment(
     sensor: SensorName,
+    plot: Mapping[str, float],
     method: Method = "unbiased",
     given: Given = "truth",
     *,
@@ -66,7 +67,6 @@ def experiment(
     draws: int = 100_000,
     seed: int = 0,
     false_alarm: float = 1e-3,
-    **plot: float,
 ) -> Consistency:
     """Simulate measurements, convert them, and compare the errors with what the conversion says of them.
 
@@ -75,6 +75,8 @@ def experiment(
 
     Args:
         sensor: "polar", "spherical", "polar_doppler" or "ruv".
+        plot: the arguments of the conversion of this name, one number each: measured quantities, deviations,
+            and `correlation`, which is 0 if it is not given.
         method: as the conversion of this name takes it.
         given: what is held fixed; it is at the values in `plot`.
         predicted_covariance: of a prediction of the measured quantities, whose mean is in `plot`; for the method
@@ -82,8 +84,6 @@ def experiment(
         draws: how many simulated errors, at least 2.
         seed: of the random numbers; the same one gives the same result.
         false_alarm: probability with which one band misses, from 1e-9 to 0.5.
-        **plot: the arguments of the conversion of this name, one number each: measured quantities, deviations,
-            and `correlation`, which is 0 if it is not given.
 
     Returns:
         Averages and bands.

@@ -15,6 +15,7 @@ from radartrack.consistency import Consistency, Given, experiment
 from radartrack.convert import Method
 from tests.radartrack.plots import CLOSED, METHODS, PLOTS, SENSORS, noise_covariance
 
+PLOT = {"r": 1000.0, "azimuth": 0.0, "range_std": 10.0, "azimuth_std": 0.1}
 DRAWS = 100_000
 FALSE_ALARM = 1e-6 / 400  # there are fewer bands than 400 here
 DEVIATIONS = 1e-3
@@ -28,10 +29,12 @@ POINTS["ruv"] |= {"range_std": 30.0}
 def run(sensor: str, method: Method, given: Given, **changed: Any) -> Consistency:
     """An experiment at the sensor's point; a prediction is as uncertain as half the plot, and differently."""
     point = {**POINTS[sensor], **changed}
-    if method == "decorrelated" or given == "prediction":
-        matrix = noise_covariance(sensor, {**point, "correlation": 0.7}) / 4
-        point["predicted_covariance"] = matrix
-    return experiment(sensor, method, given, draws=DRAWS, seed=11, false_alarm=FALSE_ALARM, **point)  # type: ignore[arg-type]
+    predicts = method == "decorrelated" or given == "prediction"
+    matrix = noise_covariance(sensor, {**point, "correlation": 0.7}) / 4 if predicts else None
+    name: Any = sensor
+    return experiment(
+        name, point, method, given, predicted_covariance=matrix, draws=DRAWS, seed=11, false_alarm=FALSE_ALARM
+    )
 
 
 @pytest.mark.parametrize("given", ["truth", "prediction"])
@@ -96,7 +99,7 @@ FAR_OFF = {1e3: 1.1, 10e3: 10.0, 70e3: 500.0}
 @pytest.mark.parametrize("r", FAR_OFF)
 def test_at_ten_degrees_linear_conversion_is_far_off_and_the_others_are_consistent(r: float, given: Given) -> None:
     plot = {"r": r, "azimuth": 45 * DEGREES, "range_std": 50.0, "azimuth_std": 10 * DEGREES}
-    nees = {method: experiment("polar", method, given, draws=DRAWS, **plot).nees for method in METHODS[:5]}
+    nees = {method: experiment("polar", plot, method, given, draws=DRAWS).nees for method in METHODS[:5]}
     assert nees["linear"] > FAR_OFF[r]
     assert nees["second_order"] > 1.1
     assert nees["averaged"] == pytest.approx(1, abs=0.05)
@@ -109,14 +112,14 @@ def test_at_ten_degrees_linear_conversion_is_far_off_and_the_others_are_consiste
 
 def test_the_bias_is_converted_minus_true() -> None:
     """The plain conversion shortens: e^(-σ²/2) of the range is left."""
-    found = experiment("polar", "linear", "truth", r=1000.0, azimuth=0.0, range_std=1.0, azimuth_std=0.5)
+    found = experiment("polar", PLOT | {"range_std": 1.0, "azimuth_std": 0.5}, "linear")
     expected = 1000 * math.expm1(-0.125)
     assert found.bias_band[0, 0] < expected < found.bias_band[0, 1]
     assert found.bias_band[1, 0] < 0 < found.bias_band[1, 1]
 
 
 def test_the_nees_is_one_where_error_and_covariance_are_those_of_a_normal_variable() -> None:
-    found = experiment("polar", "linear", "truth", draws=50_000, r=1e6, azimuth=1.0, range_std=1.0, azimuth_std=1e-9)
+    found = experiment("polar", PLOT | {"r": 1e6, "range_std": 1.0, "azimuth_std": 1e-9}, "linear", draws=50_000)
     half_width = NormalDist().inv_cdf(1 - 1e-3 / 2) / math.sqrt(50_000)  # the variance of χ²/2 with two degrees is 1
     assert found.nees_band == pytest.approx([found.nees - half_width, found.nees + half_width], rel=1e-3)
     assert found.is_consistent
@@ -127,7 +130,7 @@ def test_the_bands_miss_as_often_as_stated(false_alarm: float) -> None:
     """In 400 experiments, two-sided at 1e-6 by the normal quantile; a rate wrong by a half is found."""
     plot = {"r": 1000.0, "azimuth": 0.3, "range_std": 10.0, "azimuth_std": 0.2}
     runs = [
-        experiment("polar", "posterior", "measurement", draws=400, seed=seed, false_alarm=false_alarm, **plot)
+        experiment("polar", plot, "posterior", "measurement", draws=400, seed=seed, false_alarm=false_alarm)
         for seed in range(400)
     ]
     missed = np.mean([not run.is_consistent for run in runs])
@@ -137,18 +140,15 @@ def test_the_bands_miss_as_often_as_stated(false_alarm: float) -> None:
 
 def test_a_correlation_of_errors_is_simulated() -> None:
     plot = {"r": 1000.0, "azimuth": 0.0, "range_std": 10.0, "azimuth_std": 0.01}
-    right = experiment("polar", "linear", "truth", **plot, correlation=0.9)
+    right = experiment("polar", plot | {"correlation": 0.9}, "linear", "truth")
     assert right.nees == pytest.approx(1, abs=0.02)
 
 
 def test_the_same_seed_gives_the_same_result() -> None:
     plot = {"r": 1000.0, "azimuth": 0.0, "range_std": 10.0, "azimuth_std": 0.1}
-    first, same, other = (experiment("polar", draws=100, seed=seed, **plot) for seed in (1, 1, 2))
+    first, same, other = (experiment("polar", plot, draws=100, seed=seed) for seed in (1, 1, 2))
     assert first.nees == same.nees
     assert first.nees != other.nees
-
-
-PLOT = {"r": 1000.0, "azimuth": 0.0, "range_std": 10.0, "azimuth_std": 0.1}
 
 
 @pytest.mark.parametrize(
@@ -161,11 +161,15 @@ PLOT = {"r": 1000.0, "azimuth": 0.0, "range_std": 10.0, "azimuth_std": 0.1}
         ({"draws": 2.5}, TypeError, r"draws must be an integer; got 2.5"),
         ({"false_alarm": 0.0}, ValueError, r"false_alarm must be from 1e-09 to 0.5; got 0.0"),
         ({"false_alarm": math.nan}, ValueError, r"false_alarm must be from 1e-09 to 0.5; got nan"),
-        ({"elevation": 0.1}, TypeError, r"plot must have the arguments \['r', 'azimuth', .*; got .*'elevation'"),
-        ({"r": [1.0, 2.0]}, TypeError, r"r must be one number; got shape \(2,\)"),
-        ({"r": -1.0}, ValueError, r"r must be from 0 to"),
-        ({"range_std": 1e3}, ValueError, r"r must be from 0 to 1e\+100 m .*; got -.* at \["),
-        ({"azimuth_std": 0.0}, ValueError, r"the covariance is singular: deviations must be positive"),
+        (
+            {"plot": PLOT | {"elevation": 0.1}},
+            TypeError,
+            r"plot must have the arguments \['r', 'azimuth', .*; got .*'elevation'",
+        ),
+        ({"plot": PLOT | {"r": [1.0, 2.0]}}, TypeError, r"r must be one number; got shape \(2,\)"),
+        ({"plot": PLOT | {"r": -1.0}}, ValueError, r"r must be from 0 to"),
+        ({"plot": PLOT | {"range_std": 1e3}}, ValueError, r"r must be from 0 to 1e\+100 m .*; got -.* at \["),
+        ({"plot": PLOT | {"azimuth_std": 0.0}}, ValueError, r"the covariance is singular: deviations must be positive"),
         ({"method": "decorrelated"}, ValueError, r"predicted_covariance must be given for the method 'decorr"),
         ({"given": "prediction"}, ValueError, r"predicted_covariance must be given for .*; got None"),
         ({"predicted_covariance": np.eye(2)}, ValueError, r"and only there; got array"),
@@ -180,4 +184,4 @@ def test_bad_arguments_are_named_with_what_was_given_and_what_is_allowed(
     changed: dict[str, Any], error: type[Exception], message: str
 ) -> None:
     with pytest.raises(error, match=message):
-        experiment(**{"sensor": "polar", "draws": 1000, **PLOT, **changed})
+        experiment(**{"sensor": "polar", "plot": PLOT, "draws": 1000, **changed})

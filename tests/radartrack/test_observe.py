@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import convert, observe
-from radartrack.observe import Observed
+from radartrack.observe import Observed, Projected
 from tests.examples import share
-from tests.radartrack.plots import SENSORS, WITH_AZIMUTH, Floats, cartesian
+from tests.radartrack.plots import SENSORS, WITH_AZIMUTH, Floats, assert_agree, cartesian
 
 POSITIONS = {"polar": 2, "spherical": 3, "polar_doppler": 2, "ruv": 3}
 SIZES = {"polar": 2, "spherical": 3, "polar_doppler": 4, "ruv": 3}
@@ -27,6 +27,10 @@ def states(draw: st.DrawFn, sensor: str) -> Floats:
     if sensor == "ruv":
         position[2] = abs(position[2]) + math.hypot(*position[:2]) / 10  # off the edge of the unit circle
     return np.array(position + [draw(speed) for _ in range(SIZES[sensor] - len(position))])
+
+
+def project(sensor: Any, mean: Any, covariance: Any, *words: Any, **chosen: Any) -> Projected:
+    return observe.project(sensor, mean, covariance, *words, **chosen)
 
 
 def observed(sensor: str, state: Any, **convention: str) -> Observed:
@@ -90,7 +94,7 @@ def test_observation_undoes_conversion(sensor: str, azimuth_from: str, data: st.
     function: Any = getattr(convert, sensor)
     back = function(*got, *[0.0] * len(got), method="linear", **convention).mean
     size = POSITIONS[sensor]
-    np.testing.assert_allclose(back[:size], state[:size], atol=1e-14 * np.linalg.norm(state[:size]), rtol=1e-13)
+    assert_agree(back[:size], state[:size], np.linalg.norm(state[:size]), 1e-13)
     if sensor == "polar_doppler":
         radial = state[:2] @ state[2:]
         assert abs(back[2] - radial) <= 1e-13 * np.linalg.norm(state[:2]) * np.linalg.norm(state[2:])
@@ -217,7 +221,7 @@ def tracks(draw: st.DrawFn, sensor: str) -> tuple[Floats, Floats]:
 @share(0.3)
 def test_the_projection_has_the_moments_of_the_taylor_polynomial(sensor: str, order: Any, data: st.DataObject) -> None:
     mean, matrix = data.draw(tracks(sensor))
-    got = observe.project(sensor, mean, matrix, order)  # type: ignore[arg-type] - a word from a list
+    got = project(sensor, mean, matrix, order)
     nodes, weights = np.polynomial.hermite_e.hermegauss(3)  # exact for squares of quadratic polynomials
     size = len(mean)
     grid = np.stack(np.meshgrid(*[nodes] * size), axis=-1).reshape(-1, size)
@@ -248,7 +252,7 @@ def test_a_projected_track_serves_the_decorrelated_conversion(
     if sensor == "ruv":
         mean[2] += np.hypot(*mean[:2])
     convention = {"azimuth_from": azimuth_from} if sensor in WITH_AZIMUTH else {}
-    predicted = observe.project(sensor, mean, 1e-4 * matrix, **convention)  # type: ignore[arg-type]
+    predicted = project(sensor, mean, 1e-4 * matrix, **convention)
     deviations = {"polar": [10.0, 1e-3], "spherical": [10.0, 1e-3, 1e-3]} | {
         "polar_doppler": [10.0, 1e-3, 1.0],
         "ruv": [10.0, 1e-3, 1e-3],
@@ -291,29 +295,29 @@ def test_projections_broadcast_mean_and_covariance() -> None:
         (lambda: observe.polar_doppler([1, 1, 1e51, 0]), ValueError, r"vx of state must be from -1e\+50 to"),
         (lambda: observe.polar(["1", "2"]), TypeError, r"state must be real numbers"),
         (lambda: observe.polar([1, 2j]), TypeError, r"state must be real numbers; .* complex128"),
-        (lambda: observe.polar([1.0, 2.0], "north"), ValueError, r"azimuth_from must be one of"),  # type: ignore[arg-type]
-        (lambda: observe.project("radar", [1.0], [[1.0]]), ValueError, r"sensor must be one of .*; got 'radar'"),  # type: ignore[arg-type]
-        (lambda: observe.project("polar", [1, 2], np.eye(3)), ValueError, r"covariance must have shape \(..., 2, 2\)"),
-        (lambda: observe.project("polar", [1, 2], -np.eye(2)), ValueError, r"covariance must be without a negative"),
-        (lambda: observe.project("polar", [1, 2], np.eye(2), "third"), ValueError, r"order must be one of"),  # type: ignore[arg-type]
-        (lambda: observe.project("polar", [0, 0], np.eye(2)), ValueError, r"mean's distance from the radar must be"),
+        (lambda: observed("polar", [1.0, 2.0], azimuth_from="north"), ValueError, r"azimuth_from must be one of"),
+        (lambda: project("radar", [1.0], [[1.0]]), ValueError, r"sensor must be one of .*; got 'radar'"),
+        (lambda: project("polar", [1, 2], np.eye(3)), ValueError, r"covariance must have shape \(..., 2, 2\)"),
+        (lambda: project("polar", [1, 2], -np.eye(2)), ValueError, r"covariance must be without a negative"),
+        (lambda: project("polar", [1, 2], np.eye(2), "third"), ValueError, r"order must be one of"),
+        (lambda: project("polar", [0, 0], np.eye(2)), ValueError, r"mean's distance from the radar must be"),
         (
-            lambda: observe.project("spherical", [0, 0, 9], np.eye(3)),
+            lambda: project("spherical", [0, 0, 9], np.eye(3)),
             ValueError,
             r"mean's distance from the vertical axis must be",
         ),
         (
-            lambda: observe.project("polar", [1e-90, 0], np.eye(2) * 1e150),
+            lambda: project("polar", [1e-90, 0], np.eye(2) * 1e150),
             ValueError,
             r"projected covariance must be finite; got inf",
         ),
         (
-            lambda: observe.project("polar", np.ones((2, 2)), np.ones((3, 1, 1)) * np.eye(2)),
+            lambda: project("polar", np.ones((2, 2)), np.ones((3, 1, 1)) * np.eye(2)),
             ValueError,
             r"the shapes must broadcast; got mean \(2,\), covariance \(3,\)",
         ),
         (
-            lambda: observe.project("ruv", [1, 2, 3], np.eye(3), azimuth_from="x"),
+            lambda: project("ruv", [1, 2, 3], np.eye(3), azimuth_from="x"),
             ValueError,
             r"azimuth_from must be None for sensor 'ruv'; got 'x'",
         ),

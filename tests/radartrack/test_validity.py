@@ -35,7 +35,8 @@ def neglected(sensor: str, plot: Plot, order: int) -> Floats:
     inverse = np.linalg.inv(np.array([along(sensor, middle, unit, 1) for unit in np.eye(count)]).T)
     terms = np.array([along(sensor, middle, error, order) for error in errors]) @ inverse.T
     mean_square = products @ terms**2 / math.factorial(order) ** 2
-    return np.sqrt(mean_square) / [plot[name] for name in DEVIATIONS[sensor]]
+    found: Floats = np.sqrt(mean_square) / [plot[name] for name in DEVIATIONS[sensor]]
+    return found
 
 
 def along(sensor: str, middle: Floats, error: Floats, order: int) -> list[float]:
@@ -72,7 +73,7 @@ def test_where_the_ratios_are_small_linear_conversion_is_consistent_and_where_th
     azimuth_std: float,
 ) -> None:
     plot: Plot = {"r": 20e3, "azimuth": 0.4, "range_std": 50.0, "azimuth_std": azimuth_std}
-    found = experiment("polar", "linear", "measurement", draws=200_000, **plot)
+    found = experiment("polar", plot, "linear", "measurement", draws=200_000)
     largest = ratios("polar", plot).max()
     assert (found.nees > 1.05) == (largest > 0.5)
     assert largest > 0.5 or largest < 0.1
