@@ -68,7 +68,7 @@ def combined(operation: Callable[..., float], *operands: Values) -> Values | Non
         values = tuple(map(operation, *operands))
     except (ArithmeticError, ValueError):
         return None
-    return values if all(isinstance(v, float) and math.isfinite(v) for v in values) else None
+    return values if not any(isinstance(v, complex) or not math.isfinite(v) for v in values) else None
 
 
 def total(parts: Sequence[Values], operation: Callable[[float, float], float], start: float) -> Values | None:

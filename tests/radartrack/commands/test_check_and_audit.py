@@ -1,0 +1,95 @@
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from radartrack.cli import app
+
+CLAIMS = """
+paper = "Smith 2001"
+
+[[claim]]
+id = "smith.eq3"
+quantity = "polar.map[0]"
+formula = "r*sin(beta)"
+
+[[claim]]
+id = "smith.value"
+quantity = "polar.map[0]"
+value = "2.0"
+at = { r = "2", beta = "0" }
+"""
+
+
+def _run(*arguments: str) -> Result:
+    return CliRunner().invoke(app, list(arguments))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (("polar.map[0]", "r*cos(beta)"), 0),
+        (("polar.map[0]", "r*sin(beta)"), 1),
+        (("polar.map[0]", "r**2"), 1),
+        (("polar.jacobian[0,1]", "-r*sin(beta)"), 0),
+        (("polar.covariance.linear[0,0]", "sigma_r**2*cos(beta)**2", "--given", "rho=0", "--given", "sigma_beta=0"), 0),
+        (("polar.bias.second_order[0]", "-D/2*r*cos(beta)", "--given", "rho=0", "--let", "D=sigma_beta**2"), 0),
+        (("polar.bias.second_order[0]", r"-\frac{\sigma_\beta^2}{2}r\cos\beta", "--latex", "--given", "rho=0"), 0),
+        (("polar.map[0]", "r +"), 2),
+        (("polar.nothing", "r"), 2),
+        (("polar.map[7]", "r"), 2),
+        (("polar.map[0]", "r", "--given", "rho"), 2),
+        (("polar.map[0]", "sin^2(beta)"), 2),
+    ],
+)
+def test_exit_codes_of_check(arguments: tuple[str, ...], code: int) -> None:
+    result = _run("check", *arguments)
+    assert result.exit_code == code, result.output
+
+
+def test_check_says_what_differs_and_what_was_meant() -> None:
+    output = _run("check", "polar.bias.second_order[0]", "-r*cos(beta)*sigma_beta**2", "--given", "rho=0").output
+    for said in ("differs", "for example", "r = 50 km", "order σ^2", "perhaps meant", "a missing factor 1/2"):
+        assert said in output
+
+
+def test_check_repeats_how_latex_was_read() -> None:
+    assert "read as: r*cos(beta)" in _run("check", "polar.map[0]", r"r\cos\beta", "--latex").output
+
+
+def test_check_prints_json() -> None:
+    record = json.loads(_run("check", "polar.map[0]", "r*sin(beta)", "--json").stdout)
+    assert record["verdict"] == "differs"
+    assert record["counterexample"]["printed"] == pytest.approx(25e3)
+    assert record["suggestions"][0]["formula"] == "r*cos(beta)"
+
+
+def test_audit_prints_verdicts_and_writes_json_and_html(tmp_path: Path) -> None:
+    file, as_json, as_html = (tmp_path / name for name in ("smith.toml", "out.json", "out.html"))
+    file.write_text(CLAIMS, encoding="utf-8")
+    result = _run("audit", str(file), "--json", str(as_json), "--html", str(as_html))
+    assert result.exit_code == 0, result.output
+    assert "smith.eq3" in result.output
+    (paper,) = json.loads(as_json.read_text(encoding="utf-8"))["papers"]
+    assert [claim["verdict"] for claim in paper["claims"]] == ["differs", "equal"]
+    wanted = {"id", "verdict", "quantity", "printed", "derived", "counterexample", "suggestions"}
+    assert wanted <= paper["claims"][0].keys()
+    assert "<math" in as_html.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("replaced", "by", "said"),
+    [
+        ("r*sin(beta)", "r*sin(beta", "smith.eq3"),
+        ('quantity = "polar.map[0]"\nformula', 'quantity = "polar.mop"\nformula', "did you mean polar.map"),
+        ('paper = "Smith 2001"', "", "paper must be text"),
+    ],
+)
+def test_audit_exits_2_where_a_file_cannot_be_read(tmp_path: Path, replaced: str, by: str, said: str) -> None:
+    file = tmp_path / "smith.toml"
+    file.write_text(CLAIMS.replace(replaced, by, 1), encoding="utf-8")
+    result = _run("audit", str(file))
+    assert result.exit_code == 2
+    assert said in result.output
+    assert str(file.name) in result.output.replace("\n", "")
