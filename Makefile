@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-bu
 VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: all test lint format types layers drift notebooks bench installed clean
+.PHONY: all test lint format types layers drift notebooks bench verify mutants installed clean
 .NOTPARALLEL:
 
 all: $(VENV)/.package
@@ -41,6 +41,21 @@ notebooks: $(VENV)/.group-notebooks $(VENV)/.extra-plots
 
 bench: $(VENV)/.extra-peers
 	for script in benchmarks/*.py; do $(BIN)/python "$$script" || exit 1; done
+
+verify: $(VENV)/.group-test
+	$(BIN)/radartrack verify
+
+# Mutants of the derivations' own code, in a copy; Cosmic Ray has an environment of its own. It takes hours.
+mutants: $(VENV)/.group-test
+	rm -rf build/mutants
+	mkdir -p build/mutants
+	cp -R derive generated radartrack tests pyproject.toml mutation.toml build/mutants
+	ln -s ../derive ../generated build/mutants/radartrack
+	$(PYTHON) -m venv build/mutants/tool
+	build/mutants/tool/bin/python -m pip install -qq cosmic-ray==8.7.0
+	cd build/mutants && tool/bin/cosmic-ray init mutation.toml session.sqlite
+	cd build/mutants && PYTHONPATH="$$PWD" PATH="$$PWD/../../$(BIN):$$PATH" tool/bin/cosmic-ray exec mutation.toml session.sqlite
+	build/mutants/tool/bin/cr-report build/mutants/session.sqlite
 
 clean:
 	rm -rf $(VENV) build *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache

@@ -158,6 +158,7 @@ class Field:
         return root ** int(exponent.p) if exponent.p >= 0 else self._inverse(root) ** int(-exponent.p)
 
     def _inverse(self, value: Quotient) -> Quotient:
+        """One over the value, the symbols that divide all of it as divisors of their own."""
         if self.vanishes(value):
             raise NotCanonical("this divides by zero")
         above = reduce(
@@ -169,8 +170,11 @@ class Field:
         leading = value.numerator.terms[exponent].LC
         unit = ExponentialPolynomial(self._ring, {-exponent: self._ring(1 / leading)})
         base = value.numerator * unit
-        powers = Counter({base: 1}) if base != self._number(1).numerator else Counter()
-        return Quotient(above * unit, powers)
+        monomial = _shared_powers(base)
+        divisors = {self._ground(gen).numerator: power for gen, power in zip(self._ring.gens, monomial, strict=True)}
+        powers = Counter({divisor: power for divisor, power in divisors.items() if power})
+        rest = ExponentialPolynomial(self._ring, {e: _divided(c, monomial) for e, c in base.terms.items()})
+        return Quotient(above * unit, powers + Counter({rest: 1} if rest != self._number(1).numerator else {}))
 
     def _function(self, expression: Expr) -> Quotient:
         arguments = tuple(map(self.read, expression.args))
@@ -247,10 +251,8 @@ class Field:
                 (coefficient,) = base.terms.values()
                 outside = outside * self._inverse(self._root_of_monomial(coefficient.monoms()[0], degree)) ** power
                 del denominators[base]
-        monomials = [m for c in radicand.numerator.terms.values() for m in c.monoms()]
-        shared = [
-            min(powers) if may else 0 for powers, may in zip(zip(*monomials, strict=True), self._positive, strict=True)
-        ]
+        powers = zip(_shared_powers(radicand.numerator), self._positive, strict=True)
+        shared = [power if may else 0 for power, may in powers]
         inside = {e: _divided(c, shared) for e, c in radicand.numerator.terms.items()}
         outside = outside * self._root_of_monomial(tuple(shared), degree)
         return outside, Quotient(ExponentialPolynomial(self._ring, inside), denominators)
@@ -324,6 +326,12 @@ def _by_degree(value: ExponentialPolynomial, symbol: PolyElement) -> dict[int, Q
         degree: Quotient(ExponentialPolynomial(ring, {e: ring.from_dict(c) for e, c in parts.items()}))
         for degree, parts in terms.items()
     }
+
+
+def _shared_powers(value: ExponentialPolynomial) -> list[int]:
+    """The powers of the symbols that divide every term."""
+    monomials = [m for c in value.terms.values() for m in c.monoms()]
+    return [min(powers) for powers in zip(*monomials, strict=True)]
 
 
 def _divided(coefficient: PolyElement, powers: list[int]) -> PolyElement:

@@ -186,6 +186,8 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
         values = comparison.differ_at(point)
         if values is not None:
             return Finding(entry, Outcome.DIFFERS, values)
+    if not compared and any(comparison.is_imaginary_at(point) for point in points):
+        return Finding(entry, Outcome.DIFFERS, reason="the printed formula has no real value")
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
     return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved")
@@ -200,6 +202,6 @@ def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[st
         case Outcome.EQUAL:
             return f"proved equal{under}"
         case Outcome.DIFFERS:
-            return f"differs{under}{where}{count}"
+            return f"{worst.reason or 'differs'}{under}{where}{count}"
         case _:
             return f"{worst.reason}{under}{where}{count}"

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+
+import mpmath
 
 from radartrack.derive.checking.points import Point
 from radartrack.derive.evaluation import DIGITS, Evaluator, Number
@@ -13,6 +14,7 @@ from radartrack.derive.tensor import Tensor
 
 MORE_DIGITS = 150
 NOISE = 1e-50
+LARGEST = 1e300
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,11 @@ class Comparison:
         """Both values; None where one of them is not a finite real number."""
         return _values(self._evaluator, self._names, point)
 
+    def is_imaginary_at(self, point: Point) -> bool:
+        """Whether what is printed is no real number there, while what was derived is."""
+        pair = _evaluated(self._evaluator, self._names, point)
+        return pair is not None and _is_real(pair[1]) and isinstance(pair[0], mpmath.mpc)
+
     def differ_at(self, point: Point) -> Values | None:
         """Both values when they differ beyond the rounding of many digits, else None.
 
@@ -63,14 +70,17 @@ class Comparison:
 
 
 def _values(evaluator: Evaluator, names: Sequence[str], point: Point) -> Values | None:
+    pair = _evaluated(evaluator, names, point)
+    return Values(point, *pair) if pair is not None and all(map(_is_real, pair)) else None
+
+
+def _evaluated(evaluator: Evaluator, names: Sequence[str], point: Point) -> tuple[Number, Number] | None:
     try:
         printed, derived = evaluator([point[name] for name in names])
     except (ArithmeticError, ValueError):
         return None
-    if not all(_is_real(value) for value in (printed, derived)):
-        return None
-    return Values(point, printed, derived)
+    return printed, derived
 
 
 def _is_real(value: Number) -> bool:
-    return not hasattr(value, "_mpc_") and math.isfinite(float(value)) if abs(value) < 1e300 else False
+    return not isinstance(value, mpmath.mpc) and bool(abs(value) < LARGEST)

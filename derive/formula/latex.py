@@ -65,9 +65,7 @@ class _LatexBuilder(TreeBuilder):
 
     def call_of_absolute(self, parts: Sequence[Part]) -> Tree:
         r"""A function of something between bars, \log|r|."""
-        bar = next(
-            index for index, part in enumerate(parts) if isinstance(part, Token) and part.type == "LBAR"
-        )
+        bar = next(index for index, part in enumerate(parts) if isinstance(part, Token) and part.type == "LBAR")
         return self.call([*parts[:bar], self.absolute(parts[bar:])])
 
     def fraction(self, parts: Sequence[Part]) -> Tree:

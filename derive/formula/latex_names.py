@@ -12,9 +12,7 @@ _LOWER = (
 _UPPER = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 _VARIANTS = ("epsilon", "theta", "kappa", "pi", "rho", "sigma", "phi")
 
-GREEK = {f"\\{name}": name for name in f"{_LOWER} {_UPPER}".split()} | {
-    f"\\var{name}": name for name in _VARIANTS
-}
+GREEK = {f"\\{name}": name for name in f"{_LOWER} {_UPPER}".split()} | {f"\\var{name}": name for name in _VARIANTS}
 ACCENTS = {"\\dot": "dot", "\\ddot": "ddot"}
 
 _LETTERS = {name: command for command, name in reversed(GREEK.items())}

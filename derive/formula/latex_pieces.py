@@ -38,10 +38,7 @@ FUNCTIONS = MappingProxyType(
 )
 CLOSERS = MappingProxyType(
     {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "\\lvert": "\\rvert"}
-    | {
-        f"\\begin{{{name}}}": f"\\end{{{name}}}"
-        for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "array")
-    }
+    | {f"\\begin{{{name}}}": f"\\end{{{name}}}" for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "array")}
 )
 _SAME = MappingProxyType(
     {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\lbrack": "[", "\\rbrack": "]", "\\lparen": "(", "\\rparen": ")"}
@@ -103,9 +100,7 @@ _UNREAD = MappingProxyType(
     | dict.fromkeys(("\\left", "\\right", "\\middle"), "a bracket follows it: ( ) [ ] \\{ \\} or |")
     | dict.fromkeys(("\\mathrm", "\\text", "\\operatorname"), "it holds one word of letters and digits")
     | dict.fromkeys(("\\tag", "\\label", "\\nonumber", "$", "\\(", "\\)", "\\[", "\\]"), "leave it out")
-    | dict.fromkeys(
-        ("\\|", "\\Vert", "\\lVert", "\\rVert"), "norms are not read: write the root of a sum of squares"
-    )
+    | dict.fromkeys(("\\|", "\\Vert", "\\lVert", "\\rVert"), "norms are not read: write the root of a sum of squares")
     | {
         "\\lg": "write \\frac{\\ln x}{\\ln 10}",
         "\\over": "write \\frac{...}{...}",

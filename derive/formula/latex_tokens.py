@@ -106,9 +106,7 @@ class _Tokenizer:
         text = "".join(piece.text for piece in self.pieces[index:after])
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
         if not _NUMBER.fullmatch(text):
-            raise FormulaError(
-                f"{text[:40]} is no number: leave out punctuation after the formula", span=span
-            )
+            raise FormulaError(f"{text[:40]} is no number: leave out punctuation after the formula", span=span)
         self._emit("NUMBER", text, span)
         return after
 
@@ -124,19 +122,10 @@ class _Tokenizer:
     def _check_run(self, run: str, index: int, after: int) -> None:
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
         if len(run) > 1 and run in WORDS:
-            raise FormulaError(
-                f"{run} is a product of letters here: write \\{run} for the function", span=span
-            )
+            raise FormulaError(f"{run} is a product of letters here: write \\{run} for the function", span=span)
         if len(run) > 1 and run in self.names:
-            raise FormulaError(
-                f"{run} is a product of letters here: write \\mathrm{{{run}}} for the symbol", span=span
-            )
-        if (
-            run == "e"
-            and self._kind(index - 1) == "digit"
-            and self._touches(index)
-            and self._is_signed_digit(after)
-        ):
+            raise FormulaError(f"{run} is a product of letters here: write \\mathrm{{{run}}} for the symbol", span=span)
+        if run == "e" and self._kind(index - 1) == "digit" and self._touches(index) and self._is_signed_digit(after):
             raise FormulaError(
                 "this may be a power of ten or a product with e: write \\cdot 10^{...} for the power",
                 span=span,
@@ -211,18 +200,14 @@ class _Tokenizer:
         function = piece.text.removeprefix("\\")
         self._emit("FUNCTION", function, piece.span)
         if self._kind(index + 1) == "lowered":
-            raise FormulaError(
-                f"{function} has no subscript; a logarithm is the natural one", span=piece.span
-            )
+            raise FormulaError(f"{function} has no subscript; a logarithm is the natural one", span=piece.span)
         if self._kind(index + 1) == "raised":
             self._check_raised_function(function, index + 1)
         return index + 1
 
     def _check_raised_function(self, function: str, index: int) -> None:
         end = self._argument_end(index)
-        exponent = "".join(
-            piece.text for piece in self.pieces[index + 1 : end] if piece.text not in _INVISIBLE
-        )
+        exponent = "".join(piece.text for piece in self.pieces[index + 1 : end] if piece.text not in _INVISIBLE)
         span = (self.pieces[index].span[0], self.pieces[end - 1].span[1])
         if exponent.startswith("-"):
             raise FormulaError(
@@ -230,9 +215,7 @@ class _Tokenizer:
                 span=span,
             )
         if WORDS[function] not in SQUARED_BY_NAME or not exponent.isdigit():
-            raise FormulaError(
-                f"write the power of {function} behind brackets: \\{function}(...)^{{...}}", span=span
-            )
+            raise FormulaError(f"write the power of {function} behind brackets: \\{function}(...)^{{...}}", span=span)
 
     def _bracket(self, index: int) -> int:
         piece = self.pieces[index]

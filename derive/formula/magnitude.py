@@ -100,9 +100,7 @@ def _measure(tree: Tree) -> Measure:
         _check_exponential(tree, parts[0])
     degree, digits = _degree(tree, parts), _digits(tree, parts)
     if degree > MAX_DEGREE:
-        raise FormulaError(
-            f"expanded, this has degree {degree}; at most {MAX_DEGREE} is allowed", span=tree.span
-        )
+        raise FormulaError(f"expanded, this has degree {degree}; at most {MAX_DEGREE} is allowed", span=tree.span)
     if digits > MAX_DIGITS:
         raise FormulaError(
             f"the numbers that arise here have some {digits} digits; at most {MAX_DIGITS} are allowed",
@@ -110,9 +108,7 @@ def _measure(tree: Tree) -> Measure:
         )
     values = [part.value for part in parts if part.value is not None]
     constant = len(values) == len(parts) and not isinstance(tree, Name | Array)
-    logarithm = any(part.has_logarithm for part in parts) or (
-        isinstance(tree, Call) and tree.function == "log"
-    )
+    logarithm = any(part.has_logarithm for part in parts) or (isinstance(tree, Call) and tree.function == "log")
     return Measure(degree, digits, _checked_value(tree, values) if constant else None, logarithm)
 
 

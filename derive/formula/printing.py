@@ -25,10 +25,7 @@ from radartrack.derive.formula.tree import (
 
 _LATEX_FUNCTIONS = MappingProxyType(
     {"acos": "\\arccos", "asin": "\\arcsin", "atan": "\\arctan", "log": "\\ln"}
-    | {
-        name: f"\\{name}"
-        for name in ("cos", "cosh", "cot", "coth", "csc", "exp", "sec", "sin", "sinh", "tan", "tanh")
-    }
+    | {name: f"\\{name}" for name in ("cos", "cosh", "cot", "coth", "csc", "exp", "sec", "sin", "sinh", "tan", "tanh")}
 )
 
 
@@ -131,9 +128,7 @@ def _latex_of_call(function: str, arguments: Sequence[Tree], raised: str = "") -
 
 
 def _latex_of_array(entries: Sequence[Tree]) -> str:
-    rows = [
-        " & ".join(map(to_latex, row.entries)) if isinstance(row, Array) else to_latex(row) for row in entries
-    ]
+    rows = [" & ".join(map(to_latex, row.entries)) if isinstance(row, Array) else to_latex(row) for row in entries]
     return "\\begin{pmatrix} " + " \\\\ ".join(rows) + " \\end{pmatrix}"
 
 
@@ -153,7 +148,5 @@ def _signed_terms(terms: Sequence[Tree], show: Callable[[Tree], str]) -> str:
 def _decimal(text: str) -> str:
     """A number without a decimal exponent, which LaTeX would read as a product with e."""
     return (
-        text
-        if text.replace(".", "0").isdigit() and text[0] != "." and text[-1] != "."
-        else format(Decimal(text), "f")
+        text if text.replace(".", "0").isdigit() and text[0] != "." and text[-1] != "." else format(Decimal(text), "f")
     )

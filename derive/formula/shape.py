@@ -56,9 +56,7 @@ def _common(tree: Sum, shapes: list[Shape]) -> Shape:
 def _scaled(tree: Product, shapes: list[Shape]) -> Shape:
     arrays = [factor for factor in shapes if factor]
     if len(arrays) > 1:
-        raise FormulaError(
-            "a product holds at most one vector or matrix: write out its entries", span=tree.span
-        )
+        raise FormulaError("a product holds at most one vector or matrix: write out its entries", span=tree.span)
     return arrays[0] if arrays else ()
 
 

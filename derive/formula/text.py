@@ -80,9 +80,7 @@ def _check_words(text: str, after: str, names: Collection[str]) -> None:
         word = found.group("word")
         if word and word not in known | SPELLINGS.keys():
             applied = (text[found.end() :] + after).lstrip().startswith("(")
-            raise FormulaError(
-                unknown_function(word) if applied else unknown_name(word, names), span=found.span()
-            )
+            raise FormulaError(unknown_function(word) if applied else unknown_name(word, names), span=found.span())
 
 
 def _fault(error: UnexpectedInput, text: str) -> Span:

@@ -134,9 +134,7 @@ def with_children(tree: Tree, new: tuple[Tree, ...]) -> Tree:
             return _with_fixed_children(tree, new)
 
 
-def _with_fixed_children(
-    tree: Number | Constant | Name | Quotient | Negation | Power, new: tuple[Tree, ...]
-) -> Tree:
+def _with_fixed_children(tree: Number | Constant | Name | Quotient | Negation | Power, new: tuple[Tree, ...]) -> Tree:
     match tree:
         case Quotient():
             numerator, denominator = new

@@ -22,7 +22,7 @@ from radartrack.verification.engines import Engine
 from radartrack.verification.experiments import Trial, simulated, trials
 from radartrack.verification.identity import Identity
 from radartrack.verification.mutants import Mutants
-from radartrack.verification.outcome import Layer, Outcome, Verdict
+from radartrack.verification.outcome import Layer, Outcome, Verdict, examined
 from radartrack.verification.quadrature import Quadrature
 from radartrack.verification.simulation import CHUNK, Draws, Sums, chunks_of, tasks_for
 from radartrack.verification.statistics import FALSE_ALARM
@@ -82,7 +82,7 @@ class Examination:
         """The outcome as JSON has it."""
         quantity = find(self.name)
         try:
-            return asdict(self.layer(quantity, generated(quantity)))
+            return asdict(examined(self.layer, quantity, generated(quantity)))
         except NotGenerated as error:
             return asdict(Outcome.failed(self.layer.name, str(error)))
 

@@ -13,7 +13,7 @@ from radartrack.verification.dimensions import Dimensions
 from radartrack.verification.identity import Identity
 from radartrack.verification.monte_carlo import MonteCarlo
 from radartrack.verification.mutations import Mutant, mutants
-from radartrack.verification.outcome import Function, Layer, Outcome, Verdict
+from radartrack.verification.outcome import Function, Layer, Outcome, Verdict, examined
 from radartrack.verification.quadrature import Quadrature
 
 NAME = "mutants"
@@ -86,7 +86,7 @@ def caught(quantity: Quantity, count: int, seed: int) -> list[Caught]:
 
 def fails(layer: Layer, quantity: Quantity, mutant: Mutant) -> bool:
     """Whether a layer notices code that computes the mutant."""
-    return layer(quantity, compiled(mutant.entries, quantity.symbols)).verdict is Verdict.FAILED
+    return examined(layer, quantity, compiled(mutant.entries, quantity.symbols)).verdict is Verdict.FAILED
 
 
 def _mistaken(quantity: Quantity, mutant: Mutant) -> Quantity:

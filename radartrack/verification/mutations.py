@@ -140,7 +140,7 @@ def _values(quantity: Quantity, entries: Tensor[Expr]) -> list[list[mpmath.mpf]]
     try:
         evaluator = Evaluator(entries, quantity.symbols)
         return [list(evaluator(row)) for row in rows]
-    except (ArithmeticError, KeyError, ValueError, TypeError):
+    except (ArithmeticError, AttributeError, KeyError, ValueError, TypeError):
         return None
 
 

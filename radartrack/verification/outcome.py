@@ -75,3 +75,11 @@ class Layer(Protocol):
     def __call__(self, quantity: Quantity, function: Function) -> Outcome:
         """Measure one function against what it should be."""
         ...
+
+
+def examined(layer: Layer, quantity: Quantity, function: Function) -> Outcome:
+    """The layer's answer; a function that makes it break down has failed it."""
+    try:
+        return layer(quantity, function)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        return Outcome.failed(layer.name, f"{type(error).__name__}: {error}")

@@ -101,7 +101,9 @@ def _checked(reference: Reference, names: Names, mutant: Tree, expression: Expr)
 
 def _differ(first: Expr, second: Expr, symbols: tuple[Variable, ...]) -> bool:
     """Whether both differ at a point of ordinary size; an oracle that shares nothing with the checker."""
-    one, other = (sympy.lambdify(symbols, e, [FUNCTIONS, "math"]) for e in (first, second))
+    plain = {symbol: sympy.Symbol(f"plain_{symbol.name}") for symbol in symbols}
+    expressions = (expression.xreplace(plain) for expression in (first, second))
+    one, other = (sympy.lambdify(list(plain.values()), e, [FUNCTIONS, "math"]) for e in expressions)
     for point in generic_points(symbols, 4):
         values = [point[symbol.name] for symbol in symbols]
         try:

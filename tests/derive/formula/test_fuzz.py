@@ -132,9 +132,7 @@ def fragments(pieces: tuple[str, ...]) -> st.SearchStrategy[str]:
 
 def has_narrow_matrix(tree: Tree) -> bool:
     """Whether a matrix of one column occurs, which LaTeX prints like a vector."""
-    return any(
-        isinstance(node, Array) and any(_is_single(row) for row in node.entries) for _, node in walk(tree)
-    )
+    return any(isinstance(node, Array) and any(_is_single(row) for row in node.entries) for _, node in walk(tree))
 
 
 def _is_single(row: Tree) -> bool:

@@ -12,9 +12,7 @@ FOLDER = Path(formula.__file__).parent
 
 
 @pytest.mark.parametrize("name", ["text", "latex"])
-def test_a_grammar_has_no_conflict_and_so_reads_nothing_in_two_ways(
-    name: str, caplog: pytest.LogCaptureFixture
-):
+def test_a_grammar_has_no_conflict_and_so_reads_nothing_in_two_ways(name: str, caplog: pytest.LogCaptureFixture):
     before = logger.level
     logger.addHandler(caplog.handler)
     logger.setLevel(logging.DEBUG)

@@ -96,6 +96,21 @@ def test_reading(latex: str, text: str):
     assert echo(latex) == text
 
 
+@pytest.mark.parametrize(
+    ("printed", "name"),
+    [
+        *(
+            (name, name)
+            for name in ["cos", "cosh", "cot", "coth", "csc", "exp", "log", "sec", "sin", "sinh", "tan", "tanh"]
+        ),
+        *(("arccos", "acos"), ("arcsin", "asin"), ("arctan", "atan"), ("ln", "log")),
+        *(("arctg", "atan"), ("ch", "cosh"), ("ctg", "cot"), ("sh", "sinh"), ("tg", "tan"), ("th", "tanh")),
+    ],
+)
+def test_functions_by_their_printed_names(printed: str, name: str):
+    assert echo(f"\\{printed} u") == echo(f"\\operatorname{{{printed}}} u") == f"{name}(u)"
+
+
 PROSOV_9A = r"\sigma_r^2\cos^2\beta+r^2\sigma_\beta^2\sin^2\beta"
 PROSOV_9C = r"\left(\sigma_r^2-r^2\sigma_\beta^2\right)\sin\beta\cos\beta"
 PROSOV_10 = (

@@ -203,9 +203,7 @@ def products(draw: st.DrawFn, factors: st.SearchStrategy[Written], most: int) ->
             value, ends = value / factor.value, "closed"
             continue
         beside = factor.begins in {"bracket", "function"} or (ends == "closed" and factor.begins == "letter")
-        between = (
-            draw(st.sampled_from([" ", "\\,"])) if beside else draw(st.sampled_from(["\\cdot ", "\\times "]))
-        )
+        between = draw(st.sampled_from([" ", "\\,"])) if beside else draw(st.sampled_from(["\\cdot ", "\\times "]))
         text, latex = f"{text}*{factor.text}", f"{latex}{between}{factor.latex}"
         value, ends = value * factor.value, factor.ends
     return Written(text, latex, value)
@@ -266,9 +264,7 @@ def read(reader: Callable[..., Tree], source: str) -> Tree:
     try:
         return reader(source, VALUES)
     except FormulaError as error:
-        if any(
-            limit in error.message for limit in ("expanded", "digits", "divides by zero", "e-300", "1e300")
-        ):
+        if any(limit in error.message for limit in ("expanded", "digits", "divides by zero", "e-300", "1e300")):
             reject()
         raise
 

@@ -68,6 +68,11 @@ def test_reading(formula: str, tree: Tree):
     assert read_text(formula, NAMES) == tree
 
 
+@pytest.mark.parametrize(("typed", "name"), [("arccos", "acos"), ("arcsin", "asin"), ("arctan", "atan"), ("ln", "log")])
+def test_functions_by_their_other_names(typed: str, name: str):
+    assert read_text(f"{typed}(r)", NAMES) == Call(name, (r,))
+
+
 def test_a_symbol_hides_a_constant():
     assert read_text("e*E*pi", ["e", "pi"]) == Product((Name("e"), Constant("e"), Name("pi")))
 
