@@ -71,9 +71,7 @@ def vanishes(expression: Expr) -> bool:
     return not any(collect(ring.read(expression), ring, denominators(ring)).values())
 
 
-def collect(
-    element: PolyElement, ring: DifferentialRing, found: Iterable[Denominator]
-) -> dict[Powers, PolyElement]:
+def collect(element: PolyElement, ring: DifferentialRing, found: Iterable[Denominator]) -> dict[Powers, PolyElement]:
     """Powers of the denominators' generators, negative ones for roots in the numerator → numerator.
 
     Sines occur to the first power only: what is one function with sin² + cos² = 1 is one polynomial.
@@ -139,9 +137,7 @@ def _written(
 ) -> Expr:
     terms = []
     for powers, numerator in parts.items():
-        below = reduce(
-            mul, (d.name ** (-power) for d, power in zip(found, powers, strict=True)), sp.Integer(1)
-        )
+        below = reduce(mul, (d.name ** (-power) for d, power in zip(found, powers, strict=True)), sp.Integer(1))
         terms.append(below * _factored(numerator, ring, outside))
     return sp.Add(*terms)
 
@@ -164,9 +160,7 @@ def _factored(numerator: PolyElement, ring: DifferentialRing, outside: set[Symbo
 
 def _shorter(polynomial: PolyElement, ring: DifferentialRing) -> PolyElement:
     """With cos² or with sin², whichever has fewer terms: 1 − cos² cancels where sin² does not."""
-    return min(
-        (polynomial, without_squares(polynomial, ring, sp.cos)), key=lambda candidate: len(candidate.terms())
-    )
+    return min((polynomial, without_squares(polynomial, ring, sp.cos)), key=lambda candidate: len(candidate.terms()))
 
 
 def without_squares(element: PolyElement, ring: DifferentialRing, function: type[Expr]) -> PolyElement:

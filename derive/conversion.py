@@ -13,12 +13,12 @@ from radartrack.derive.closed import Closed
 from radartrack.derive.exponential import ExponentialPolynomial, NotExponentialPolynomial
 from radartrack.derive.model import Model
 from radartrack.derive.models import models
+from radartrack.derive.neglected import NEGLECTED, is_square, validity, validity_form
 from radartrack.derive.quantity import Conditioning, Quantity, Source
 from radartrack.derive.series import Truncated
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import ONE, Unit
-from radartrack.derive.neglected import NEGLECTED, is_square, validity, validity_form
 from radartrack.derive.variable import Variable
 
 Axes = tuple[tuple[Unit, ...], ...]

@@ -104,7 +104,7 @@ class DifferentialRing:
             return self._flatten(sp.sin(*expression.args) / sp.cos(*expression.args))
         if isinstance(expression, FUNCTIONS):
             return self._placeholder(expression)
-        raise NotDifferentiable(f"{expression} is no polynomial, root, quotient or elementary function of {self.symbols}")
+        raise NotDifferentiable(f"{expression} is no polynomial, root, quotient or elementary function")
 
     def _flatten_power(self, base: Expr, exponent: Expr) -> Expr:
         if isinstance(exponent, sp.Integer):

@@ -214,9 +214,13 @@ def _exponential(argument: PolyElement) -> ExponentialPolynomial:
     return ExponentialPolynomial(argument.ring, {argument: argument.ring.one})
 
 
+def _exponential_less_one(argument: PolyElement) -> ExponentialPolynomial:
+    return _exponential(argument) - ExponentialPolynomial.constant(argument.ring, argument.ring.one)
+
+
 _FUNCTIONS: dict[type[Expr], Callable[[PolyElement], ExponentialPolynomial]] = {
     sp.exp: _exponential,
-    sp.expm1: lambda argument: _exponential(argument) - ExponentialPolynomial.constant(argument.ring, argument.ring.one),
+    sp.expm1: _exponential_less_one,
     sp.cos: _combination(1j, (1, 0), (1, 0)),
     sp.sin: _combination(1j, (0, -1), (0, 1)),
     sp.cosh: _combination(1, (1, 0), (1, 0)),

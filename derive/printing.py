@@ -7,7 +7,7 @@ from radartrack.derive.common import with_common_parts
 from radartrack.derive.forms import form_of, readable
 from radartrack.derive.numpy_code import code
 from radartrack.derive.quantity import Quantity
-from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.symbolic import Symbol
 from radartrack.derive.tensor import Index, Tensor, nested
 
 LATEX_NAMES = {

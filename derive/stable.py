@@ -18,7 +18,6 @@ from fractions import Fraction
 from functools import lru_cache, reduce
 from itertools import chain, product
 from math import gcd, lcm, prod
-
 from typing import TYPE_CHECKING
 
 from radartrack.derive import symbolic as sp

@@ -107,17 +107,17 @@ __all__ = [
 ]
 
 
-class expm1(Function):  # noqa: N801 - SymPy's functions are written like the function they are
+class expm1(Function):
     """e^x − 1 as a function of its own, so that it reaches the writer as one."""
 
     nargs = 1
 
-    def fdiff(self, argindex: int = 1) -> Expr:
+    def fdiff(self, argindex: int = 1) -> Expr:  # noqa: ARG002 - SymPy names the argument; there is one
         """The derivative, e^x."""
         return exp(self.args[0])
 
 
-class hypot(Function):  # noqa: N801 - SymPy's functions are written like the function they are
+class hypot(Function):
     """√(x² + y²) as a function of its own, so that it reaches the writer as one."""
 
     nargs = 2
@@ -127,7 +127,7 @@ class hypot(Function):  # noqa: N801 - SymPy's functions are written like the fu
         return self.args[argindex - 1] / hypot(*self.args)
 
 
-class ratio(Function):  # noqa: N801 - SymPy's functions are written like the function they are
+class ratio(Function):
     """x/y where y is not zero, and zero where it is: for derivatives that do not exist everywhere."""
 
     nargs = 2

@@ -2,7 +2,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar, Self, TypeAlias
 
-Operand: TypeAlias = "Expr | int | Fraction"
+Operand: TypeAlias = Expr | int | Fraction
 
 class Basic:
     args: tuple[Expr, ...]
@@ -129,8 +129,6 @@ class Domain:
     def __call__(self, *args: Any) -> PolyCoefficient: ...
 
 class PolyCoefficient:
-    """A number of a ground domain; x and y are the parts of a Gaussian rational."""
-
     x: PolyCoefficient
     y: PolyCoefficient
     numerator: int

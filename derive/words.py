@@ -87,9 +87,7 @@ def unbiased_covariance(calculus: Calculus[V]) -> Tensor[V]:
 def decorrelated_covariance(calculus: Calculus[V]) -> Tensor[V]:
     """e^(Lₚ)[e^L(u uᵀ) − h hᵀ]: the truth-conditioned covariance of u = e^(−L) h, averaged over a prediction."""
     u = unbiased_estimate(calculus)
-    return _symmetric(
-        calculus, lambda a, b, h: calculus.prediction(calculus.expectation(u[a,] * u[b,]) - h[a] * h[b])
-    )
+    return _symmetric(calculus, lambda a, b, h: calculus.prediction(calculus.expectation(u[a,] * u[b,]) - h[a] * h[b]))
 
 
 def _symmetric(calculus: Calculus[V], entry: Callable[[int, int, list[V]], V]) -> Tensor[V]:

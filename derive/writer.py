@@ -121,9 +121,7 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         f"Conditioning: {quantity.conditioning.value}.",
         f"Source: {quantity.source}.",
     ]
-    arguments = [
-        f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols
-    ]
+    arguments = [f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols]
     shape = ", ".join(map(str, quantity.shape))
     returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
     against = " Errors are measured against the sizes of the terms." if quantity.is_difference else ""
@@ -142,7 +140,8 @@ def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str
     digest = sha256("".join(function.digest for function in functions).encode()).hexdigest()[:16]
     names = "".join(f'    "{name}",\n' for name in sorted(function.quantity.function for function in functions))
     header = (
-        f'"""{title}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; not to be edited.\n"""\n'
+        f'"""{title}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; '
+        'not to be edited.\n"""\n'
     )
     written = [function.text(accuracy[function.quantity.name]) for function in functions]
     helpers = PRELUDE + (RATIO if any("_ratio(" in text for text in written) else "")

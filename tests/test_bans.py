@@ -64,10 +64,7 @@ def _is_text(argument: ast.expr | None) -> bool:
 
 def python_files() -> list[Path]:
     return sorted(
-        path
-        for folder in FOLDERS
-        for path in (ROOT / folder).rglob("*.py*")
-        if path.suffix in {".py", ".pyi"}
+        path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py*") if path.suffix in {".py", ".pyi"}
     )
 
 

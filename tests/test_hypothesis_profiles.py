@@ -17,9 +17,7 @@ def collect(**wishes: str) -> subprocess.CompletedProcess[str]:
     """Start pytest on this file in an environment of these wishes only, without running its tests."""
     environment = {k: v for k, v in os.environ.items() if k not in {"CI", "RADARTRACK_HYPOTHESIS"}}
     command = [sys.executable, "-m", "pytest", "--collect-only", "-p", "no:cacheprovider", __file__]
-    return subprocess.run(
-        command, env=environment | wishes, cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    return subprocess.run(command, env=environment | wishes, cwd=ROOT, capture_output=True, text=True, check=False)
 
 
 @pytest.mark.parametrize(

@@ -191,7 +191,7 @@ def test_a_missing_elevation_bends_the_track_and_part_of_it_counts_as_scatter() 
         (lambda: fusion.fuse_lines([[0.0, 1.0]], [], [[0.0, 1.0]], [1.0]), ValueError, "same radars"),
         (lambda: fusion.fuse_lines([[1.0, 1.0]], [[0.0, 1.0]], [[0.0, 1.0]], [1.0]), ValueError, "different times"),
         (lambda: fusion.fuse_lines([[]], [[]], [[]], [1.0]), ValueError, "t of radar 0"),
-        (lambda: fusion.fuse_plots([1.0, 1.0], np.zeros((2, 2)), np.eye(2)), ValueError, "different times for each track"),
+        (lambda: fusion.fuse_plots([1.0, 1.0], np.zeros((2, 2)), np.eye(2)), ValueError, "different times for each"),
         (lambda: fusion.fuse_plots([0.0, 1.0], np.zeros((2, 3)), np.eye(2)), ValueError, "position must have"),
         (lambda: fusion.position_std([[-1.0, 0.0], [0.0, 1.0]]), ValueError, "negative variance"),
         (lambda: fusion.propagated_covariance(1.0, 0.0, -1.0, 0.1), ValueError, "range_std must be"),

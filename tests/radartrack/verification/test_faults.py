@@ -17,7 +17,7 @@ from radartrack.verification.compilation import compiled
 from radartrack.verification.dimensions import Dimensions
 from radartrack.verification.identity import Identity
 from radartrack.verification.monte_carlo import MonteCarlo
-from radartrack.verification.outcome import Layer, Verdict
+from radartrack.verification.outcome import Layer, Verdict, examined
 from radartrack.verification.quadrature import Quadrature
 
 LAYERS: list[Layer] = [Dimensions(), Identity(), Accuracy(points=60), Quadrature(), MonteCarlo(draws=1 << 18)]
@@ -84,6 +84,14 @@ def test_a_fault_of_the_code_is_noticed_by_each_layer_that_should_notice_it(faul
     quantity = catalogue()["polar.covariance.truth"]
     right = function_of(quantity.name)
     assert noticed(quantity, lambda **arguments: fault(right(**arguments), **arguments)) == CODE[fault]
+
+
+def test_code_that_breaks_down_has_failed():
+    def broken(**_: Any) -> np.ndarray:
+        raise ZeroDivisionError("no range")
+
+    outcome = examined(Accuracy(points=20), catalogue()["polar.map"], broken)
+    assert (outcome.verdict, outcome.detail) == (Verdict.FAILED, "ZeroDivisionError: no range")
 
 
 def test_right_code_passes_every_layer():
