@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.quantity import Quantity
-from radartrack.derive.units import RADIAN
+from radartrack.derive.units import ONE, RADIAN
 from radartrack.derive.variable import Variable
 
 Points = dict[str, npt.NDArray[np.float64]]
@@ -93,6 +93,8 @@ def _coarse(
     is_deviation = "sigma_" in symbol.name
     if symbol.unit == RADIAN:
         return 0.1 + 0.5 * uniform if is_deviation else symbol.low + (symbol.high - symbol.low) * uniform
+    if is_deviation and symbol.unit == ONE:
+        return symbol.high * (0.1 + 0.5 * uniform)
     if symbol.whole:
         return np.asarray(symbol.low + min(40.0, symbol.high - symbol.low) * uniform)
     if is_deviation:
