@@ -11,12 +11,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import reduce
 from operator import add, mul
+from typing import TYPE_CHECKING
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.differential_ring import DifferentialRing
 from radartrack.derive.stable import NotProved, StableForm
 from radartrack.derive.symbolic import Expr, PolyElement, Symbol
 from radartrack.derive.tensor import Tensor
+
+if TYPE_CHECKING:
+    from radartrack.derive.symbolic import PolyCoefficient
 
 Powers = tuple[int, ...]
 
@@ -88,7 +92,7 @@ def collect(element: PolyElement, ring: DifferentialRing, found: Iterable[Denomi
 
 def _collect(polynomial: PolyElement, ring: DifferentialRing, denominator: Denominator) -> dict[int, PolyElement]:
     position = ring.ring.symbols.index(denominator.generator)
-    by_power: dict[int, dict[Powers, object]] = {}
+    by_power: dict[int, dict[Powers, PolyCoefficient]] = {}
     for powers, value in polynomial.terms():
         rest = (*powers[:position], 0, *powers[position + 1 :])
         by_power.setdefault(powers[position], {})[rest] = value
@@ -144,7 +148,7 @@ def _written(
 
 def _factored(numerator: PolyElement, ring: DifferentialRing, outside: set[Symbol]) -> Expr:
     """Grouped by monomials in the symbols outside of roots; the coefficient of each is factored."""
-    groups: dict[Powers, dict[Powers, object]] = {}
+    groups: dict[Powers, dict[Powers, PolyCoefficient]] = {}
     is_outside = [symbol in outside for symbol in ring.ring.symbols]
     for powers, value in numerator.terms():
         monomial = tuple(n if out else 0 for n, out in zip(powers, is_outside, strict=True))

@@ -8,14 +8,17 @@ from functools import cache, cached_property
 from math import factorial
 from typing import Any
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive import taylor, words
 from radartrack.derive.closed import Closed
 from radartrack.derive.exponential import ExponentialPolynomial, NotExponentialPolynomial
+from radartrack.derive.general_form import general_form
 from radartrack.derive.model import Model
 from radartrack.derive.models import models
 from radartrack.derive.neglected import NEGLECTED, is_square, validity, validity_form
 from radartrack.derive.quantity import Conditioning, Quantity, Source
 from radartrack.derive.series import Truncated
+from radartrack.derive.stable import StableForm
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import ONE, Unit
@@ -277,6 +280,7 @@ def quantities_of(model: Model) -> list[Quantity]:
     """
     shared = Conversion(model)
     expansion = [_quantity(shared, row, row.derive) for row in EXPANSION]
+    expansion += _deviations(shared)
     if is_square(model):
         expansion += [_validity(shared, formulas) for formulas in NEGLECTED]
     if shared.closed is not None:
@@ -299,6 +303,51 @@ def word_to_order(model: Model, name: str, order: int) -> Tensor[Expr]:
     if name not in known:
         raise ValueError(f"name must be one of {', '.join(known)}; given {name!r}")
     return Conversion(model).to_order(known[name].derive, order)
+
+
+def _deviations(shared: Conversion) -> list[Quantity]:
+    """Standard deviations of the linearised conversion: of each coordinate, and of the position as a whole."""
+    units = shared.model.units
+    each = Quantity(
+        name=f"{shared.model.name}.std.linear",
+        meaning="standard deviation of each coordinate of the linearised conversion",
+        axes=(units,),
+        symbols=shared.noisy,
+        conditioning=Conditioning.TRUTH,
+        source=Source("Gao et al.", 2020, "(1)"),
+        word="sqrt((J K J')_aa)",
+        derivation=lambda: _coordinate_deviations(shared).expanded(),
+        rewriting=lambda: _coordinate_deviations(shared),
+    )
+    position = Quantity(
+        name=f"{shared.model.name}.std.position",
+        meaning="root mean square of the coordinates' standard deviations, linearised",
+        axes=(),
+        common_unit=units[0],
+        symbols=shared.noisy,
+        conditioning=Conditioning.TRUTH,
+        source=Source("Gao et al.", 2020, "(2)"),
+        word="sqrt(tr(J K J')/n)",
+        derivation=lambda: _position_deviation(shared).expanded(),
+        rewriting=lambda: _position_deviation(shared),
+    )
+    return [each, position] if len(set(units)) == 1 else [each]
+
+
+def _variances(shared: Conversion) -> StableForm:
+    covariance = shared.taylor(taylor.linear_covariance)
+    return general_form(Tensor((len(shared.model.units),), tuple(row[i,] for i, row in enumerate(covariance.parts()))))
+
+
+def _coordinate_deviations(shared: Conversion) -> StableForm:
+    variances = _variances(shared)
+    return StableForm(variances.definitions, variances.entries.map(sp.sqrt))
+
+
+def _position_deviation(shared: Conversion) -> StableForm:
+    variances = _variances(shared)
+    mean = sp.Add(*variances.entries) / len(variances.entries.entries)
+    return StableForm(variances.definitions, Tensor((), (sp.sqrt(mean),)))
 
 
 def _validity(shared: Conversion, formulas: str) -> Quantity:

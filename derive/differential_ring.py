@@ -33,6 +33,9 @@ class DifferentialRing:
     def __init__(self, expressions: Iterable[Expr], symbols: Iterable[Symbol]) -> None:
         self.symbols = sorted(set(symbols), key=lambda symbol: symbol.name)
         self._placeholders: dict[Expr, Symbol] = {}
+        expressions = list(expressions)
+        for root in _roots(expressions):
+            self._placeholder(1 / root)
         for expression in expressions:
             self._flatten(expression)
         self._slopes = self._close()
@@ -109,7 +112,10 @@ class DifferentialRing:
     def _flatten_power(self, base: Expr, exponent: Expr) -> Expr:
         if isinstance(exponent, sp.Integer):
             whole = int(exponent)
-            return self._flatten(base) ** whole if whole >= 0 else self._placeholder(1 / base) ** -whole
+            if whole >= 0:
+                return self._flatten(base) ** whole
+            inverse_root = self._placeholders.get(1 / sp.sqrt(base))
+            return self._placeholder(1 / base) ** -whole if inverse_root is None else inverse_root ** (-2 * whole)
         if isinstance(exponent, sp.Rational) and exponent.q == 2:
             inverse_root, halves = self._placeholder(1 / sp.sqrt(base)), int(exponent.p)
             return inverse_root**-halves if halves < 0 else self._flatten(base) ** ((halves + 1) // 2) * inverse_root
@@ -117,3 +123,10 @@ class DifferentialRing:
 
     def _placeholder(self, key: Expr) -> Symbol:
         return self._placeholders.setdefault(key, sp.Symbol(f"generator_{len(self._placeholders)}", real=True))
+
+
+def _roots(expressions: Iterable[Expr]) -> list[Expr]:
+    """Every square root that occurs; a quotient by what stands under one is a power of it, no generator of its own."""
+    powers = {node for expression in expressions for node in expression.atoms(sp.Pow)}
+    halves = (node.base for node in powers if isinstance(node.exp, sp.Rational) and node.exp.q == 2)
+    return sorted({sp.sqrt(base) for base in halves if base.free_symbols}, key=str)

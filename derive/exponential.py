@@ -156,7 +156,7 @@ class _Reader:
 
     def __init__(self, ring: PolyRing, known: Known) -> None:
         self.ring = ring
-        self.values: dict[Expr, ExponentialPolynomial] = {**known}
+        self.values: dict[Expr, ExponentialPolynomial] = dict(known.items())
 
     def read(self, expression: Expr) -> ExponentialPolynomial:
         if expression not in self.values:

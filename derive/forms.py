@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import cache
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.collected import collected_form, vanishes
+from radartrack.derive.collected import vanishes
 from radartrack.derive.differential_ring import NotDifferentiable
-from radartrack.derive.exponential import NotExponentialPolynomial
+from radartrack.derive.general_form import general_form
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.rational import NotRational, is_zero
-from radartrack.derive.stable import NotProved, StableForm, stable_form
+from radartrack.derive.stable import NotProved, StableForm
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
 
@@ -26,12 +26,7 @@ def form_of(quantity: Quantity) -> StableForm:
         form = quantity.rewriting()
         _prove(form, quantity.expression)
         return form
-    for rewrite in (stable_form, collected_form):
-        try:
-            return rewrite(quantity.expression)
-        except (NotExponentialPolynomial, NotDifferentiable):
-            continue
-    return StableForm({}, quantity.expression)
+    return general_form(quantity.expression)
 
 
 def readable(quantity: Quantity) -> Tensor[Expr]:

@@ -13,11 +13,11 @@ from math import factorial
 from operator import add
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.collected import collect, collected_form, denominators, without_squares
+from radartrack.derive.collected import collect, denominators, without_squares
 from radartrack.derive.differential_ring import DifferentialRing
-from radartrack.derive.exponential import NotExponentialPolynomial
+from radartrack.derive.general_form import general_form
 from radartrack.derive.model import Model
-from radartrack.derive.stable import StableForm, stable_form
+from radartrack.derive.stable import StableForm
 from radartrack.derive.symbolic import Expr, PolyElement
 from radartrack.derive.tensor import Tensor
 
@@ -49,10 +49,7 @@ def validity_form(model: Model, formulas: str) -> StableForm:
         )
     fractions = _Comparison(model).fractions(NEGLECTED[formulas])
     squares = Tensor((len(fractions),), tuple(above for above, _ in fractions))
-    try:
-        form = stable_form(squares)
-    except NotExponentialPolynomial:
-        form = collected_form(squares)
+    form = general_form(squares)
     below = (divisor.xreplace({d: name for name, d in form.definitions.items()}) for _, divisor in fractions)
     ratios = (sp.sqrt(square) / divisor for square, divisor in zip(form.entries, below, strict=True))
     return StableForm(form.definitions, Tensor(squares.shape, tuple(ratios)))

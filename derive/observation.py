@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive import taylor
+from radartrack.derive.collected import collected_form
 from radartrack.derive.quantity import Conditioning, Quantity, Source
 from radartrack.derive.stable import StableForm
 from radartrack.derive.symbolic import Expr, Symbol
@@ -59,17 +60,19 @@ class Observation:
 
     def _rewritten(self, entry: Expr) -> Expr:
         """Cosines and distance for coordinates and norms; what they have in common is divided out."""
-        normed = entry.xreplace(self._powers(entry))
-        if normed.has(sp.atan2):
-            return normed
-        above, below = sp.fraction(sp.factor(normed.xreplace(self.directions)))
+        if entry.has(sp.atan2):
+            return entry.xreplace(dict(self.norms))
+        over_one = collected_form(Tensor((), (entry,)))
+        normed = over_one.entries.entries[0].xreplace(
+            {name: self._norm(definition) for name, definition in over_one.definitions.items()}
+        )
+        above, below = sp.fraction(sp.factor(normed.xreplace(dict(self.directions))))
         return sp.ratio(above, below) if below.free_symbols else above / below
 
-    def _powers(self, entry: Expr) -> dict[Expr, Expr]:
-        """Every power of a sum of squares in an entry → the same power of the norm."""
-        squares = {root**2: norm for root, norm in self.norms.items()}
-        found = (node for node in entry.atoms(sp.Pow) if node.base in squares)
-        return {node: squares[node.base] ** (2 * node.exp) for node in found}
+    def _norm(self, definition: Expr) -> Expr:
+        """A root or a sum of squares in terms of the norms."""
+        squares = {root**2: norm**2 for root, norm in self.norms.items()}
+        return {**self.norms, **squares}[definition]
 
 
 def quantities_of(observation: Observation) -> list[Quantity]:
@@ -140,12 +143,12 @@ def observations() -> tuple[Observation, ...]:
     cos_elevation, sin_elevation = _named("cos_elevation"), _named("sin_elevation")
     cosines = [_named(f"cosine_{axis}") for axis in "xyz"]
     plane, space = sp.sqrt(x**2 + y**2), sp.sqrt(x**2 + y**2 + z**2)
-    in_plane = {
+    in_plane: dict[Symbol, Expr] = {
         distance: sp.hypot(x, y),
         cos_azimuth: sp.ratio(x, distance),
         sin_azimuth: sp.ratio(y, distance),
     }
-    on_ground = {x: distance * cos_azimuth, y: distance * sin_azimuth}
+    on_ground: dict[Expr, Expr] = {x: distance * cos_azimuth, y: distance * sin_azimuth}
     polar = {"r": plane, "beta": sp.atan2(y, x)}
     return (
         Observation(
