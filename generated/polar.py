@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar.*.
 
-Written by radartrack regenerate, generator 1, derivation 342a264f386fa683; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 1c15d5025a44665f; not to be edited.
 """
 
 import numpy as np
@@ -20,6 +20,8 @@ __all__ = [
     "map",
     "posterior_covariance",
     "posterior_estimate",
+    "std_linear",
+    "std_position",
     "unbiased_covariance",
     "unbiased_estimate",
     "validity_linear",
@@ -312,6 +314,91 @@ def covariance_second_order(
         + part_00_cos_beta2 * sin_beta_squared
     )
     return result
+
+
+def std_linear(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Standard deviation of each coordinate of the linearised conversion.
+
+    Name: polar.std.linear.
+    Definition: sqrt((J K J')_aa).
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Gao et al. 2020 (1).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (2), unit m.
+
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
+    r, beta, sigma_r, sigma_beta, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    part_0_cos_beta_sin_beta = -2.0 * r * rho * sigma_beta * sigma_r
+    part_0_sin_beta2 = r**2 * sigma_beta**2
+    cos_beta_squared = cos_beta**2
+    sigma_r_squared = sigma_r**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, (2,))
+    result[..., 0] = np.sqrt(cos_beta * part_0_cos_beta_sin_beta * sin_beta + cos_beta_squared * sigma_r_squared + part_0_sin_beta2 * sin_beta_squared)
+    result[..., 1] = np.sqrt(cos_beta_squared * part_0_sin_beta2 - cos_beta * part_0_cos_beta_sin_beta * sin_beta + sigma_r_squared * sin_beta_squared)
+    return result
+
+
+def std_position(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Root mean square of the coordinates' standard deviations, linearised.
+
+    Name: polar.std.position.
+    Definition: sqrt(tr(J K J')/n).
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Gao et al. 2020 (2).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments, unit m.
+
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
+    r, beta, sigma_r, sigma_beta, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    part_0_cos_beta_sin_beta = -2.0 * r * rho * sigma_beta * sigma_r
+    part_0_sin_beta2 = r**2 * sigma_beta**2
+    cos_beta_squared = cos_beta**2
+    sigma_r_squared = sigma_r**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, ())
+    result[...] = np.sqrt(0.5 * cos_beta_squared * part_0_sin_beta2 + 0.5 * cos_beta_squared * sigma_r_squared + 0.5 * part_0_sin_beta2 * sin_beta_squared + 0.5 * sigma_r_squared * sin_beta_squared)
+    return result[()]
 
 
 def validity_linear(

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities spherical.*.
 
-Written by radartrack regenerate, generator 1, derivation d7ead216fb145f46; not to be edited.
+Written by radartrack regenerate, generator 1, derivation c8c3dccdd337b324; not to be edited.
 """
 
 import numpy as np
@@ -20,6 +20,8 @@ __all__ = [
     "map",
     "posterior_covariance",
     "posterior_estimate",
+    "std_linear",
+    "std_position",
     "unbiased_covariance",
     "unbiased_estimate",
     "validity_linear",
@@ -449,6 +451,112 @@ def covariance_second_order(
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
     return result
+
+
+def std_linear(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Standard deviation of each coordinate of the linearised conversion.
+
+    Name: spherical.std.linear.
+    Definition: sqrt((J K J')_aa).
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Gao et al. 2020 (1).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (3), unit m.
+
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    r_squared = r**2
+    part_0_cos_beta2_cos_epsilon2 = r_squared * sigma_beta**2
+    part_0_cos_beta_cos_epsilon2_sin_beta = 2.0 * r * rho * sigma_beta * sigma_r
+    part_0_sin_beta2_sin_epsilon2 = r_squared * sigma_epsilon**2
+    cos_beta_squared = cos_beta**2
+    cos_epsilon_squared = cos_epsilon**2
+    sigma_r_squared = sigma_r**2
+    sin_beta_squared = sin_beta**2
+    sin_epsilon_squared = sin_epsilon**2
+    result = _empty(arguments, (3,))
+    result[..., 0] = np.sqrt(cos_beta * cos_epsilon_squared * part_0_cos_beta_cos_epsilon2_sin_beta * sin_beta + cos_beta_squared * cos_epsilon_squared * part_0_cos_beta2_cos_epsilon2 + cos_epsilon_squared * sigma_r_squared * sin_beta_squared + part_0_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared)
+    result[..., 1] = np.sqrt(cos_beta_squared * cos_epsilon_squared * sigma_r_squared - cos_beta * cos_epsilon_squared * part_0_cos_beta_cos_epsilon2_sin_beta * sin_beta + cos_beta_squared * part_0_sin_beta2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared * part_0_cos_beta2_cos_epsilon2 * sin_beta_squared)
+    result[..., 2] = np.sqrt(cos_epsilon_squared * part_0_sin_beta2_sin_epsilon2 + sigma_r_squared * sin_epsilon_squared)
+    return result
+
+
+def std_position(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    epsilon: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    sigma_epsilon: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Root mean square of the coordinates' standard deviations, linearised.
+
+    Name: spherical.std.position.
+    Definition: sqrt(tr(J K J')/n).
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Gao et al. 2020 (2).
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, clockwise from the y axis [rad], -3.1416 to 3.1416.
+        epsilon: elevation, up from the horizontal plane [rad], -1.5708 to 1.5708.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        sigma_epsilon: standard deviation of the error of epsilon [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments, unit m.
+
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
+    r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    cos_epsilon = np.cos(epsilon)
+    sin_epsilon = np.sin(epsilon)
+    r_squared = r**2
+    part_0_cos_beta2_cos_epsilon2 = r_squared * sigma_beta**2
+    part_0_cos_beta_cos_epsilon2_sin_beta = 2.0 * r * rho * sigma_beta * sigma_r
+    part_0_sin_beta2_sin_epsilon2 = r_squared * sigma_epsilon**2
+    cos_beta_squared = cos_beta**2
+    cos_epsilon_squared = cos_epsilon**2
+    sigma_r_squared = sigma_r**2
+    sin_epsilon_squared = sin_epsilon**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, ())
+    result[...] = np.sqrt(cos_beta_squared * cos_epsilon_squared * part_0_cos_beta2_cos_epsilon2 / 3.0 + cos_beta_squared * cos_epsilon_squared * sigma_r_squared / 3.0 + cos_beta_squared * part_0_sin_beta2_sin_epsilon2 * sin_epsilon_squared / 3.0 + cos_epsilon_squared * part_0_cos_beta2_cos_epsilon2 * sin_beta_squared / 3.0 + cos_epsilon_squared * part_0_sin_beta2_sin_epsilon2 / 3.0 + cos_epsilon_squared * sigma_r_squared * sin_beta_squared / 3.0 + part_0_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared / 3.0 + sigma_r_squared * sin_epsilon_squared / 3.0)
+    return result[()]
 
 
 def validity_linear(
