@@ -51,8 +51,13 @@ def validity_form(model: Model, formulas: str) -> StableForm:
     squares = Tensor((len(fractions),), tuple(above for above, _ in fractions))
     form = general_form(squares)
     below = (divisor.xreplace({d: name for name, d in form.definitions.items()}) for _, divisor in fractions)
-    ratios = (sp.sqrt(square) / divisor for square, divisor in zip(form.entries, below, strict=True))
+    ratios = (_root(square) / divisor for square, divisor in zip(form.entries, below, strict=True))
     return StableForm(form.definitions, Tensor(squares.shape, tuple(ratios)))
+
+
+def _root(square: Expr) -> Expr:
+    """The root of a mean square, which rounding may bring just below zero where terms of both signs meet."""
+    return sp.sqrt(square if square.is_nonnegative else sp.Abs(square))
 
 
 def is_square(model: Model) -> bool:

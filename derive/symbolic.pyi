@@ -26,6 +26,7 @@ class Expr(Basic):
     q: int
     is_real: bool | None
     is_positive: bool | None
+    is_nonnegative: bool | None
     is_number: bool
     def __eq__(self, other: object) -> bool: ...
     def __hash__(self) -> int: ...

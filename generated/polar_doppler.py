@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar_doppler.*.
 
-Written by radartrack regenerate, generator 1, derivation 9632fdf00c0d22c4; not to be edited.
+Written by radartrack regenerate, generator 1, derivation ebc9a6ec06a0fac2; not to be edited.
 """
 
 import numpy as np
@@ -433,7 +433,7 @@ def validity_linear(
     result = _empty(arguments, (3,))
     result[..., 0] = 0.5 * r * sigma_beta_squared * np.sqrt(3.0) / sigma_r
     result[..., 1] = sigma_r * term_1
-    result[..., 2] = np.sqrt(2.0 * rho**2 * sigma_r_squared * sigma_rdot_squared + 0.75 * r**2 * rdot**2 * sigma_beta_squared**2 + r * rdot * rho * sigma_beta_squared * sigma_r * sigma_rdot + sigma_r_squared * sigma_rdot_squared) * term_1 / sigma_rdot
+    result[..., 2] = np.sqrt(np.abs(2.0 * rho**2 * sigma_r_squared * sigma_rdot_squared + 0.75 * r**2 * rdot**2 * sigma_beta_squared**2 + r * rdot * rho * sigma_beta_squared * sigma_r * sigma_rdot + sigma_r_squared * sigma_rdot_squared)) * term_1 / sigma_rdot
     return result
 
 

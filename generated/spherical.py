@@ -1,6 +1,6 @@
 """NumPy functions of the quantities spherical.*.
 
-Written by radartrack regenerate, generator 1, derivation c8c3dccdd337b324; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 3063224711aa6130; not to be edited.
 """
 
 import numpy as np
@@ -616,9 +616,9 @@ def validity_linear(
     cos_epsilon_squared_squared = cos_epsilon_squared**2
     term_1 = 1.0 / r
     result = _empty(arguments, (3,))
-    result[..., 0] = np.sqrt(0.75 * r_squared * sigma_epsilon_squared_squared * sin_epsilon_squared_squared + cos_epsilon_squared * part_0_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared_squared * part_0_cos_epsilon4) / sigma_r
-    result[..., 1] = np.sqrt(cos_epsilon_squared * part_1_cos_epsilon2 + r_squared * sigma_beta_squared * sigma_epsilon_squared * sin_epsilon_squared) * term_1 / (cos_epsilon * sigma_beta)
-    result[..., 2] = np.sqrt(cos_epsilon_squared * part_2_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared_squared * part_2_cos_epsilon4 + part_2_cos_epsilon4 * sin_epsilon_squared_squared) * term_1 / sigma_epsilon
+    result[..., 0] = np.sqrt(np.abs(0.75 * r_squared * sigma_epsilon_squared_squared * sin_epsilon_squared_squared + cos_epsilon_squared * part_0_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared_squared * part_0_cos_epsilon4)) / sigma_r
+    result[..., 1] = np.sqrt(np.abs(cos_epsilon_squared * part_1_cos_epsilon2 + r_squared * sigma_beta_squared * sigma_epsilon_squared * sin_epsilon_squared)) * term_1 / (cos_epsilon * sigma_beta)
+    result[..., 2] = np.sqrt(np.abs(cos_epsilon_squared * part_2_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared_squared * part_2_cos_epsilon4 + part_2_cos_epsilon4 * sin_epsilon_squared_squared)) * term_1 / sigma_epsilon
     return result
 
 
@@ -707,9 +707,9 @@ def validity_second_order(
     cos_epsilon_squared_squared = cos_epsilon_squared**2
     term_1 = 1.0 / r
     result = _empty(arguments, (3,))
-    result[..., 0] = np.sqrt(0.75 * sigma_epsilon_squared_squared * sigma_r_squared * sin_epsilon_squared_squared + cos_epsilon_squared * part_0_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared_squared * part_0_cos_epsilon4) / sigma_r
-    result[..., 1] = np.sqrt(cos_epsilon_squared * part_1_cos_epsilon2 + part_1_sin_epsilon2 * sin_epsilon_squared) * term_1 / (cos_epsilon * sigma_beta)
-    result[..., 2] = np.sqrt(5.0 * cos_epsilon_squared_squared * r_squared * sigma_epsilon_squared_cubed / 12.0 + cos_epsilon_squared * part_2_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + part_2_sin_epsilon4 * sin_epsilon_squared_squared) * term_1 / sigma_epsilon
+    result[..., 0] = np.sqrt(np.abs(0.75 * sigma_epsilon_squared_squared * sigma_r_squared * sin_epsilon_squared_squared + cos_epsilon_squared * part_0_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + cos_epsilon_squared_squared * part_0_cos_epsilon4)) / sigma_r
+    result[..., 1] = np.sqrt(np.abs(cos_epsilon_squared * part_1_cos_epsilon2 + part_1_sin_epsilon2 * sin_epsilon_squared)) * term_1 / (cos_epsilon * sigma_beta)
+    result[..., 2] = np.sqrt(np.abs(5.0 * cos_epsilon_squared_squared * r_squared * sigma_epsilon_squared_cubed / 12.0 + cos_epsilon_squared * part_2_cos_epsilon2_sin_epsilon2 * sin_epsilon_squared + part_2_sin_epsilon4 * sin_epsilon_squared_squared)) * term_1 / sigma_epsilon
     return result
 
 
