@@ -99,12 +99,22 @@ def neglected_after(degree: int) -> Callable[[str, Point], np.ndarray]:
     return moment
 
 
+def linear_deviations(model: str, point: Point) -> np.ndarray:
+    return np.sqrt(np.diagonal(covariance_of(1)(model, point)))
+
+
+def root_mean_square_deviation(model: str, point: Point) -> np.ndarray:
+    return np.sqrt(np.mean(linear_deviations(model, point) ** 2))
+
+
 DERIVATIVES = {"map": map_itself, "jacobian": jacobian, "hessian": hessian}
 MOMENTS = {
     "bias.second_order": mean_of(2),
     "bias.fourth_order": mean_of(4),
     "covariance.linear": covariance_of(1),
     "covariance.second_order": covariance_of(2),
+    "std.linear": linear_deviations,
+    "std.position": root_mean_square_deviation,
     "validity.linear": neglected_after(1),
     "validity.second_order": neglected_after(2),
 }

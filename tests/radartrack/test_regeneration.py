@@ -36,7 +36,8 @@ def regenerate(*arguments: str | Path) -> Result:
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A catalogue of three quantities, measured at few points."""
+    """A catalogue of three quantities, derived in this process and measured at few points."""
+    monkeypatch.setattr(regeneration, "catalogue", dict)
     monkeypatch.setattr(catalogue_module, "catalogue", lambda: SMALL)
     monkeypatch.setattr(regeneration, "POINTS", 40)
 

@@ -25,7 +25,7 @@ def show(*arguments: str) -> str:
 @pytest.mark.parametrize("kind", FORMATS)
 @pytest.mark.parametrize("quantity", POLAR, ids=conversions.ids)
 def test_heading_and_formula_are_shown_for_the_whole_and_for_every_entry(quantity: Quantity, kind: str):
-    for index in [None, *np.ndindex(quantity.shape)]:
+    for index in [None, *(np.ndindex(quantity.shape) if quantity.shape else [])]:
         name = quantity.name if index is None else f"{quantity.name}[{','.join(map(str, index))}]"
         heading, _, formula = show(name, "--format", kind).partition("\n\n")
         assert formula == FORMATS[kind](quantity, index) + "\n"
