@@ -10,8 +10,8 @@ from fractions import Fraction
 from radartrack.derive.checking.numeric import Values, close
 from radartrack.derive.formula.tree import Call, Negation, Number, Power, Product, Quotient, Tree
 
-LARGEST_DENOMINATOR = 64
-LARGEST_NUMERATOR = 1000
+LARGEST_DENOMINATOR = 10_000
+LARGEST_NUMERATOR = 10_000
 LARGEST_POWER = 6
 SPARE = 3  # points beyond the unknowns, so that a fit means something
 INDEPENDENT = 1e-3
