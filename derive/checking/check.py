@@ -202,6 +202,6 @@ def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[st
         case Outcome.EQUAL:
             return f"proved equal{under}"
         case Outcome.DIFFERS:
-            return f"{worst.reason or 'differs'}{under}{where}{count}"
+            return f"{worst.reason or 'not equal'}{under}{where}{count}"
         case _:
             return f"{worst.reason}{under}{where}{count}"
