@@ -28,7 +28,6 @@ format: $(VENV)/.group-lint
 
 types: $(VENV)/.group-types installed
 	cd build/installed && ../../$(BIN)/mypy --config-file ../../pyproject.toml --package radartrack
-	cd build/installed && MYPYPATH=../.. ../../$(BIN)/mypy --config-file ../../pyproject.toml ../../tests
 
 layers: $(VENV)/.group-layers installed
 	cd build/installed && ../../$(BIN)/lint-imports --config ../../pyproject.toml --no-cache --no-logo

@@ -341,13 +341,13 @@ def _variances(shared: Conversion) -> StableForm:
 
 def _coordinate_deviations(shared: Conversion) -> StableForm:
     variances = _variances(shared)
-    return StableForm(variances.definitions, variances.entries.map(sp.sqrt))
+    return variances.only(variances.entries.map(sp.sqrt))
 
 
 def _position_deviation(shared: Conversion) -> StableForm:
     variances = _variances(shared)
     mean = sp.Add(*variances.entries) / len(variances.entries.entries)
-    return StableForm(variances.definitions, Tensor((), (sp.sqrt(mean),)))
+    return variances.only(Tensor((), (sp.sqrt(mean),)))
 
 
 def _validity(shared: Conversion, formulas: str) -> Quantity:

@@ -52,7 +52,7 @@ def validity_form(model: Model, formulas: str) -> StableForm:
     form = general_form(squares)
     below = (divisor.xreplace({d: name for name, d in form.definitions.items()}) for _, divisor in fractions)
     ratios = (_root(square) / divisor for square, divisor in zip(form.entries, below, strict=True))
-    return StableForm(form.definitions, Tensor(squares.shape, tuple(ratios)))
+    return form.only(Tensor(squares.shape, tuple(ratios)))
 
 
 def _root(square: Expr) -> Expr:

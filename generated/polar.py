@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar.*.
 
-Written by radartrack regenerate, generator 1, derivation 1c15d5025a44665f; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 19d7f44263b1c4bc; not to be edited.
 """
 
 import numpy as np
@@ -391,7 +391,6 @@ def std_position(
     r, beta, sigma_r, sigma_beta, rho = arguments
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
-    part_0_cos_beta_sin_beta = -2.0 * r * rho * sigma_beta * sigma_r
     part_0_sin_beta2 = r**2 * sigma_beta**2
     cos_beta_squared = cos_beta**2
     sigma_r_squared = sigma_r**2

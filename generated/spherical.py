@@ -1,6 +1,6 @@
 """NumPy functions of the quantities spherical.*.
 
-Written by radartrack regenerate, generator 1, derivation 3063224711aa6130; not to be edited.
+Written by radartrack regenerate, generator 1, derivation bd2ffce9d82eb02b; not to be edited.
 """
 
 import numpy as np
@@ -547,7 +547,6 @@ def std_position(
     sin_epsilon = np.sin(epsilon)
     r_squared = r**2
     part_0_cos_beta2_cos_epsilon2 = r_squared * sigma_beta**2
-    part_0_cos_beta_cos_epsilon2_sin_beta = 2.0 * r * rho * sigma_beta * sigma_r
     part_0_sin_beta2_sin_epsilon2 = r_squared * sigma_epsilon**2
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
