@@ -31,7 +31,7 @@ def test_derivatives_are_those_that_mpmath_takes(outputs: Tensor, point: dict[sy
 
 
 @given(maps, covariances)
-@share(0.1)
+@share(0.04)
 def test_moments_are_their_definitions_in_matrices(outputs: Tensor, covariance: tuple[tuple[sympy.Expr, ...], ...]):
     K, J = sympy.Matrix(covariance), sympy.Matrix(list(outputs)).jacobian([x, y])
     G = [sympy.hessian(h, (x, y)) for h in outputs]

@@ -104,7 +104,7 @@ def test_the_biases(outputs: tuple[Expr, Expr]):
 
 
 @given(maps)
-@share(0.06)
+@share(0.04)
 def test_the_covariances(outputs: tuple[Expr, Expr]):
     of = Numbers(outputs)
     noise = of.gaussian()
@@ -114,7 +114,7 @@ def test_the_covariances(outputs: tuple[Expr, Expr]):
 
 
 @given(maps)
-@share(0.06)
+@share(0.04)
 def test_the_unbiased_estimate_and_its_covariances(outputs: tuple[Expr, Expr]):
     of = Numbers(outputs)
     noise, prediction = of.gaussian(), of.gaussian("predicted_")

@@ -75,20 +75,21 @@ def package_copy(folder: Path) -> Path:
     return package
 
 
-@pytest.mark.parametrize(("seed", "ground_types"), [("0", "python"), ("4242", "flint")])
-def test_everything_is_written_alike_under_any_hash_seed_and_ground_types(tmp_path: Path, seed: str, ground_types: str):
+def test_another_hash_seed_and_the_other_ground_types_give_the_same_bytes(tmp_path: Path):
     (tmp_path / "out").mkdir()
     shutil.copy(GENERATED / "accuracy.json", tmp_path / "out")
-    result = run_in_process_of_its_own("--out", tmp_path / "out", PYTHONHASHSEED=seed, SYMPY_GROUND_TYPES=ground_types)
+    environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python"}
+    result = run_in_process_of_its_own("--out", tmp_path / "out", **environment)
     assert result.returncode == 0, result.stderr
     assert contents(tmp_path / "out") == contents(GENERATED)
 
 
-def test_damaged_generated_code_does_not_keep_the_command_from_restoring_it(tmp_path: Path):
+def test_damaged_generated_code_does_not_keep_the_command_from_restoring_every_byte(tmp_path: Path):
     package = package_copy(tmp_path)
     for name in ("__init__.py", "polar.py"):
         (package / "generated" / name).write_text("def (:\n")
-    result = run_in_process_of_its_own("--out", package / "generated", cwd=tmp_path, PYTHONHASHSEED="1")
+    environment = {"PYTHONHASHSEED": "1", "SYMPY_GROUND_TYPES": "flint"}
+    result = run_in_process_of_its_own("--out", package / "generated", cwd=tmp_path, **environment)
     assert result.returncode == 0, result.stderr
     assert contents(package / "generated") == contents(GENERATED)
 

@@ -8,10 +8,11 @@ from typer.testing import CliRunner
 
 from radartrack.cli import app
 from radartrack.derive import printing
+from radartrack.derive.catalogue import find
 from radartrack.derive.quantity import Quantity
 from tests import conversions
 
-POLAR = [q for q in conversions.QUANTITIES if q.module == "polar" and "decorrelated" not in q.name]
+POLAR = [find(f"polar.{row}") for row in ("map", "hessian", "bias.truth", "covariance.averaged", "std.position")]
 FORMATS = {"text": printing.text, "latex": printing.latex, "python": printing.python}
 COMMENTS = {"text": "", "latex": "% ", "python": "# "}
 
