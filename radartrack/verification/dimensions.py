@@ -113,6 +113,8 @@ def _mirrored(quantity: Quantity, model: Model, variable: Variable) -> Change | 
     parities = _parities(model, variable)
     if parities is None:
         return None
+    if row_of(quantity).startswith("std"):
+        parities = np.abs(parities)
     inputs = np.array([-1.0 if other is variable else 1.0 for other in model.measured])
     result = np.ones(())
     for position, _ in enumerate(quantity.axes):

@@ -110,12 +110,29 @@ def _moment(row: str, degree: int, polynomial: int) -> Callable[[Model, Mapping[
     return lambda model, at: defined(row, DirectSeries(model, at, degree, polynomial)).map(at_point)
 
 
+def _deviations(model: Model, at: Mapping[Symbol, Number]) -> list[Number]:
+    """How far each coordinate of the linear part spreads."""
+    covariance = defined("covariance.truth", DirectSeries(model, at, 2, 1)).map(at_point)
+    return [mpmath.sqrt(covariance[a, a]) for a in range(len(model.outputs))]
+
+
+def _std(model: Model, at: Mapping[Symbol, Number]) -> Tensor[Number]:
+    return Tensor((len(model.outputs),), tuple(_deviations(model, at)))
+
+
+def _std_of_position(model: Model, at: Mapping[Symbol, Number]) -> Tensor[Number]:
+    deviations = _deviations(model, at)
+    return Tensor((), (mpmath.norm(deviations) / mpmath.sqrt(len(deviations)),))
+
+
 EXPANSIONS: dict[str, Callable[[Model, Mapping[Symbol, Number]], Tensor[Number]]] = {
     "jacobian": _derivatives(1),
     "hessian": _derivatives(2),
     "bias.second_order": _moment("bias.truth", 2, 2),
     "covariance.linear": _moment("covariance.truth", 2, 1),
     "covariance.second_order": _moment("covariance.truth", 4, 2),
+    "std.linear": _std,
+    "std.position": _std_of_position,
 }
 
 

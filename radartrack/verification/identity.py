@@ -24,6 +24,7 @@ from radartrack.derive.symbolic import Symbol
 from radartrack.derive.tensor import Tensor, indices
 from radartrack.verification.definitions import ROWS, defined
 from radartrack.verification.direct_series import derivatives, direct
+from radartrack.verification.elementary import ELEMENTARY
 from radartrack.verification.generating import GeneratingFunction
 from radartrack.verification.jets import jets
 from radartrack.verification.least_squares import least_squares
@@ -92,6 +93,8 @@ def _second(model: str, row: str) -> Tensor[ExponentialPolynomial]:
 def _method(quantity: Quantity, model: Model | None) -> str | None:
     """How the second derivation goes, in words; None where there is none."""
     row = row_of(quantity)
+    if quantity.name in ELEMENTARY:
+        return ELEMENTARY[quantity.name].method
     if quantity.module == "finite_sample":
         return "exact least squares over fractions"
     if quantity.module == "observe":
@@ -129,6 +132,8 @@ def _references(quantity: Quantity, seed: int) -> Numbers:
 def _reference(quantity: Quantity, point: Mapping[str, float]) -> Tensor[Number]:
     model, row = model_of(quantity), row_of(quantity)
     at: dict[Symbol, Number] = {symbol: mpmath.mpf(point[symbol.name]) for symbol in quantity.symbols}
+    if quantity.name in ELEMENTARY:
+        return ELEMENTARY[quantity.name].values({symbol.name: value for symbol, value in at.items()})
     if quantity.module == "finite_sample":
         found = least_squares(row, point)
     elif quantity.module == "observe":

@@ -10,6 +10,7 @@ from radartrack.derive.quantity import Quantity
 from radartrack.verification.accuracy import Accuracy
 from radartrack.verification.compilation import compiled
 from radartrack.verification.dimensions import Dimensions
+from radartrack.verification.experiments import simulated
 from radartrack.verification.identity import Identity
 from radartrack.verification.monte_carlo import MonteCarlo
 from radartrack.verification.mutations import Mutant, mutants
@@ -55,16 +56,12 @@ class Mutants:
         found = caught(quantity, self.count, self.seed)
         if not found:
             return Outcome.not_applicable(NAME, "the formula has no part that could be mistaken")
-        layers = _layers(self.seed)
-        blind = not any(_applies(layer, quantity) for layer in layers if not isinstance(layer, Dimensions))
-        survivors = [each for each in found if not each.code or not (each.derivation or blind)]
+        survivors = [each for each in found if not each.code or not each.derivation]
         shares = _shares(found), _shares(found, in_code=True)
         detail = f"{len(found)} mutants; slips of the derivation: {shares[0]}; slips of the code: {shares[1]}"
-        if blind:
-            detail += "; no second derivation, so slips of the derivation show in its dimensions alone"
-        simulated = _simulated(quantity, found[:SIMULATED], self.seed)
-        if simulated is not None:
-            detail += f"; Monte Carlo alone {simulated[0]} of {simulated[1]}"
+        if simulated(quantity):
+            noticed = _noticed_by_simulation(quantity, found[:SIMULATED], self.seed)
+            detail += f"; Monte Carlo alone {sum(noticed)} of {len(noticed)}"
         if survivors:
             detail += "; survivors: " + ", ".join(sorted({each.mutant.kind for each in survivors}))
         return Outcome.measured(NAME, len(survivors) / len(found), 0.0, detail)
@@ -72,7 +69,7 @@ class Mutants:
 
 def caught(quantity: Quantity, count: int, seed: int) -> list[Caught]:
     """Every mutant with the layers that notice it, Monte Carlo apart."""
-    layers = _layers(seed)
+    layers: list[Layer] = [Dimensions(seed), Identity(seed), Quadrature(1, seed)]
     code: list[Layer] = [Accuracy(POINTS, seed), Quadrature(1, seed)]
     return [
         Caught(
@@ -94,23 +91,10 @@ def _mistaken(quantity: Quantity, mutant: Mutant) -> Quantity:
     return replace(quantity, derivation=lambda: mutant.entries, rewriting=None)
 
 
-def _layers(seed: int) -> list[Layer]:
-    return [Dimensions(seed), Identity(seed), Quadrature(1, seed)]
-
-
-def _applies(layer: Layer, quantity: Quantity) -> bool:
-    function = compiled(quantity.expression, quantity.symbols)
-    return layer(quantity, function).verdict is not Verdict.NOT_APPLICABLE
-
-
 def _shares(found: Sequence[Caught], *, in_code: bool = False) -> str:
     counts = Counter(layer for each in found for layer in (each.code if in_code else each.derivation))
     return ", ".join(f"{layer} {number}/{len(found)}" for layer, number in sorted(counts.items())) or "none noticed"
 
 
-def _simulated(quantity: Quantity, found: list[Caught], seed: int) -> tuple[int, int] | None:
-    layer = MonteCarlo(DRAWS, seed)
-    if not _applies(layer, quantity):
-        return None
-    noticed = [fails(layer, quantity, each.mutant) for each in found]
-    return sum(noticed), len(noticed)
+def _noticed_by_simulation(quantity: Quantity, found: list[Caught], seed: int) -> list[bool]:
+    return [fails(MonteCarlo(DRAWS, seed), quantity, each.mutant) for each in found]

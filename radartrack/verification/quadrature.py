@@ -135,6 +135,8 @@ def not_applicable(quantity: Quantity) -> str:
         return "its definition is no expectation over measurement errors"
     if row in ROWS or row in TAYLOR:
         return ""
+    if row.startswith("std"):
+        return "roots of the linear covariance, which is integrated by itself"
     if row.startswith("validity"):
         return "a term of a series by definition; direct power series decide it"
     return "cut off at an order, so it is not equal to its expectation; direct power series decide it"
