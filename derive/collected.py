@@ -172,11 +172,11 @@ def without_squares(element: PolyElement, ring: DifferentialRing, function: type
     other = sp.cos if function is sp.sin else sp.sin
     for placeholder, key in ring.generators.items():
         if isinstance(key, function):
-            element = _even_powers(element, placeholder, 1 - ring.read(other(*key.args)) ** 2)
+            element = even_powers(element, placeholder, 1 - ring.read(other(*key.args)) ** 2)
     return element
 
 
-def _even_powers(value: PolyElement, symbol: Symbol, square: PolyElement) -> PolyElement:
+def even_powers(value: PolyElement, symbol: Symbol, square: PolyElement) -> PolyElement:
     """The polynomial with every even power of a generator expressed through its square."""
     ring = value.ring
     position = ring.symbols.index(symbol)

@@ -8,21 +8,24 @@ coordinate axes lie: along range it is √3/2 · r σ_β²/σ_r for the linear p
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import reduce
-from math import factorial
-from operator import add
+from itertools import combinations_with_replacement
+from math import factorial, prod
+from operator import mul
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.collected import collect, denominators, without_squares
+from radartrack.derive.collected import Denominator, collect, denominators, without_squares
 from radartrack.derive.differential_ring import DifferentialRing
 from radartrack.derive.general_form import general_form
+from radartrack.derive.mean_square import MeanSquare, Powers
 from radartrack.derive.model import Model
 from radartrack.derive.stable import StableForm
-from radartrack.derive.symbolic import Expr, PolyElement
+from radartrack.derive.symbolic import Expr, PolyElement, Symbol
 from radartrack.derive.tensor import Tensor
 
 NEGLECTED = {"linear": 2, "second_order": 3}
-Row = list[PolyElement]
+Column = list[PolyElement]
 
 
 def validity(model: Model, formulas: str = "linear") -> Tensor[Expr]:
@@ -47,17 +50,26 @@ def validity_form(model: Model, formulas: str) -> StableForm:
             f"{model.name} has {len(model.outputs)} coordinates for {len(model.measured)} measured quantities; "
             "a term can only be brought back where the numbers agree"
         )
-    fractions = _Comparison(model).fractions(NEGLECTED[formulas])
-    squares = Tensor((len(fractions),), tuple(above for above, _ in fractions))
-    form = general_form(squares)
-    below = (divisor.xreplace({d: name for name, d in form.definitions.items()}) for _, divisor in fractions)
-    ratios = (_root(square) / divisor for square, divisor in zip(form.entries, below, strict=True))
-    return form.only(Tensor(squares.shape, tuple(ratios)))
+    rows = _Comparison(model).rows(NEGLECTED[formulas])
+    named = {(i, powers): _name(model, i, powers) for i, row in enumerate(rows) for powers in row.terms}
+    terms = Tensor((len(named),), tuple(rows[i].terms[powers] for i, powers in named))
+    form = general_form(terms)
+    mean_square = MeanSquare(model, list(named.values()))
+    ratios = [
+        sp.sqrt(mean_square.of({powers: named[i, powers] for powers in row.terms})) / (row.divisor * deviation)
+        for i, (row, deviation) in enumerate(zip(rows, model.deviations, strict=True))
+    ]
+    parts = dict(zip(named.values(), form.entries, strict=True))
+    short = {name: part for name, part in parts.items() if not isinstance(part, sp.Add)}
+    long = {name: part for name, part in parts.items() if name not in short}
+    definitions = {**form.definitions, **long, **mean_square.definitions}
+    entries = tuple(ratio.xreplace(short) for ratio in ratios)
+    return StableForm(definitions, form.entries).only(Tensor((len(rows),), entries))
 
 
-def _root(square: Expr) -> Expr:
-    """The root of a mean square, which rounding may bring just below zero where terms of both signs meet."""
-    return sp.sqrt(square if square.is_nonnegative else sp.Abs(square))
+def _name(model: Model, i: int, powers: Powers) -> Symbol:
+    errors = "_".join(v.name for v, power in zip(model.measured, powers, strict=True) for _ in range(power))
+    return sp.Symbol(f"{model.measured[i].name}_by_{errors}", real=True)
 
 
 def is_square(model: Model) -> bool:
@@ -65,39 +77,47 @@ def is_square(model: Model) -> bool:
     return len(model.outputs) == len(model.measured)
 
 
+@dataclass(frozen=True)
+class _Row:
+    """A polynomial in the errors over a divisor: the powers of the errors → coefficient."""
+
+    terms: dict[Powers, Expr]
+    divisor: Expr
+
+
 class _Comparison:
     """The neglected terms of one model in the smallest differential ring that holds its map."""
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.errors = [sp.Symbol(f"error_of_{variable.name}", real=True) for variable in model.measured]
-        self.ring = DifferentialRing(model.map, [*model.symbols, *self.errors])
-        self.map: Row = [self.ring.read(h) for h in model.map]
+        self.ring = DifferentialRing(model.map, model.symbols)
+        self.map: Column = [self.ring.read(h) for h in model.map]
 
-    def fractions(self, order: int) -> list[tuple[Expr, Expr]]:
-        """For each measured quantity, a and b such that its ratio is √a / b."""
+    def rows(self, order: int) -> list[_Row]:
+        """J⁻¹ (w·∂)ⁿ h / n!, for each measured quantity, by Cramer's rule."""
         columns = [[self.ring.differentiate(h, v) for h in self.map] for v in self.model.measured]
-        term = self._taylor_term(order)
+        taylor = self._taylor_terms(order)
         determinant = self._determinant(columns)
-        fractions = []
-        for i, deviation in enumerate(self.model.deviations):
-            replaced = self._determinant([*columns[:i], term, *columns[i + 1 :]])  # Cramer's rule
-            above, below = self._without_common_factors(self._mean(replaced**2), determinant)
-            fractions.append((above, below * deviation))
-        return fractions
+        return [
+            self._without_common_factors(
+                {powers: self._determinant([*columns[:i], term, *columns[i + 1 :]]) for powers, term in taylor.items()},
+                determinant,
+            )
+            for i in range(len(columns))
+        ]
 
-    def _taylor_term(self, order: int) -> Row:
-        """(w·∂)ⁿ h / n!, one element an output."""
-        terms = self.map
-        for _ in range(order):
-            terms = [self._along_error(term) for term in terms]
-        return [term * sp.QQ(1, factorial(order)) for term in terms]
+    def _taylor_terms(self, order: int) -> dict[Powers, Column]:
+        """The coefficient of each product of errors in (w·∂)ⁿ h / n!, one element an output."""
+        found = {}
+        for chosen in combinations_with_replacement(range(len(self.model.measured)), order):
+            powers = tuple(chosen.count(k) for k in range(len(self.model.measured)))
+            slopes = self.map
+            for k in chosen:
+                slopes = [self.ring.differentiate(slope, self.model.measured[k]) for slope in slopes]
+            found[powers] = [slope * sp.QQ(1, prod(map(factorial, powers))) for slope in slopes]
+        return found
 
-    def _along_error(self, term: PolyElement) -> PolyElement:
-        pairs = zip(self.errors, self.model.measured, strict=True)
-        return reduce(add, (self.ring.differentiate(term, v) * self.ring.ring(error) for error, v in pairs))
-
-    def _determinant(self, columns: list[Row]) -> PolyElement:
+    def _determinant(self, columns: list[Column]) -> PolyElement:
         if not columns:
             return self.ring.ring.one
         first, rest = columns[0], columns[1:]
@@ -108,37 +128,28 @@ class _Comparison:
         )
         return sum(minors, self.ring.ring.zero)
 
-    def _mean(self, value: PolyElement) -> PolyElement:
-        """The expectation over the errors of a polynomial in them: e^L at zero error."""
-        total, term, order = value, value, 0
-        while term:
-            order += 1
-            term = self._generator(term) * sp.QQ(1, order)
-            total = total + term
-        generators = [self.ring.ring(error) for error in self.errors]
-        return total.compose([(generator, self.ring.ring.zero) for generator in generators])
-
-    def _generator(self, value: PolyElement) -> PolyElement:
-        total = self.ring.ring.zero
-        for row, first in zip(self.model.covariance, self.errors, strict=True):
-            slope = self.ring.differentiate(value, first)
-            for weight, second in zip(row, self.errors, strict=True):
-                total = total + self.ring.differentiate(slope, second) * self.ring.read(weight) * sp.QQ(1, 2)
-        return total
-
-    def _without_common_factors(self, square: PolyElement, determinant: PolyElement) -> tuple[Expr, Expr]:
-        """A square and a divisor, divided by the factors of the determinant that the square holds twice."""
+    def _without_common_factors(self, terms: dict[Powers, PolyElement], determinant: PolyElement) -> _Row:
+        """Terms over the determinant, divided by the factors that it shares with all of them."""
         found = denominators(self.ring)
         parts = collect(determinant, self.ring, found)
         if len(parts) != 1:
             raise ValueError(f"the Jacobian determinant of {self.model.name} is no product of roots and a polynomial")
-        ((powers, numerator),) = parts.items()
-        above, divisor = without_squares(square, self.ring, sp.sin), self.ring.ring.one
-        for denominator, power in zip(found, powers, strict=True):
-            inverse = self.ring.ring(denominator.generator)
-            above = above * (denominator.radicand**power if power > 0 else inverse ** (-2 * power))
-        for factor, power in numerator.factor_list()[1]:
-            for _ in range(power):
-                quotient, remainder = above.div(factor**2)
-                above, divisor = (above, divisor * factor) if remainder else (quotient, divisor)
-        return self.ring.expression(above), self.ring.expression(divisor)
+        ((exponents, numerator),) = parts.items()
+        root = reduce(mul, map(self._power, found, exponents), self.ring.ring.one)
+        reduced = {n: without_squares(term * root, self.ring, sp.sin) for n, term in terms.items()}
+        content, factors = numerator.factor_list()
+        above = {n: term * (1 / content) for n, term in reduced.items() if term}
+        divisor = self.ring.ring.one
+        for factor in (factor for factor, power in factors for _ in range(power)):
+            divided = {n: term.div(factor) for n, term in above.items()}
+            if any(remainder for _, remainder in divided.values()):
+                divisor = divisor * factor
+            else:
+                above = {n: quotient for n, (quotient, _) in divided.items()}
+        return _Row({n: self.ring.expression(term) for n, term in above.items()}, self.ring.expression(divisor))
+
+    def _power(self, denominator: Denominator, exponent: int) -> PolyElement:
+        """What stands in the denominator to a power, with a generator for each inverse."""
+        whole = max(0, -(-exponent // denominator.step))
+        inverse = self.ring.ring(denominator.generator)
+        return denominator.radicand**whole * inverse ** (whole * denominator.step - exponent)

@@ -63,3 +63,12 @@ def test_the_record_knows_every_generated_function_and_no_other():
     }
     module_and_function = (name.partition(".") for name in RECORD)
     assert {f"{module}.{function.replace('.', '_')}" for module, _, function in module_and_function} == functions
+
+
+@pytest.mark.parametrize("quantity", conversions.of("validity.linear", "validity.second_order"), ids=conversions.ids)
+@pytest.mark.parametrize("rho", [-1.0, 1.0])
+def test_what_is_neglected_keeps_its_digits_at_full_correlation(quantity: Quantity, rho: float):
+    points = sample(quantity, POINTS, seed=22)
+    points |= {s.name: np.full(POINTS, rho) for s in quantity.symbols if s.is_correlation}
+    expected = exact(quantity, points)
+    np.testing.assert_allclose(conversions.generated(quantity)(**points), expected, rtol=1e-12)
