@@ -21,6 +21,7 @@ from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
 from radartrack.prediction import Predicted
 from radartrack.sensors import SENSORS, Sensor, SensorName
+from radartrack.simulate import noise_covariance, scatter
 from radartrack.validation import RealArray, one_of, real_arrays
 
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]
@@ -101,7 +102,7 @@ def experiment(
     needed = method == "decorrelated" or condition == "prediction"
     prediction = _prediction(model, centre, predicted_covariance, needed=needed)
     truth, measured = _simulated(
-        condition, centre, _noise_covariance(model, noise), prediction, _generator(draws, seed)
+        condition, centre, noise_covariance(chosen, noise), prediction, _generator(draws, seed)
     )
     function: Callable[..., Converted] = getattr(convert, chosen)
     predicted = prediction if method == "decorrelated" else None
@@ -139,15 +140,6 @@ def _prediction(
     return centre, matrix
 
 
-def _noise_covariance(sensor: Sensor, noise: Mapping[str, float]) -> RealArray:
-    *deviations, correlation = noise.values()
-    correlations = np.eye(len(deviations))
-    first, second = sensor.correlated
-    correlations[first, second] = correlations[second, first] = correlation
-    covariance: RealArray = correlations * np.outer(deviations, deviations)
-    return covariance
-
-
 def _simulated(
     given: Given,
     centre: RealArray,
@@ -156,22 +148,13 @@ def _simulated(
     normal: Callable[[int], RealArray],
 ) -> tuple[RealArray, RealArray]:
     """True and measured values, one row a draw."""
-    errors = _scatter(noise, normal)
+    errors = scatter(noise, normal(len(noise)))
     if given == "measurement":
         return centre - errors, np.broadcast_to(centre, errors.shape)
     truth = np.broadcast_to(centre, errors.shape)
     if given == "prediction" and prediction is not None:
-        truth = truth + _scatter(prediction[1], normal)
+        truth = truth + scatter(prediction[1], normal(len(noise)))
     return truth, truth + errors
-
-
-def _scatter(covariance: RealArray, normal: Callable[[int], RealArray]) -> RealArray:
-    deviations = np.sqrt(np.diagonal(covariance))
-    divisors = np.where(deviations > 0, deviations, 1)
-    eigenvalues, vectors = np.linalg.eigh(covariance / np.outer(divisors, divisors))
-    root = vectors * np.sqrt(np.maximum(eigenvalues, 0)) @ vectors.T  # the one root that is symmetric
-    scattered: RealArray = normal(len(covariance)) @ root * deviations
-    return scattered
 
 
 def _generator(draws: int, seed: int) -> Callable[[int], RealArray]:

@@ -7,37 +7,28 @@ with the root of variance plus squared bias; a bias there is where the degree is
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from statistics import NormalDist
 from typing import NamedTuple
 
 import numpy as np
 
 from radartrack.finite_sample_filter import FiniteSampleFilter, Run
+from radartrack.simulate import Accelerated, Radar, Seed, plots
 from radartrack.validation import RealArray
 
 COMPONENTS = ("range", "speed", "acceleration")
 
 
-@dataclass(frozen=True)
-class Radar:
-    """What a radar measures: deviations of range [m] and range rate [m/s], and the time from scan to scan [s]."""
+def radial_radar(range_std: float, rate_std: float, period: float) -> Radar:
+    """A radar of ranges and range rates; its azimuth is not used.
 
-    range_std: float
-    rate_std: float
-    period: float
+    Args:
+        range_std: standard deviation of the range [m].
+        rate_std: standard deviation of the range rate [m/s].
+        period: time from scan to scan [s].
 
-
-@dataclass(frozen=True)
-class Target:
-    """A uniformly accelerated target: range [m], speed [m/s] and acceleration [m/s^2] at the first scan."""
-
-    start: tuple[float, float, float] = (100e3, -200.0, 2.0)
-
-    def states(self, times: RealArray) -> RealArray:
-        """Range, speed and acceleration at these times after the first scan [s], shape (times, 3)."""
-        r, v, a = self.start
-        return np.stack([r + v * times + a * times**2 / 2, v + a * times, np.full_like(times, a)], axis=-1)
+    """
+    return Radar("polar_doppler", period, {"range_std": range_std, "azimuth_std": 0.0, "range_rate_std": rate_std})
 
 
 class Errors(NamedTuple):
@@ -91,30 +82,30 @@ def compare(
     *,
     scans: int = 20,
     trials: int = 100_000,
-    target: Target | None = None,
+    start: tuple[float, float, float] = (100e3, -200.0, 2.0),
     false_alarm: float = 1e-6,
-    seed: int = 0,
+    seed: Seed = 0,
 ) -> Comparison:
     """Simulate both filters of degree 2 on the same trials.
 
     Args:
-        radar: whose errors are drawn.
+        radar: of the sensor "polar_doppler", at the origin.
         scans: number of scans.
         trials: number of independent trials.
-        target: what is observed.
+        start: range [m], speed [m/s] and acceleration [m/s^2] of the target at the first scan, along the line of
+            sight.
         false_alarm: probability that a correct filter leaves any band of this comparison, by Bonferroni. A
             mean of squares counts as chi-square distributed, with the freedom that fits its variance.
-        seed: of the generator; the same seed gives the same numbers.
+        seed: of the simulation; the same seed gives the same numbers.
 
     """
-    times = np.arange(scans) * radar.period
-    truth = (target or Target()).states(times)
-    generator = np.random.Generator(np.random.Philox(seed))
-    ranges = truth[:, 0] + radar.range_std * generator.standard_normal((trials, scans))
-    rates = truth[:, 1] + radar.rate_std * generator.standard_normal((trials, scans))
+    r, v, a = start
+    seen = plots(Accelerated((r, 0.0), (v, 0.0), (a, 0.0)), radar, scans=scans, trials=trials, seed=seed)
+    ranges, rates = seen.measured["r"], seen.measured["range_rate"]
+    truth = np.stack([seen.truth["r"], seen.truth["range_rate"], np.full(scans, a)], axis=-1)
     single = false_alarm / (2 * scans * len(COMPONENTS))
-    without = FiniteSampleFilter(radar.period, radar.range_std)
-    with_rate = FiniteSampleFilter(radar.period, radar.range_std, radar.rate_std)
+    without = FiniteSampleFilter(radar.period, radar.noise["range_std"])
+    with_rate = FiniteSampleFilter(radar.period, radar.noise["range_std"], radar.noise["range_rate_std"])
     return Comparison(
         _errors(without.run(ranges), without.run(truth[:, 0]), truth, single),
         _errors(with_rate.run(ranges, rates), with_rate.run(truth[:, 0], truth[:, 1]), truth, single),

@@ -7,13 +7,15 @@ one thing.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from statistics import NormalDist
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from radartrack import fusion, line
+from radartrack import estimates, fusion, line
+from radartrack.estimates import Estimate
+from radartrack.simulate import Radar, Seed, Straight, plots
+from radartrack.validation import RealArray
 
 Floats: TypeAlias = NDArray[np.float64]
 REFERENCE_RANGE = 100e3
@@ -21,69 +23,46 @@ EVALUATED = 21
 
 
 @dataclass(frozen=True, slots=True)
-class Radar:
-    """A radar, what is stated about its errors, and how they differ from it.
+class Station:
+    """A radar as it is stated, and how it differs from that.
 
     Attributes:
-        site: x and y in the common plane [m]; the height is 0.
-        range_std: stated standard deviation of the range [m].
-        azimuth_std: stated standard deviation of the azimuth [rad].
-        elevation_std: stated standard deviation of the elevation [rad]; None for a two-coordinate radar.
-        period: time between plots [s].
+        radar: of the sensor "spherical", with the stated deviations, and with constant errors that nobody states.
+        has_elevation: False for a two-coordinate radar, whose elevations count as 0.
         ageing: the true deviations over the stated ones.
-        range_bias: constant error of the range [m].
-        azimuth_bias: constant error of the azimuth [rad].
     """
 
-    site: tuple[float, float]
-    range_std: float
-    azimuth_std: float
-    elevation_std: float | None
-    period: float
+    radar: Radar
+    has_elevation: bool = True
     ageing: float = 1.0
-    range_bias: float = 0.0
-    azimuth_bias: float = 0.0
 
+    @property
+    def site(self) -> tuple[float, float]:
+        """x and y of the radar [m]."""
+        x, y, *_ = self.radar.site
+        return x, y
 
-@dataclass(frozen=True, slots=True)
-class Flight:
-    """A straight flight at constant speed and height.
+    def as_it_is(self) -> Radar:
+        """The radar with its true deviations."""
+        return replace(self.radar, noise={name: std * self.ageing for name, std in self.radar.noise.items()})
 
-    Attributes:
-        start: x and y at time zero [m].
-        velocity: along x and y [m/s].
-        height: height above the plane of the radars [m].
-        duration: length of the flight [s].
-    """
-
-    start: tuple[float, float]
-    velocity: tuple[float, float]
-    height: float
-    duration: float
-
-    def position(self, t: Floats) -> Floats:
-        """x and y [m] at times, shape (..., 2)."""
-        x, y = (start + t * speed for start, speed in zip(self.start, self.velocity, strict=True))
-        return np.stack([x, y], axis=-1)
+    def deviations(self) -> tuple[float, float, float]:
+        """What is stated of range [m], azimuth and elevation [rad]; 0 for an elevation that is not measured."""
+        range_std, azimuth_std, elevation_std = (
+            self.radar.noise[f"{n}_std"] for n in ("range", "azimuth", "elevation")
+        )
+        return range_std, azimuth_std, elevation_std if self.has_elevation else 0.0
 
 
 class Plots(NamedTuple):
     """The plots of one radar over many runs: times (n,), and measured values, each (runs, n)."""
 
-    t: Floats
-    r: Floats
-    azimuth: Floats
-    elevation: Floats
+    t: RealArray
+    r: RealArray
+    azimuth: RealArray
+    elevation: RealArray
     x: Floats
     y: Floats
-
-
-class Estimate(NamedTuple):
-    """A value estimated from the runs, and its confidence interval."""
-
-    value: float
-    lower: float
-    upper: float
 
 
 class Comparison(NamedTuple):
@@ -98,40 +77,48 @@ class Comparison(NamedTuple):
     excess: Mapping[str, Estimate]
 
 
-FLIGHT = Flight(start=(-40e3, 20e3), velocity=(200.0, 60.0), height=8000.0, duration=400.0)
+FLIGHT = Straight(position=(-40e3, 20e3, 8000.0), velocity=(200.0, 60.0))
+DURATION = 400.0
 
-_DEGREE = float(np.pi / 180)
+
+def _station(site: tuple[float, float], range_std: float, degrees: float, period: float) -> Station:
+    angle = float(np.radians(degrees))
+    return Station(
+        Radar("spherical", period, {"range_std": range_std, "azimuth_std": angle, "elevation_std": angle}, site)
+    )
+
+
 CALIBRATED = (
-    Radar((-30e3, -20e3), 60.0, 0.20 * _DEGREE, 0.20 * _DEGREE, 5.0),
-    Radar((45e3, 0.0), 100.0, 0.30 * _DEGREE, 0.30 * _DEGREE, 10.0),
-    Radar((0.0, 110e3), 80.0, 0.25 * _DEGREE, 0.25 * _DEGREE, 10.0),
-    Radar((-120e3, 60e3), 120.0, 0.35 * _DEGREE, 0.35 * _DEGREE, 10.0),
+    _station((-30e3, -20e3), 60.0, 0.20, 5.0),
+    _station((45e3, 0.0), 100.0, 0.30, 10.0),
+    _station((0.0, 110e3), 80.0, 0.25, 10.0),
+    _station((-120e3, 60e3), 120.0, 0.35, 10.0),
 )
 
 
-def situations() -> dict[str, tuple[Radar, ...]]:
+def situations() -> dict[str, tuple[Station, ...]]:
     """Radars as stated, some without elevation, some aged, and one with constant errors."""
     first, second, third, fourth = CALIBRATED
+    biased = replace(second.radar, bias={"r": 300.0, "azimuth": float(np.radians(0.5))})
     return {
         "calibrated": CALIBRATED,
         "no elevation": (
             first,
-            replace(second, elevation_std=None),
+            replace(second, has_elevation=False),
             third,
-            replace(fourth, elevation_std=None),
+            replace(fourth, has_elevation=False),
         ),
         "aged": (replace(first, ageing=3.0), second, replace(third, ageing=2.0), fourth),
-        "biased": (first, replace(second, range_bias=300.0, azimuth_bias=0.5 * _DEGREE), third, fourth),
+        "biased": (first, replace(second, radar=biased), third, fourth),
     }
 
 
 def compare(
-    radars: Sequence[Radar] = CALIBRATED,
-    flight: Flight = FLIGHT,
+    stations: Sequence[Station] = CALIBRATED,
     *,
     runs: int = 1000,
     seed: int = 0,
-    confidence: float = 0.95,
+    confidence: float = estimates.CONFIDENCE,
 ) -> Comparison:
     """Fuse the plots of all radars in many runs with weights from each source, and compare the lines.
 
@@ -141,83 +128,73 @@ def compare(
     plot.
 
     Args:
-        radars: the radars.
-        flight: the flight.
+        stations: the radars.
         runs: number of runs, at least 2.
-        seed: of the counter-based generator.
+        seed: of the simulation.
         confidence: of the intervals, which are normal approximations.
     """
     line.require_count("runs", runs, least=2)
-    generator = np.random.Generator(np.random.Philox(seed))
-    plots = [simulate(radar, flight, runs, generator) for radar in radars]
-    times = np.linspace(0.0, flight.duration, EVALUATED)
-    motions = {name: _line(plots, weigh(radars, plots)) for name, weigh in _SOURCES.items()}
-    motions["covariance"] = _by_covariance(radars, plots)
-    truth = flight.position(times)
+    seen = [plots_of(station, runs, (seed, number)) for number, station in enumerate(stations)]
+    times = np.linspace(0.0, DURATION, EVALUATED)
+    motions = {name: _line(seen, weigh(stations, seen)) for name, weigh in _SOURCES.items()}
+    motions["covariance"] = _by_covariance(stations, seen)
+    truth = FLIGHT.states(times)[:, :2]
     squares = {
         name: np.mean(np.sum((motion.at(times) - truth) ** 2, axis=-1), axis=-1) for name, motion in motions.items()
     }
-    z = NormalDist().inv_cdf((1 + confidence) / 2)
     return Comparison(
-        {name: _root_mean(errors, z) for name, errors in squares.items()},
-        {name: _excess(errors, squares["propagated"], z) for name, errors in squares.items()},
+        {name: estimates.root_mean(errors, confidence) for name, errors in squares.items()},
+        {name: estimates.excess(errors, squares["propagated"], confidence) for name, errors in squares.items()},
     )
 
 
-def simulate(radar: Radar, flight: Flight, runs: int, generator: np.random.Generator) -> Plots:
-    """Plots of one radar with Gaussian polar errors, converted as by Gao et al. 2020, without the height."""
-    t = np.arange(0.0, flight.duration + radar.period / 2, radar.period)
-    east, north = np.moveaxis(flight.position(t) - np.asarray(radar.site), -1, 0)
-    ground = np.hypot(east, north)
-    normal = generator.standard_normal((3, runs, t.size)) * radar.ageing
-    r = np.hypot(ground, flight.height) + radar.range_bias + radar.range_std * normal[0]
-    azimuth = np.arctan2(east, north) + radar.azimuth_bias + radar.azimuth_std * normal[1]
-    elevation = np.zeros_like(r)
-    if radar.elevation_std is not None:
-        elevation = np.arctan2(flight.height, ground) + radar.elevation_std * normal[2]
-    return Plots(t, r, azimuth, elevation, *line.to_plane(r, azimuth, elevation, site=radar.site))
+def plots_of(station: Station, runs: int, seed: Seed) -> Plots:
+    """What one radar sees of the flight, converted as by Gao et al. 2020, without the height."""
+    radar = station.as_it_is()
+    seen = plots(FLIGHT, radar, scans=int(DURATION / radar.period) + 1, trials=runs, seed=seed)
+    r, azimuth = seen.measured["r"], seen.measured["azimuth"]
+    elevation = seen.measured["elevation"] if station.has_elevation else np.zeros_like(r)
+    return Plots(seen.t, r, azimuth, elevation, *line.to_plane(r, azimuth, elevation, site=station.site))
 
 
-def _line(plots: Sequence[Plots], weights: Floats) -> fusion.Motion:
-    return fusion.fuse_lines([p.t for p in plots], [p.x for p in plots], [p.y for p in plots], weights)
+def _line(seen: Sequence[Plots], weights: Floats) -> fusion.Motion:
+    return fusion.fuse_lines([p.t for p in seen], [p.x for p in seen], [p.y for p in seen], weights)
 
 
-def _by_covariance(radars: Sequence[Radar], plots: Sequence[Plots]) -> fusion.Motion:
-    times = np.concatenate([p.t for p in plots])
-    positions = np.concatenate([np.stack([p.x, p.y], axis=-1) for p in plots], axis=-2)
-    pairs = zip(radars, plots, strict=True)
+def _by_covariance(stations: Sequence[Station], seen: Sequence[Plots]) -> fusion.Motion:
+    times = np.concatenate([p.t for p in seen])
+    positions = np.concatenate([np.stack([p.x, p.y], axis=-1) for p in seen], axis=-2)
+    pairs = zip(stations, seen, strict=True)
     return fusion.fuse_plots(times, positions, np.concatenate([_covariance(*pair) for pair in pairs], axis=-3))
 
 
-def _covariance(radar: Radar, plots: Plots) -> Floats:
-    spread = radar.elevation_std or 0.0
-    return fusion.propagated_covariance(
-        plots.r, plots.azimuth, radar.range_std, radar.azimuth_std, plots.elevation, spread
-    )
+def _covariance(station: Station, seen: Plots) -> Floats:
+    range_std, azimuth_std, elevation_std = station.deviations()
+    return fusion.propagated_covariance(seen.r, seen.azimuth, range_std, azimuth_std, seen.elevation, elevation_std)
 
 
-def _equal(radars: Sequence[Radar], _: Sequence[Plots]) -> Floats:
-    return fusion.weights(np.ones(len(radars)))
+def _equal(stations: Sequence[Station], _: Sequence[Plots]) -> Floats:
+    return fusion.weights(np.ones(len(stations)))
 
 
-def _stated(radars: Sequence[Radar], _: Sequence[Plots]) -> Floats:
-    deviations = [fusion.stated_std(radar.range_std, radar.azimuth_std, REFERENCE_RANGE) for radar in radars]
+def _stated(stations: Sequence[Station], _: Sequence[Plots]) -> Floats:
+    deviations = [fusion.stated_std(*station.deviations()[:2], REFERENCE_RANGE) for station in stations]
     return fusion.weights(np.stack(deviations, axis=-1))
 
 
-def _propagated(radars: Sequence[Radar], plots: Sequence[Plots]) -> Floats:
-    deviations = [fusion.position_std(_covariance(*pair)) for pair in zip(radars, plots, strict=True)]
+def _propagated(stations: Sequence[Station], seen: Sequence[Plots]) -> Floats:
+    deviations = [fusion.position_std(_covariance(*pair)) for pair in zip(stations, seen, strict=True)]
     return fusion.weights(np.stack([np.sqrt(np.mean(d**2, axis=-1)) for d in deviations], axis=-1))
 
 
 def _by_scatter(method: line.StdMethod) -> "Source":
-    def weigh(_: Sequence[Radar], plots: Sequence[Plots]) -> Floats:
-        return fusion.weights(np.stack([line.measurement_std(p.t, p.x, p.y, method).position for p in plots], axis=-1))
+    def weigh(_: Sequence[Station], seen: Sequence[Plots]) -> Floats:
+        return fusion.weights(np.stack([line.measurement_std(p.t, p.x, p.y, method).position for p in seen], axis=-1))
 
     return weigh
 
 
-Source: TypeAlias = Callable[[Sequence[Radar], Sequence[Plots]], Floats]
+Source: TypeAlias = Callable[[Sequence[Station], Sequence[Plots]], Floats]
 
 _SOURCES: Mapping[str, Source] = {
     "equal": _equal,
@@ -226,15 +203,3 @@ _SOURCES: Mapping[str, Source] = {
     "printed": _by_scatter("printed"),
     "consistent": _by_scatter("consistent"),
 }
-
-
-def _root_mean(squares: Floats, z: float) -> Estimate:
-    mean, half = squares.mean(), z * squares.std(ddof=1) / np.sqrt(squares.size)
-    return Estimate(*(float(np.sqrt(max(value, 0.0))) for value in (mean, mean - half, mean + half)))
-
-
-def _excess(squares: Floats, reference: Floats, z: float) -> Estimate:
-    """The ratio of two means over the same runs, less 1, with an interval by linearisation."""
-    ratio = squares.mean() / reference.mean()
-    half = z * (squares - ratio * reference).std(ddof=1) / np.sqrt(squares.size) / reference.mean()
-    return Estimate(*(float(value) for value in (ratio - 1, ratio - 1 - half, ratio - 1 + half)))

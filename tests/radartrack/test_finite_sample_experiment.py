@@ -1,27 +1,26 @@
 """Simulated errors of the six radars of Gorshkov & Zavizhenets beside the closed forms."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 import scipy.stats
 
-from radartrack.finite_sample_experiment import Radar, chi_square_ratio, compare
+from radartrack.finite_sample_experiment import chi_square_ratio, compare, radial_radar
+from radartrack.simulate import Radar
 
 RADARS = [
-    Radar(250.0, 35.0, 10.0),
-    Radar(250.0, 25.0, 10.0),
-    Radar(250.0, 15.0, 10.0),
-    Radar(250.0, 15.0, 5.0),
-    Radar(50.0, 1.0, 10.0),
-    Radar(50.0, 1.0, 5.0),
+    radial_radar(250.0, 35.0, 10.0),
+    radial_radar(250.0, 25.0, 10.0),
+    radial_radar(250.0, 15.0, 10.0),
+    radial_radar(250.0, 15.0, 5.0),
+    radial_radar(50.0, 1.0, 10.0),
+    radial_radar(50.0, 1.0, 5.0),
 ]
 
 
-@pytest.mark.parametrize("radar", RADARS)
-def test_simulated_errors_lie_in_their_bands(radar: Radar) -> None:
+@pytest.mark.parametrize("observer", RADARS)
+def test_simulated_errors_lie_in_their_bands(observer: Radar) -> None:
     """False alarm once in a million for each radar; an error of a deviation of 2 % would be seen."""
-    found = compare(radar)
+    found = compare(observer)
     assert found.without.inside
     assert found.with_rate.inside
     low, high = found.gain_band
@@ -33,7 +32,7 @@ def test_simulated_errors_lie_in_their_bands(radar: Radar) -> None:
 
 def test_a_wrong_deviation_leaves_the_bands() -> None:
     found = compare(RADARS[2])
-    wrong = compare(replace(RADARS[2], range_std=255.0))
+    wrong = compare(radial_radar(255.0, 15.0, 10.0))
     assert not found.with_rate._replace(measured=wrong.with_rate.measured).inside
 
 

@@ -1,0 +1,268 @@
+"""Simulated targets and radars: what is measured of a known motion, over any number of trials at once.
+
+    target = simulate.Straight(position=(150e3, 0.0), velocity=(200.0, 0.0))
+    radar = simulate.Radar("polar", period=10.0, noise={"range_std": 250.0, "azimuth_std": 0.017})
+    seen = simulate.plots(target, radar, scans=20, trials=1000, seed=1)
+    rt.convert.polar(**seen.measured, **radar.noise)
+
+The measured quantities and the deviations have the names of the arguments of the conversions. Trials come from
+one stream, trial after trial: the first thousand of two thousand are the same thousand.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from radartrack import observe
+from radartrack.line import require_count
+from radartrack.sensors import SENSORS, AzimuthFrom, SensorName
+from radartrack.validation import RealArray, one_of, real_arrays, require_within
+
+Seed: TypeAlias = int | Sequence[int]
+
+AXES = 3
+_COORDINATES: Mapping[SensorName, tuple[int, ...]] = {
+    "polar": (0, 1),
+    "spherical": (0, 1, 2),
+    "polar_doppler": (0, 1, 3, 4),
+    "ruv": (0, 1, 2),
+}
+"""What `observe` takes, as places in (x, y, z, vx, vy, vz)."""
+
+
+class Target(Protocol):
+    """Something that moves in a known way."""
+
+    def states(self, t: ArrayLike) -> RealArray:
+        """Position [m] and velocity [m/s], (x, y, z, vx, vy, vz), at times [s]: shape (..., 6)."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Accelerated:
+    """A target with constant acceleration.
+
+    Attributes:
+        position: x and y, or x, y and z, at time zero [m]; z is 0 where it is not given.
+        velocity: likewise [m/s].
+        acceleration: likewise [m/s^2].
+
+    """
+
+    position: Sequence[float]
+    velocity: Sequence[float]
+    acceleration: Sequence[float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for name in ("position", "velocity", "acceleration"):
+            _vector(name, getattr(self, name))
+
+    def states(self, t: ArrayLike) -> RealArray:
+        """Position [m] and velocity [m/s] at times [s], shape (..., 6)."""
+        times = _times(t)
+        r, v, a = (_vector(name, getattr(self, name)) for name in ("position", "velocity", "acceleration"))
+        return np.concatenate([r + v * times + a * times**2 / 2, v + a * times], axis=-1)
+
+
+@dataclass(frozen=True, slots=True)
+class Straight(Accelerated):
+    """A target with constant velocity.
+
+    Attributes:
+        position: x and y, or x, y and z, at time zero [m]; z is 0 where it is not given.
+        velocity: likewise [m/s].
+
+    """
+
+    acceleration: Sequence[float] = field(default=(0.0, 0.0), init=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """A target that turns in the horizontal plane at a constant rate; its height changes at a constant rate.
+
+    Attributes:
+        position: x and y, or x, y and z, at time zero [m]; z is 0 where it is not given.
+        velocity: likewise [m/s].
+        turn_rate: counter-clockwise [rad/s].
+
+    """
+
+    position: Sequence[float]
+    velocity: Sequence[float]
+    turn_rate: float
+
+    def __post_init__(self) -> None:
+        _vector("position", self.position)
+        _vector("velocity", self.velocity)
+        if not math.isfinite(self.turn_rate):
+            raise ValueError(f"turn_rate must be finite; got {self.turn_rate}")
+
+    def states(self, t: ArrayLike) -> RealArray:
+        """Position [m] and velocity [m/s] at times [s], shape (..., 6)."""
+        times = _times(t)
+        x, y, z = _vector("position", self.position)
+        vx, vy, vz = _vector("velocity", self.velocity)
+        angle = self.turn_rate * times
+        sine, cosine = np.sin(angle), np.cos(angle)
+        along, across = times * np.sinc(angle / np.pi), times * angle / 2 * np.sinc(angle / (2 * np.pi)) ** 2
+        parts = [
+            x + vx * along - vy * across, y + vy * along + vx * across, z + vz * times,
+            vx * cosine - vy * sine, vy * cosine + vx * sine, np.full_like(times, vz),
+        ]  # fmt: skip
+        return np.concatenate(parts, axis=-1)
+
+
+@dataclass(frozen=True, slots=True)
+class Radar:
+    """A radar: what it measures from where, how often, and with which errors.
+
+    Attributes:
+        sensor: "polar" (range and azimuth of a target in the plane), "spherical", "polar_doppler" or "ruv".
+        period: time from scan to scan [s].
+        noise: standard deviations, and `correlation` where it is not 0, by the names that the conversion of the
+            sensor gives them: {"range_std": 250.0, "azimuth_std": 0.017}.
+        site: x and y, or x, y and z, of the radar [m].
+        bias: constant errors by measured quantity: {"azimuth": 0.01}.
+        detection_probability: that a scan sees the target; the scans are independent.
+        azimuth_from: as the conversion of the sensor takes it; None for its default.
+
+    Raises:
+        TypeError: a deviation is missing, or a name is none of the sensor's.
+        ValueError: a number lies out of its domain, or a word is unknown.
+
+    """
+
+    sensor: SensorName
+    period: float
+    noise: Mapping[str, float]
+    site: Sequence[float] = (0.0, 0.0)
+    bias: Mapping[str, float] = field(default_factory=dict)
+    detection_probability: float = 1.0
+    azimuth_from: AzimuthFrom | None = None
+
+    def __post_init__(self) -> None:
+        model = SENSORS[one_of("sensor", self.sensor, SENSORS)]
+        if set(self._all_noise()) != set(model.noise):
+            raise TypeError(
+                f"noise must have {[*model.noise]} (correlation is 0 if left out); got {sorted(self.noise)}"
+            )
+        for name, value in real_arrays(self._all_noise()).items():
+            require_within(name, value, model.noise[name].domain)
+        if not set(self.bias) <= set(model.coordinates):
+            raise TypeError(f"bias must be of {[*model.coordinates]}; got {sorted(self.bias)}")
+        _vector("site", self.site)
+        if not 0 < self.period < math.inf:
+            raise ValueError(f"period must be finite and more than 0; got {self.period}")
+        if not 0 <= self.detection_probability <= 1:
+            raise ValueError(f"detection_probability must be from 0 to 1; got {self.detection_probability}")
+
+    def times(self, scans: int) -> RealArray:
+        """The times of the first scans [s], from 0 on, shape (scans,)."""
+        return np.arange(scans) * self.period
+
+    def truth(self, states: RealArray) -> dict[str, RealArray]:
+        """What it would measure of states, shape (..., 6), without errors: each quantity of shape (...)."""
+        model = SENSORS[self.sensor]
+        relative = states - np.concatenate([_vector("site", self.site), np.zeros(AXES)])
+        given = relative[..., _COORDINATES[self.sensor]]
+        options = {} if model.azimuth_from is None else {"azimuth_from": self.azimuth_from or model.azimuth_from}
+        see: Callable[..., observe.Observed] = getattr(observe, self.sensor)
+        values = see(given, **options).measurement
+        return dict(zip(model.coordinates, np.moveaxis(values, -1, 0), strict=True))
+
+    def noise_covariance(self) -> RealArray:
+        """The covariance of the errors of a scan, in the order of the measured quantities."""
+        return noise_covariance(self.sensor, self._all_noise())
+
+    def _all_noise(self) -> dict[str, float]:
+        return {"correlation": 0.0, **self.noise}
+
+
+class Plots(NamedTuple):
+    """What a radar sees of a target.
+
+    Attributes:
+        t: times of the scans [s], shape (scans,).
+        measured: each quantity by name, shape (trials, scans); NaN where the target was not detected.
+        truth: the same without errors, shape (scans,).
+        states: of the target, (x, y, z, vx, vy, vz), shape (scans, 6).
+
+    """
+
+    t: RealArray
+    measured: dict[str, RealArray]
+    truth: dict[str, RealArray]
+    states: RealArray
+
+
+def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Seed = 0) -> Plots:
+    """Simulate what a radar measures of a target: truth, plus bias, plus Gaussian errors, where it is detected.
+
+    Angles are not wrapped and nothing is clipped: an azimuth near the end of its interval passes it by its error.
+
+    Args:
+        target: what moves.
+        radar: what sees it; its first scan is at time zero.
+        scans: how many, at least 1.
+        trials: how many times over, with independent errors and detections, at least 1.
+        seed: of the random numbers; the same one gives the same plots. Several numbers tell streams apart, such as
+            (seed, number of the radar).
+
+    Raises:
+        TypeError: a count is no whole number.
+        ValueError: a count is less than 1.
+
+    """
+    for name, count in (("scans", scans), ("trials", trials)):
+        require_count(name, count)
+    times = radar.times(scans)
+    states = target.states(times)
+    truth = radar.truth(states)
+    errors, detections = (np.random.default_rng(part) for part in np.random.SeedSequence(seed).spawn(2))
+    noise = scatter(radar.noise_covariance(), errors.standard_normal((trials, scans, len(truth))))
+    missed = detections.random((trials, scans)) >= radar.detection_probability
+    measured = {
+        name: np.where(missed, np.nan, value + radar.bias.get(name, 0.0) + noise[..., place])
+        for place, (name, value) in enumerate(truth.items())
+    }
+    return Plots(times, measured, truth, states)
+
+
+def noise_covariance(sensor: SensorName, noise: Mapping[str, float]) -> RealArray:
+    """The covariance of measured quantities from their deviations and the one correlation, by name."""
+    model = SENSORS[sensor]
+    *deviations, correlation = (float(noise[name]) for name in model.noise)
+    correlations = np.eye(len(deviations))
+    first, second = model.correlated
+    correlations[first, second] = correlations[second, first] = correlation
+    covariance: RealArray = correlations * np.outer(deviations, deviations)
+    return covariance
+
+
+def scatter(covariance: RealArray, normal: RealArray) -> RealArray:
+    """Errors with this covariance, (m, m), from independent standard normal numbers, both of shape (..., m)."""
+    deviations = np.sqrt(np.diagonal(covariance))
+    divisors = np.where(deviations > 0, deviations, 1)
+    eigenvalues, vectors = np.linalg.eigh(covariance / np.outer(divisors, divisors))
+    root = vectors * np.sqrt(np.maximum(eigenvalues, 0)) @ vectors.T  # the one root that is symmetric
+    scattered: RealArray = normal @ root * deviations
+    return scattered
+
+
+def _vector(name: str, given: Sequence[float]) -> RealArray:
+    """Three components, the third 0 where it is not given."""
+    array = real_arrays({name: given})[name].astype(np.float64)
+    if array.shape not in {(2,), (AXES,)} or not np.isfinite(array).all():
+        raise ValueError(f"{name} must be two or three finite numbers; got {given!r}")
+    return np.append(array, np.zeros(AXES - array.size))
+
+
+def _times(t: ArrayLike) -> RealArray:
+    return real_arrays({"t": t})["t"].astype(np.float64)[..., np.newaxis]
