@@ -9,6 +9,8 @@ others are filtered with it.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from itertools import repeat
 from typing import NamedTuple
 
 import numpy as np
@@ -93,9 +95,9 @@ class _Sensor(NamedTuple):
 
     Attributes:
         matrix: H, (m, n).
-        noise: R, (m, m).
-        across: the transpose of the whitening, (m, m, 1).
-        rows: what is measured then, (m, n, 1).
+        noise: R, (m, m), or (m, m, tracks) where each track has its own.
+        across: the transpose of the whitening, (m, m, 1 or tracks).
+        rows: what is measured then, (m, n, 1 or tracks).
 
     """
 
@@ -124,7 +126,7 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
         belief: of n components.
         measured: shape (..., m); NaN where one is missing.
         matrix: H, what is measured by the state, shape (m, n).
-        noise: R, the covariance of the measurement errors, shape (m, m).
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., m, m) where tracks differ.
 
     Returns:
         Means, shape (..., n), and covariances, shape (..., n, n), a read-only view where all tracks share
@@ -135,10 +137,11 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
         ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
 
     """
-    values, sensor = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
-    tracks, mean, covariance = _tracks_last(belief, values.shape[:-1])
-    flat = np.broadcast_to(values, (*tracks, values.shape[-1])).reshape(-1, values.shape[-1])
-    return _tracks_first(*_updated(mean, covariance, _whitened(flat.T, sensor)), tracks)
+    values, H, R = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
+    tracks, mean, covariance = _tracks_last(belief, _common(values.shape[:-1], R.shape[:-2]))
+    flat = np.broadcast_to(values, (*tracks, len(H))).reshape(-1, 1, len(H))
+    [sensor] = _sensors(H, R[..., np.newaxis, :, :] if R.ndim > 2 else R, tracks, 1)
+    return _tracks_first(*_updated(mean, covariance, _whitened(flat[:, 0].T, sensor)), tracks)
 
 
 def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
@@ -149,7 +152,7 @@ def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, n
         motion: F and Q.
         measured: shape (..., scans, m); NaN where one is missing.
         matrix: H, what is measured by the state, shape (m, n).
-        noise: R, the covariance of the measurement errors, shape (m, m).
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., scans, m, m) where they differ.
 
     Returns:
         Means after each scan, shape (..., scans, n), and covariances, shape (..., scans, n, n), a read-only
@@ -160,15 +163,17 @@ def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, n
         ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
 
     """
-    values, sensor = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
+    values, H, R = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
-    tracks, mean, covariance = _tracks_last(start, values.shape[:-2])
+    *others, scans = _common(values.shape[:-1], R.shape[:-2])
+    tracks, mean, covariance = _tracks_last(start, tuple(others))
     checked = _checked(motion, len(mean))
-    flat = np.broadcast_to(values, (*tracks, *values.shape[-2:])).reshape(-1, *values.shape[-2:])
-    means = np.empty((flat.shape[1], *mean.shape), mean.dtype)
+    flat = np.broadcast_to(values, (*tracks, scans, len(H))).reshape(-1, scans, len(H))
+    means = np.empty((scans, *mean.shape), mean.dtype)
     covariances = []
-    for number, scan in enumerate(np.ascontiguousarray(np.moveaxis(flat, 0, -1))):
+    sensors = _sensors(H, R, tracks, scans)
+    for number, (scan, sensor) in enumerate(zip(np.ascontiguousarray(np.moveaxis(flat, 0, -1)), sensors, strict=True)):
         predicted = _predicted(mean, covariance, checked)
         mean, covariance = _updated(*predicted, _whitened(scan, sensor))
         means[number] = mean
@@ -218,13 +223,30 @@ def _whitened(values: RealArray, sensor: _Sensor) -> _Observation:
     return _Observation(_combination(across, present[:, np.newaxis]), _rows(across, sensor.matrix))
 
 
+def _sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans: int) -> Iterator[_Sensor]:
+    """The sensor at each scan, the same one where the noise is one matrix."""
+    if noise.ndim == 2:
+        across = _whitening(np.ones(len(noise), dtype=bool), noise).T[..., np.newaxis]
+        yield from repeat(_Sensor(matrix, noise, across, _rows(across, matrix)), scans)
+        return
+    size = len(matrix)
+    for part in np.moveaxis(np.broadcast_to(noise, (*tracks, scans, size, size)), -3, 0):
+        own = np.ascontiguousarray(np.moveaxis(part.reshape(-1, size, size), 0, -1))
+        across = _whitening_of_each(np.ones((size, 1), dtype=bool), own).swapaxes(0, 1)
+        yield _Sensor(matrix, own, across, _rows(across, matrix))
+
+
 def _rows(across: RealArray, matrix: RealArray) -> RealArray:
     """What whitened measurements measure, (m, n, tracks or 1)."""
     return _combination(across[:, :, np.newaxis], matrix[:, np.newaxis, :, np.newaxis])
 
 
 def _whitening_of_each(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
-    """The whitening of each track, (m, m, tracks)."""
+    """The whitening of each track, (m, m, tracks), from one noise for all or one for each, (m, m, tracks)."""
+    if noise.ndim > 2:
+        both = seen[:, np.newaxis] & seen
+        alone = np.where(both, noise, np.eye(len(noise))[..., np.newaxis])
+        return np.where(both, np.moveaxis(_inverse_root(np.moveaxis(alone, -1, 0)), 0, -1), 0.0)
     _, first, which = np.unique(2 ** np.arange(len(seen)) @ seen, return_index=True, return_inverse=True)
     return np.stack([_whitening(pattern, noise) for pattern in seen.T[first]], axis=-1)[..., which]
 
@@ -233,8 +255,24 @@ def _whitening(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
     """What makes the errors of the measurements that are seen independent, of variance one; 0 for the others."""
     result = np.zeros_like(noise)
     chosen = np.ix_(seen, seen)
-    result[chosen] = np.linalg.inv(np.linalg.cholesky(noise[chosen]))
+    result[chosen] = _inverse_root(noise[chosen])
     return result
+
+
+def _inverse_root(noise: RealArray) -> RealArray:
+    """Inverses of the Cholesky factors of matrices, (..., m, m)."""
+    try:
+        return np.linalg.inv(np.linalg.cholesky(noise))
+    except np.linalg.LinAlgError:
+        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not") from None
+
+
+def _common(measured: tuple[int, ...], noise: tuple[int, ...]) -> tuple[int, ...]:
+    """The leading shape of measurements and their noise together."""
+    try:
+        return np.broadcast_shapes(measured, noise)
+    except ValueError:
+        raise ValueError(f"measured and noise must broadcast; got leading shapes {measured} and {noise}") from None
 
 
 def _tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
@@ -280,7 +318,7 @@ def _stacked(covariances: list[RealArray], size: int) -> RealArray:
 
 def _measurement(
     measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, size: tuple[int, ...]
-) -> tuple[RealArray, _Sensor]:
+) -> tuple[RealArray, RealArray, RealArray]:
     arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
     values, H, R = arrays["measured"], arrays["matrix"], arrays["noise"]
     if H.ndim != 2 or not np.isfinite(H).all():
@@ -291,10 +329,9 @@ def _measurement(
     require_trailing_shape("measured", values, (len(H),))
     if np.isinf(values).any():
         raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
-    if R.ndim != 2 or not (np.array_equal(R, R.T) and np.linalg.eigvalsh(R).min(initial=1.0) > 0):
-        raise ValueError(f"noise must be symmetric and positive definite, of shape (m, m); got {R.tolist()}")
-    across = _whitening(np.ones(len(H), dtype=bool), R).T[..., np.newaxis]
-    return values, _Sensor(H, R, across, _rows(across, H))
+    if not np.array_equal(R, np.swapaxes(R, -1, -2)):
+        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
+    return values, H, R
 
 
 def _checked(motion: Motion, size: int) -> Motion:

@@ -98,6 +98,33 @@ def test_normalised_errors_of_a_simulated_motion_are_chi_square() -> None:
     assert abs(squares.mean() - 2) < 6 * np.sqrt(4 / tracks)
 
 
+@pytest.mark.parametrize("missing", [0.0, 0.3])
+def test_a_run_with_a_noise_for_each_plot_is_the_textbook_recursion(missing: float) -> None:
+    motion = kalman.constant_acceleration(2.0, 0.1)
+    measured = measurements((3, 12, 3), missing)
+    roots = np.random.default_rng(5).normal(size=(3, 12, 3, 3))
+    noise = NOISE + roots @ roots.swapaxes(-1, -2)
+    noise = (noise + noise.swapaxes(-1, -2)) / 2
+    start = Belief(np.zeros(3), np.diag([400.0, 100.0, 25.0]))
+    found = kalman.run(start, motion, measured, MATRIX, noise)
+    for track in range(3):
+        belief = start
+        for scan in range(12):
+            belief = Belief(*textbook(belief, motion, measured[track, scan : scan + 1], MATRIX, noise[track, scan]))
+            assert found.mean[track, scan] == pytest.approx(belief.mean, abs=1e-7)
+            assert found.covariance[track, scan] == pytest.approx(belief.covariance, abs=1e-7)
+
+
+def test_an_update_takes_a_noise_for_each_track_and_broadcasts() -> None:
+    noise = np.stack([np.diag([1.0, 2.0]), np.diag([3.0, 4.0])])
+    start = Belief(np.zeros(2), np.diag([400.0, 100.0]))
+    found = kalman.update(start, [5.0, 6.0], np.eye(2), noise)
+    for track in range(2):
+        alone = kalman.update(start, [5.0, 6.0], np.eye(2), noise[track])
+        assert np.array_equal(found.mean[track], alone.mean)
+        assert np.array_equal(found.covariance[track], alone.covariance)
+
+
 def test_a_track_without_measurements_only_moves() -> None:
     motion = kalman.constant_velocity(2.0, 0.1)
     start = Belief(np.array([[1.0, 2.0]]), np.eye(2))
@@ -112,6 +139,11 @@ def test_a_track_without_measurements_only_moves() -> None:
     [
         ({"noise": [[1.0, 2.0], [2.0, 1.0]]}, "noise must be symmetric and positive definite"),
         ({"noise": [[1.0]]}, "noise must have shape"),
+        (
+            {"noise": np.broadcast_to([[1.0, 2.0], [2.0, 1.0]], (4, 2, 2))},
+            "noise must be symmetric and positive definite",
+        ),
+        ({"noise": np.broadcast_to(np.eye(2), (7, 2, 2))}, "measured and noise must broadcast"),
         ({"matrix": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]}, "matrix must have 2 columns, one a component; got 3"),
         ({"measured": np.full((3, 4, 2), np.inf)}, "measured must be finite, or NaN where missing; got 24 infinite"),
         ({"measured": np.zeros(2)}, "measured must have shape"),
