@@ -114,7 +114,7 @@ class Trial:
         scale: what errors of each mean are relative to.
         factor: by which a mean is multiplied to be an entry of the quantity.
         labels: the index of each mean.
-        beyond: the size, relative to the scale, of what the second-order formulas leave out.
+        beyond: for each mean the size, relative to the scale, of what the second-order formulas leave out.
     """
 
     experiment: Experiment
@@ -123,7 +123,7 @@ class Trial:
     scale: tuple[float, ...]
     factor: float
     labels: tuple[str, ...]
-    beyond: float
+    beyond: tuple[float, ...]
 
 
 def trials(quantity: Quantity, function: Function, seed: int) -> Iterator[Trial]:
@@ -169,7 +169,7 @@ def _trial(quantity: Quantity, function: Function, point: dict[str, float], key:
         tuple(expected),
     )
     labels = tuple(str(list(place)) for place in places)
-    left = max(abs(gap) * factor / unit for gap, unit in zip(expected, relative, strict=True))
+    left = tuple(abs(gap) * factor / unit for gap, unit in zip(expected, relative, strict=True))
     finite = all(map(math.isfinite, expected))
     return Trial(experiment, finite, tuple(rounding), tuple(relative), factor, labels, left)
 

@@ -67,6 +67,7 @@ class Comparison:
     mean: Mean
     rounding: float
     relative: float
+    beyond: float
 
     @property
     def z(self) -> float:
@@ -89,36 +90,36 @@ class Comparison:
 
 def comparisons(trial: Trial, sums: Sums) -> list[Comparison]:
     """Every mean of a trial."""
-    rows = zip(trial.labels, sums.powers, trial.rounding, trial.scale, strict=True)
+    rows = zip(trial.labels, sums.powers, trial.rounding, trial.scale, trial.beyond, strict=True)
     return [
-        Comparison(label, Mean.of(sums.draws, powers), rounding, trial.factor / scale)
-        for label, powers, rounding, scale in rows
+        Comparison(label, Mean.of(sums.draws, powers), rounding, trial.factor / scale, beyond)
+        for label, powers, rounding, scale, beyond in rows
     ]
 
 
 def decided(results: Iterable[tuple[Trial, Sums | ValueError]]) -> Outcome:
     """All points of one quantity together."""
     found: list[Comparison] = []
-    beyond = math.inf
     for trial, sums in results:
         if isinstance(sums, ValueError) or not trial.finite:
             return Outcome.failed(NAME, "the function gave what is no number")
         found += comparisons(trial, sums)
-        beyond = min(beyond, trial.beyond)
-    return _outcome(found, beyond)
+    return _outcome(found)
 
 
-def _outcome(found: list[Comparison], beyond: float) -> Outcome:
+def _outcome(found: list[Comparison]) -> Outcome:
     tests = tests_of_catalogue()
     limit = threshold(tests)
     smallest = min(c.p for c in found)
     worst = max(found, key=lambda c: c.z)
     shape = max(c.correction(limit) for c in found)
     seen = max(c.detectable(tests) for c in found)
+    resolved = max(c.beyond / c.detectable(tests) for c in found)
     detail = (
-        f"{len(found)} of {tests} means, {worst.mean.draws} draws each, worst entry {worst.label} "
+        f"{len(found)} of {tests} means, each of {worst.mean.draws} residuals, worst entry {worst.label} "
         f"{worst.z:.2f} standard errors, p {smallest:.2g} of {FALSE_ALARM / tests:.1g}; an error of {seen:.1g} is "
-        f"found with probability {POWER} (beyond second order: {beyond:.1g}); "
+        f"found in any entry with probability {POWER}; what second order leaves out is up to {resolved:.2g} times what "
+        f"would be found; "
         f"tails {math.exp(min(shape, 99.0)):.3g} times normal"
     )
     if shape > MOST_CORRECTION and smallest >= FALSE_ALARM / tests:

@@ -20,7 +20,7 @@ from radartrack.verification.quadrature import Quadrature
 NAME = "mutants"
 DRAWS = 1 << 14
 SIMULATED = 12  # mutants of a function that are simulated too
-POINTS = 24
+POINTS = 200
 
 
 @dataclass(frozen=True)

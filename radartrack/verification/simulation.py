@@ -2,15 +2,17 @@
 
 A mean E[g(w)] is estimated by that of g(w) − c(w), with c the second-order Taylor polynomial of g, whose mean is
 known: what is left is of third order in the errors, so that errors of a formula beyond its second order stand out.
+Where g itself is averaged, each w is drawn with −w: third orders cancel, and what is left is of fourth order. What is
+left of a product g_a g_b is of fourth order as it is.
 Draws come from counter-based streams keyed by what is tested, the point and the number of the chunk. Sums over a chunk
 are combined without rounding. The result does not depend on who computed which chunk when.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import cached_property, reduce
 from hashlib import blake2b
 from operator import add
 from typing import Any
@@ -23,7 +25,7 @@ from radartrack.verification.programs import Program
 
 Array = npt.NDArray[np.float64]
 Function = Callable[..., Any]
-CHUNK = 1 << 13
+CHUNK = 1 << 13  # draws; w and −w are two
 CHUNKS_OF_A_TASK = 128
 
 
@@ -49,13 +51,13 @@ class Slopes:
     jacobian: Array
     hessian: Array
 
-    @property
+    @cached_property
     def products(self) -> list[tuple[int, int]]:
         """The pairs of displacements whose products occur."""
         size = range(self.hessian.shape[-1])
         return [(i, j) for i in size for j in range(i + 1) if np.any(self.hessian[:, i, j])]
 
-    @property
+    @cached_property
     def weights(self) -> Array:
         """One row a component: for each displacement, then for each product of two."""
         squares = [self.hessian[:, i, j] * (0.5 if i == j else 1.0) for i, j in self.products]
@@ -149,26 +151,43 @@ def tasks_for(draws: int) -> int:
 
 
 def _sums(residuals: list[Array]) -> Sums:
-    rows = []
-    for residual in residuals:
-        square = residual * residual
-        powers = (residual.sum(), square.sum(), (square * residual).sum(), (square * square).sum())
-        rows.append(tuple(ExactSum.of([float(total)]) for total in powers))
-    return Sums(len(residuals[0]), tuple(rows))
+    return Sums(len(residuals[0]), tuple(tuple(map(_exact, _powers(residual))) for residual in residuals))
+
+
+def _powers(residual: Array) -> Iterator[Array]:
+    """The sums of the first four powers."""
+    square = residual * residual
+    yield from (residual.sum(), square.sum())
+    yield from ((residual * square).sum(), (square * square).sum())
+
+
+def _exact(total: Array) -> ExactSum:
+    return ExactSum.of([float(total)])
 
 
 def _residuals(experiment: Experiment, number: int, chunk: int) -> list[Array]:
-    """g − c less what its mean should be, one array of draws for every mean."""
-    errors = _errors(experiment, number, chunk)
-    displacements = [_displacement(term, errors) for term in experiment.terms]
-    values = _values(experiment, displacements, chunk)
-    control = _control(experiment, displacements, chunk)
-    pairs = experiment.pairs
-    if pairs:
-        left = [values[a] * values[b] - control[a] * control[b] for a, b in pairs]
+    """g − c, or products of them, less what the mean should be: one array for every mean."""
+    if experiment.pairs:
+        left = _of_products(experiment, _errors(experiment, number, chunk))
     else:
-        left = [g - c for g, c in zip(values, control, strict=True)]
+        left = _of_values(experiment, _errors(experiment, number, chunk // 2))
     return [residual - shift for residual, shift in zip(left, experiment.shift, strict=True)]
+
+
+def _of_products(experiment: Experiment, errors: list[list[Array]]) -> list[Array]:
+    """g_a g_b − c_a c_b."""
+    displacements = [_displacement(term, errors, 1.0) for term in experiment.terms]
+    values = _values(experiment, displacements)
+    control = _control(experiment, displacements, both_ways=False)
+    return [values[a] * values[b] - control[a] * control[b] for a, b in experiment.pairs]
+
+
+def _of_values(experiment: Experiment, errors: list[list[Array]]) -> list[Array]:
+    """The mean of g at w and at −w, less c."""
+    forth, back = ([_displacement(term, errors, way) for term in experiment.terms] for way in (1.0, -1.0))
+    both = zip(_values(experiment, forth), _values(experiment, back), strict=True)
+    control = _control(experiment, forth, both_ways=True)
+    return [(one + other) * 0.5 - known for (one, other), known in zip(both, control, strict=True)]
 
 
 def _errors(experiment: Experiment, number: int, chunk: int) -> list[list[Array]]:
@@ -190,44 +209,61 @@ def _correlated(normal: Array, factor: Array) -> list[Array]:
     return rows
 
 
-def _displacement(term: Term, errors: list[list[Array]]) -> list[Array]:
+def _displacement(term: Term, errors: list[list[Array]], way: float) -> list[Array]:
     """One array a measured quantity; empty where the term stays at the point."""
     moved: list[Array] = []
     for times, group in zip(term.displacement, errors, strict=True):
         if times and not moved:
-            moved = [times * error for error in group]
+            moved = [way * times * error for error in group]
         elif times:
-            moved = [so_far + times * error for so_far, error in zip(moved, group, strict=True)]
+            moved = [so_far + way * times * error for so_far, error in zip(moved, group, strict=True)]
     return moved
 
 
-def _values(experiment: Experiment, displacements: list[list[Array]], chunk: int) -> list[Array]:
+def _values(experiment: Experiment, displacements: list[list[Array]]) -> list[Array]:
     """g, one array a component."""
-    found = [
-        [term.sign * value for value in _evaluated(experiment, term, displacement, chunk)]
-        for term, displacement in zip(experiment.terms, displacements, strict=True)
-    ]
-    return [reduce(add, parts) for parts in zip(*found, strict=True)]
+    found: list[Array] = []
+    for term, displacement in zip(experiment.terms, displacements, strict=True):
+        values = _evaluated(experiment, term, displacement)
+        signed = values if term.sign > 0 else [-value for value in values]
+        found = [so_far + value for so_far, value in zip(found, signed, strict=True)] if found else signed
+    return found
 
 
-def _evaluated(experiment: Experiment, term: Term, displacement: list[Array], chunk: int) -> list[Array]:
+def _evaluated(experiment: Experiment, term: Term, displacement: list[Array]) -> list[Array]:
     moved: dict[str, Any] = dict(experiment.point)
     for name, distance in zip(experiment.names, displacement, strict=False):
         moved[name] = moved[name] + distance
     function = experiment.functions[term.value]
     if isinstance(function, Program):
-        return [np.broadcast_to(entry, (chunk,)) for entry in function.entries(moved)]
+        return [np.asarray(entry) for entry in function.entries(moved)]
     call, names = function
     table = np.asarray(call(**{name: moved[name] for name in names}))
-    return [np.broadcast_to(table[..., a], (chunk,)) for a in range(table.shape[-1])]
+    return [table[..., a] for a in range(table.shape[-1])]
 
 
-def _control(experiment: Experiment, displacements: list[list[Array]], chunk: int) -> Array:
-    """c, shape (components, draws): the second-order Taylor polynomial of each term."""
-    products, weights = experiment.slopes.products, experiment.slopes.weights
-    total = np.repeat(experiment.start[:, np.newaxis], chunk, axis=1)
+def _control(experiment: Experiment, displacements: list[list[Array]], *, both_ways: bool) -> list[Array]:
+    """c, one array a component: the sum of the terms' second-order Taylor polynomials.
+
+    The linear parts of w and −w cancel.
+    """
+    slopes, totals = experiment.slopes, {}
     for term, displacement in zip(experiment.terms, displacements, strict=True):
-        if displacement:
-            features = np.stack([*displacement, *(displacement[i] * displacement[j] for i, j in products)])
-            total += np.einsum("ak,kn->an", term.sign * weights, features)
-    return total
+        for place, feature in _features(slopes, displacement, both_ways=both_ways):
+            signed = term.sign * feature
+            totals[place] = totals[place] + signed if place in totals else signed
+    weights = slopes.weights
+    return [
+        reduce(add, (weights[a, place] * total for place, total in totals.items() if weights[a, place]), start)
+        for a, start in enumerate(experiment.start)
+    ]
+
+
+def _features(slopes: Slopes, displacement: list[Array], *, both_ways: bool) -> Iterator[tuple[int, Array]]:
+    """What the weights of the slopes multiply, with the places of these."""
+    if not displacement:
+        return
+    if not both_ways:
+        yield from enumerate(displacement)
+    for place, (i, j) in enumerate(slopes.products, start=len(displacement)):
+        yield place, displacement[i] * displacement[j]
