@@ -19,7 +19,14 @@ from radartrack.derive.formula.tree import (
     Tree,
 )
 
-FAMILIES = (("sin", "cos", "tan"), ("sinh", "cosh", "tanh", "exp"), ("asin", "acos", "atan"))
+FAMILIES = (
+    ("sin", "cos", "tan"),
+    ("sinh", "cosh", "tanh", "exp"),
+    ("asin", "acos", "atan"),
+    ("sin", "sinh"),
+    ("cos", "cosh"),
+    ("tan", "tanh"),
+)
 SHOWN = 50
 
 

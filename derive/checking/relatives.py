@@ -1,4 +1,7 @@
-"""What else a formula that differs may be: right under a condition, or another quantity of the catalogue."""
+"""What else a formula that differs may be: right under a condition, or another quantity of the catalogue.
+
+What is worth the same at a point is looked up, so that only few equalities are left to prove.
+"""
 
 from __future__ import annotations
 
@@ -6,20 +9,24 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from functools import lru_cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.comparison import Comparison
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.points import generic_points
 from radartrack.derive.checking.reference import Part, Reference
 from radartrack.derive.checking.verdict import Suggestion
+from radartrack.derive.evaluation import Evaluator, Number
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Index, Tensor, indices
 from radartrack.derive.variable import Variable
 
 SECONDS = 0.5  # spent on deriving other quantities to compare with
+ALIKE = 1e-40
+
+Point = tuple[tuple[str, Number], ...]
 
 
 @dataclass(frozen=True)
@@ -31,69 +38,121 @@ class Asked:
     conditions: Mapping[Symbol, Expr]
 
 
+@dataclass(frozen=True)
+class _Trial:
+    """A comparison under conditions.
+
+    Attributes:
+        conditions: what symbols are replaced by.
+        when: the condition in words, where it is not one that was asked for.
+        printed: the entries of the formula.
+        point: the values of the model's symbols at a point where the conditions hold.
+        values: what the entries are worth there; None where they have no value.
+    """
+
+    conditions: Mapping[Symbol, Expr]
+    when: str
+    printed: Tensor[Expr]
+    point: Point
+    values: tuple[Number, ...] | None
+
+    def equals(self, quantity: Quantity, places: Sequence[Index], sign: int) -> bool:
+        """Whether the formula is proved to be these entries of a quantity, with this sign."""
+        values = _values(quantity, self.point)
+        if self.values is None or values is None:
+            return False
+        pairs = zip(self.values, places, strict=True)
+        return all(_alike(value, values[place], sign) for value, place in pairs) and self.proves(
+            Tensor(self.printed.shape, tuple(sign * quantity.expression[place] for place in places))
+        )
+
+    def proves(self, entries: Tensor[Expr]) -> bool:
+        """Whether the formula is proved equal to these entries."""
+        pairs = zip(self.printed, entries, strict=True)
+        return all(proved_equal(a.xreplace(self.conditions), b.xreplace(self.conditions)) for a, b in pairs)
+
+
 def conditions_that_help(asked: Asked) -> tuple[str, ...]:
     """`equal when rho = 0`, where that is proved."""
-    symbols = [symbol for symbol in asked.reference.symbols if symbol not in asked.conditions]
-    independent = _without_correlation(symbols)
-    if not independent or not _equal_under(asked, asked.reference.entries, {**asked.conditions, **independent}):
+    trial = _without_correlation(asked)
+    if trial is None or trial.values is None:
         return ()
-    return (f"equal when {' and '.join(f'{symbol} = 0' for symbol in independent)}",)
+    derived = _evaluated(asked.reference.entries, _symbols(asked), trial.point)
+    alike = derived is not None and all(map(_alike, trial.values, derived))
+    return (f"equal{trial.when}",) if alike and trial.proves(asked.reference.entries) else ()
 
 
 def other_quantities(asked: Asked) -> tuple[Suggestion, ...]:
-    """Other quantities of the same model that the formula equals, up to a sign, the one nearest by name first."""
-    found = _others(asked)
-    return tuple(
-        Suggestion(name, f"this is {name}{when}, not {asked.reference.text}", proved=True) for name, when in found
-    )
-
-
-def _others(asked: Asked) -> Iterator[tuple[str, str]]:
+    """The quantity of the same model that the formula equals, up to a sign: the one nearest by name."""
     part = asked.reference.part
-    if part is None:
-        return
+    if part is None or not any(expression.free_symbols for expression in asked.printed):
+        return ()  # a number is many things
+    found = next(_others(asked, part), None)
+    return (Suggestion(found, f"this is {found}, not {asked.reference.text}", proved=True),) if found else ()
+
+
+def _others(asked: Asked, part: Part) -> Iterator[str]:
+    trials = [trial for trial in (_as_asked(asked), _without_correlation(asked)) if trial]
     deadline = time.monotonic() + SECONDS
     for quantity in _candidates(part.quantity):
-        for shape, places, name in _slices(part, quantity):
-            entries = Tensor(shape, tuple(quantity.expression[place] for place in places))
-            for signed, prefix in ((entries, ""), (entries.map(lambda entry: -entry), "-")):
-                when = _match(asked, signed, quantity.symbols)
-                if when is not None:
-                    yield prefix + name, when
-                    return
+        for places, name in _slices(part, quantity):
+            for sign, prefix in ((1, ""), (-1, "-")):
+                for trial in trials:
+                    if trial.equals(quantity, places, sign):
+                        yield f"{prefix}{name}{trial.when}"
         if time.monotonic() > deadline:
             return
 
 
-def _match(asked: Asked, entries: Tensor[Expr], symbols: Sequence[Variable]) -> str | None:
-    """Under which condition the formula equals these entries: "" for none, None when it does not."""
-    if _equal_under(asked, entries, asked.conditions, symbols):
-        return ""
-    independent = _without_correlation(symbols)
-    if independent and _equal_under(asked, entries, {**asked.conditions, **independent}, symbols):
-        return " when " + " and ".join(f"{symbol} = 0" for symbol in independent)
-    return None
+def _as_asked(asked: Asked) -> _Trial | None:
+    return _trial(asked, asked.conditions, "")
 
 
-def _without_correlation(symbols: Sequence[Variable]) -> dict[Symbol, Expr]:
-    return {symbol: sp.Integer(0) for symbol in symbols if symbol.is_correlation}
+def _without_correlation(asked: Asked) -> _Trial | None:
+    """The comparison with all correlations zero; None where there is none to set."""
+    free = [symbol for symbol in _symbols(asked) if symbol.is_correlation and symbol not in asked.conditions]
+    if not free:
+        return None
+    zero: dict[Symbol, Expr] = {symbol: sp.Integer(0) for symbol in free}
+    return _trial(asked, {**asked.conditions, **zero}, " when " + " and ".join(f"{symbol} = 0" for symbol in free))
 
 
-def _equal_under(
-    asked: Asked, entries: Tensor[Expr], conditions: Mapping[Symbol, Expr], more: Sequence[Variable] = ()
-) -> bool:
-    pairs = [
-        (printed.xreplace(conditions), other.xreplace(conditions))
-        for printed, other in zip(asked.printed, entries, strict=True)
-    ]
-    symbols = {symbol.name: symbol for symbol in (*asked.reference.symbols, *more) if symbol not in conditions}
-    return all(_alike(a, b, list(symbols.values())) for a, b in pairs) and all(proved_equal(a, b) for a, b in pairs)
+def _trial(asked: Asked, conditions: Mapping[Symbol, Expr], when: str) -> _Trial:
+    symbols = _symbols(asked)
+    (values,) = generic_points(symbols, 1)
+    point: Point = tuple(values.items())
+    replaced = _evaluated(Tensor((len(conditions),), tuple(conditions.values())), symbols, point)
+    names = [symbol.name for symbol in conditions]
+    point = tuple((values | dict(zip(names, replaced or (), strict=False))).items())
+    return _Trial(conditions, when, asked.printed, point, _evaluated(asked.printed, symbols, point))
 
 
-def _alike(first: Expr, second: Expr, symbols: Sequence[Variable]) -> bool:
-    (point,) = generic_points(symbols, 1)
-    values = Comparison(first, second, symbols).at(point)
-    return values is not None and values.relative < 1e-40
+def _symbols(asked: Asked) -> list[Variable]:
+    """Those of all quantities of the model, so that one point serves them all."""
+    modules = {part.quantity.module for part in asked.reference.parts.values()}
+    family = (symbol for one in catalogue().values() if one.module in modules for symbol in one.symbols)
+    known = {symbol.name: symbol for symbol in (*family, *asked.reference.symbols)}
+    return list(known.values())
+
+
+@lru_cache(maxsize=1024)
+def _values(quantity: Quantity, point: Point) -> dict[Index, Number] | None:
+    """The entries of a quantity at a point; None where they have no value."""
+    values = _evaluated(quantity.expression, quantity.symbols, point)
+    return dict(zip(indices(quantity.shape), values, strict=True)) if values is not None else None
+
+
+def _evaluated(entries: Tensor[Expr], symbols: Sequence[Variable], point: Point) -> tuple[Number, ...] | None:
+    known = dict(point)
+    try:
+        return Evaluator(entries, symbols)([known[symbol.name] for symbol in symbols]).entries
+    except (ArithmeticError, ValueError):
+        return None
+
+
+def _alike(first: Number, second: Number, sign: int = 1) -> bool:
+    difference = first - second if sign > 0 else first + second
+    return bool(abs(difference) <= ALIKE * max(abs(first), abs(second)))
 
 
 def _candidates(quantity: Quantity) -> list[Quantity]:
@@ -106,16 +165,16 @@ def _candidates(quantity: Quantity) -> list[Quantity]:
     return sorted(family, key=lambda other: -SequenceMatcher(None, other.name, quantity.name).ratio())
 
 
-def _slices(part: Part, quantity: Quantity) -> Iterator[tuple[Index, list[Index], str]]:
+def _slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:
     """The same entries of another quantity; of a single entry, every entry of either."""
     places = list(part.places)
     fits = all(all(i < n for i, n in zip(place, quantity.shape, strict=True)) for place in places)
     if fits and quantity is not part.quantity:
-        yield part.shape, places, quantity.name + _brackets(part, quantity)
+        yield places, quantity.name + _brackets(part, quantity)
     if not part.shape and quantity.shape:
         for place in indices(quantity.shape):
             if place != places[0]:
-                yield (), [place], f"{quantity.name}[{','.join(map(str, place))}]"
+                yield [place], f"{quantity.name}[{','.join(map(str, place))}]"
 
 
 def _brackets(part: Part, quantity: Quantity) -> str:

@@ -8,7 +8,7 @@ time, and a factor or term that is missing shows in the ratio or the difference.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from operator import sub, truediv
 
@@ -77,6 +77,30 @@ class _Candidate:
     cost: float
 
 
+@dataclass(frozen=True)
+class _Part:
+    """A part of the printed formula, and what it would have to be worth.
+
+    Attributes:
+        path: where it stands.
+        node: what is printed.
+        parent: what it is directly part of; None for the whole formula.
+        needed: what it would have to be worth.
+        is_all: whether it is the whole formula but for signs.
+    """
+
+    path: Path
+    node: Tree
+    parent: Tree | None
+    needed: Values
+    is_all: bool
+
+    @property
+    def is_shared(self) -> bool:
+        """Whether a factor, divisor or sign of this part is one of its parent just as well."""
+        return isinstance(self.parent, Product | Quotient | Negation)
+
+
 def suggest(
     printed: Tree, names: Names, derived: Expr, symbols: Sequence[Variable], conditions: Mapping[Symbol, Expr]
 ) -> list[Edited]:
@@ -126,9 +150,9 @@ class _Search:
         return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
 
     def _single(self, tree: Tree) -> Iterator[_Candidate]:
-        for path, node, parent, needed in self._needs(tree):
-            for edit in self._replacements(node, parent, needed):
-                yield _Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
+        for part in self._parts(tree):
+            for edit in self._replacements(part):
+                yield _Candidate(replace_at(tree, part.path, edit.tree), edit.words, edit.cost)
 
     def _double(self, tree: Tree) -> Iterator[_Candidate]:
         firsts = [
@@ -145,95 +169,108 @@ class _Search:
                 if second.tree != tree and second.cost < 2:
                     yield _Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
 
-    def _needs(self, tree: Tree) -> Iterator[tuple[Path, Tree, Tree | None, Values]]:
-        """Every part with what it would have to be worth, where that can be said."""
-        waiting: list[tuple[Path, Tree, Tree | None, Values]] = [((), tree, None, self._target)]
+    def _parts(self, tree: Tree) -> Iterator[_Part]:
+        """Every part of which can be said what it would have to be worth."""
+        waiting = [_Part((), tree, None, self._target, is_all=True)]
         while waiting:
-            path, node, parent, needed = waiting.pop()
-            yield path, node, parent, needed
-            for place, child in enumerate(children(node)):
-                wanted = self._screen.required(node, place, needed)
+            part = waiting.pop()
+            yield part
+            for place, child in enumerate(children(part.node)):
+                wanted = self._screen.required(part.node, place, part.needed)
                 if wanted is not None:
-                    waiting.append(((*path, place), child, node, wanted))
+                    is_all = part.is_all and isinstance(part.node, Negation)
+                    waiting.append(_Part((*part.path, place), child, part.node, wanted, is_all))
 
-    def _replacements(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
-        for edit in alternatives(node, self._kinds):
-            if self._is_worth(edit.tree, needed):
+    def _replacements(self, part: _Part) -> Iterator[Alternative]:
+        for edit in alternatives(part.node, self._kinds):
+            if self._is_worth(edit.tree, part.needed):
                 yield edit
-        yield from self._number(node, parent, needed)
-        yield from self._zero(node, needed)
-        values = self._screen(node)
-        ratio = self._fitter.fit(values and combined(truediv, needed, values))
+        yield from self._number(part)
+        yield from self._zero(part)
+        ratio = self._fitter.fit(self._by(truediv, part))
         if ratio is not None:
-            if not isinstance(parent, Product | Quotient | Negation):
-                yield from self._sign_or_factor(node, parent, ratio)
+            yield from self._sign_or_factor(part, ratio)
             return
-        yield from self._piece(node, parent, needed)
-        if isinstance(node, Sum) or parent is None:
-            yield from self._missing_term(node, needed)
-        if isinstance(parent, Sum):
-            yield from self._other_term(node, needed)
+        yield from self._piece_as_factor(part)
+        yield from self._piece_as_term(part)
+        yield from self._other_piece(part)
+        yield from self._missing_term(part)
+        yield from self._other_term(part)
 
-    def _piece(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
-        """A part of the derived formula that is missing as a factor or a term, or stands for another."""
-        values = self._screen(node)
-        if not isinstance(parent, Product | Quotient | Negation):
-            for piece, sign in self._pieces.find(values and combined(truediv, needed, values)):
-                yield Alternative(_signed(_product(node, piece), sign), "a missing factor {}", 2.0, (piece,))
-            for piece, sign in self._pieces.find(values and combined(truediv, values, needed)):
-                yield Alternative(_signed(Quotient(node, piece), sign), "a missing divisor {}", 2.0, (piece,))
-        if not isinstance(parent, Sum):
-            terms = node.terms if isinstance(node, Sum) else (node,)
-            for piece, sign in self._pieces.find(values and combined(sub, needed, values)):
-                yield Alternative(Sum((*terms, _signed(piece, sign))), "a missing term {}", 2.0, (piece,))
-        if parent is not None and not isinstance(node, Number | Name):
-            for piece, sign in self._pieces.find(needed):
-                tree = _signed(piece, sign)
-                yield Alternative(tree, "{} should be {}", 2.5, (node, tree))
+    def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
+        """What is needed by what is printed: the ratio or the difference."""
+        values = self._screen(part.node)
+        return values and combined(operation, part.needed, values)
 
-    def _zero(self, node: Tree, needed: Values) -> Iterator[Alternative]:
-        if close(needed, self._screen.constant(0)):
-            yield Alternative(Number("0"), "{} should be 0", 1.2, (node,))
+    def _piece_as_factor(self, part: _Part) -> Iterator[Alternative]:
+        """A part of the derived formula that is missing as a factor or a divisor."""
+        if part.is_shared:
+            return
+        ratio = self._by(truediv, part)
+        for piece, sign in self._pieces.find(ratio):
+            yield Alternative(_signed(_product(part.node, piece), sign), "a missing factor {}", 2.0, (piece,))
+        for piece, sign in self._pieces.find(ratio and combined(lambda value: 1 / value, ratio)):
+            yield Alternative(_signed(Quotient(part.node, piece), sign), "a missing divisor {}", 2.0, (piece,))
 
-    def _number(self, node: Tree, parent: Tree | None, needed: Values) -> Iterator[Alternative]:
+    def _piece_as_term(self, part: _Part) -> Iterator[Alternative]:
+        """A part of the derived formula that is missing as a term."""
+        if isinstance(part.parent, Sum):
+            return
+        for piece, sign in self._pieces.find(self._by(sub, part)):
+            yield Alternative(Sum((*_terms(part.node), _signed(piece, sign))), "a missing term {}", 2.0, (piece,))
+
+    def _other_piece(self, part: _Part) -> Iterator[Alternative]:
+        """A part of the derived formula for which another stands; all of it for all of it would be no edit."""
+        if part.is_all or isinstance(part.node, Number | Name):
+            return
+        for piece, sign in self._pieces.find(part.needed):
+            tree = _signed(piece, sign)
+            yield Alternative(tree, "{} should be {}", 2.5, (part.node, tree))
+
+    def _zero(self, part: _Part) -> Iterator[Alternative]:
+        if close(part.needed, self._screen.constant(0)):
+            yield Alternative(Number("0"), "{} should be 0", 1.2, (part.node,))
+
+    def _number(self, part: _Part) -> Iterator[Alternative]:
         """A number that should be another."""
-        if not isinstance(node, Number) or isinstance(parent, Negation):
-            constant = isinstance(node, Negation | Quotient) and all(isinstance(c, Number) for c in children(node))
-            if not constant:
-                return
-        monomial = self._fitter.fit(needed)
+        if not _is_number(part.node) or (isinstance(part.node, Number) and isinstance(part.parent, Negation)):
+            return
+        monomial = self._fitter.fit(part.needed)
         if monomial is not None and monomial.is_number:
             tree = number_tree(monomial.number)
             cost = 1.0 if monomial.number > 0 else 1.6
-            yield Alternative(tree, "{} should be {}", cost, (node, tree))
+            yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
 
-    def _sign_or_factor(self, node: Tree, parent: Tree | None, ratio: Monomial) -> Iterator[Alternative]:
-        if ratio.complexity > MOST_COMPLEX:
+    def _sign_or_factor(self, part: _Part, ratio: Monomial) -> Iterator[Alternative]:
+        if part.is_shared or ratio.complexity > MOST_COMPLEX:
             return
+        node = part.node
         signed = node
         if ratio.number < 0:
             signed = node.operand if isinstance(node, Negation) else Negation(node)
         if not ratio.is_number or abs(ratio.number) != 1:
             kind = "a missing factor" if ratio.number > 0 else "a factor"
             yield Alternative(_times(signed, ratio), f"{kind} {{}}", 1.5 + 0.3 * ratio.complexity, (ratio.signed(),))
-        elif ratio.number < 0 and not isinstance(parent, Sum):
-            cost = 1.4 if isinstance(parent, Call | Power) else 1.0
+        elif ratio.number < 0 and not isinstance(part.parent, Sum):
+            cost = 1.4 if isinstance(part.parent, Call | Power) else 1.0
             yield Alternative(signed, "the sign of {}", cost, (node,))
 
-    def _missing_term(self, node: Tree, needed: Values) -> Iterator[Alternative]:
-        values = self._screen(node)
-        rest = self._fitter.fit(values and combined(sub, needed, values))
-        if rest is None or rest.complexity > 2 * MOST_COMPLEX:
+    def _missing_term(self, part: _Part) -> Iterator[Alternative]:
+        if not isinstance(part.node, Sum) and part.parent is not None:
             return
-        terms = node.terms if isinstance(node, Sum) else (node,)
-        term = rest.signed()
-        yield Alternative(Sum((*terms, term)), "a missing term {}", 2.0 + 0.2 * rest.complexity, (term,))
+        rest = self._fitter.fit(self._by(sub, part))
+        if rest is not None and rest.complexity <= 2 * MOST_COMPLEX:
+            term = rest.signed()
+            tree = Sum((*_terms(part.node), term))
+            yield Alternative(tree, "a missing term {}", 2.0 + 0.2 * rest.complexity, (term,))
 
-    def _other_term(self, node: Tree, needed: Values) -> Iterator[Alternative]:
-        term = self._fitter.fit(needed)
-        if term is not None and not isinstance(node, Number) and term.complexity <= 2 * MOST_COMPLEX:
+    def _other_term(self, part: _Part) -> Iterator[Alternative]:
+        if not isinstance(part.parent, Sum) or isinstance(part.node, Number):
+            return
+        term = self._fitter.fit(part.needed)
+        if term is not None and term.complexity <= 2 * MOST_COMPLEX:
             cost = 2.2 + 0.2 * term.complexity
-            yield Alternative(term.signed(), "{} should be {}", cost, (node, term.signed()))
+            yield Alternative(term.signed(), "{} should be {}", cost, (part.node, term.signed()))
 
     def _factors(self, symbols: Sequence[str], trees: Sequence[Tree]) -> list[tuple[Tree, Values]]:
         """What a missing factor may consist of: the symbols, and functions like those that occur."""
@@ -244,6 +281,17 @@ class _Search:
         factors: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
         found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
+
+
+def _terms(tree: Tree) -> tuple[Tree, ...]:
+    return tree.terms if isinstance(tree, Sum) else (tree,)
+
+
+def _is_number(tree: Tree) -> bool:
+    """Whether it is a rational number as it is written."""
+    if isinstance(tree, Negation | Quotient):
+        return all(isinstance(child, Number) for child in children(tree))
+    return isinstance(tree, Number)
 
 
 def _signed(tree: Tree, sign: int) -> Tree:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from random import Random
 
 from radartrack.derive import symbolic as sp
@@ -22,26 +22,54 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.symbolic import Expr
 
-SWAPS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
-POINTS = 3
+SWAPS = {"sin": ("cos",), "cos": ("sin", "cosh"), "sinh": ("cosh", "sin"), "cosh": ("sinh", "cos")}
+TRIES = 20  # for each formula with two slips that is wanted
 
 
-def mutants(tree: Tree, names: dict[str, object], count: int, random: Random) -> Iterator[Tree]:
-    """Up to `count` formulas that differ from this one in one place, no two alike."""
-    changed = [replace_at(tree, path, new) for path, node in walk(tree) for new in _changes(node, names, bool(path))]
-    distinct = [one for one in {to_text(one): one for one in changed}.values() if one != tree]
-    yield from random.sample(distinct, min(count, len(distinct)))
+def mutants(tree: Tree, names: Mapping[str, object], count: int, random: Random) -> list[Tree]:
+    """Formulas that differ from this one by one slip; by two where there are not `count` of these.
+
+    Args:
+        tree: the formula.
+        names: its symbols, and what makes them alike: their dimensions.
+        count: how many are wanted.
+        random: chooses among them.
+    """
+    found = _distinct(_slips(tree, names), {to_text(tree)})
+    random.shuffle(found)
+    known = {to_text(tree), *map(to_text, found)}
+    first = list(found)
+    for _ in range(TRIES * (count - len(found))):
+        twice = _distinct(_slips(random.choice(first), names), known)
+        if len(found) < count and twice:
+            found.append(random.choice(twice))
+            known.add(to_text(found[-1]))
+    return found[:count]
 
 
-def _changes(node: Tree, names: dict[str, object], below: bool) -> Iterator[Tree]:
+def _distinct(trees: Iterable[Tree], known: set[str]) -> list[Tree]:
+    """Those that print differently from one another and from what is known."""
+    printed = {to_text(tree): tree for tree in trees}
+    return [tree for text, tree in printed.items() if text not in known]
+
+
+def _slips(tree: Tree, names: Mapping[str, object]) -> Iterator[Tree]:
+    for path, node in walk(tree):
+        whole = not path
+        yield from (replace_at(tree, path, new) for new in (*_changes(node, names), *_additions(node, names, whole)))
+
+
+def _changes(node: Tree, names: Mapping[str, object]) -> Iterator[Tree]:
+    """Another sign, number, symbol, function or exponent, or something left out."""
     match node:
         case Number():
             yield from _other_numbers(node)
         case Name(name):
-            yield Power(node, Number("2"))
             yield from (Name(other) for other, kind in names.items() if other != name and kind == names[name])
-        case Call(function, arguments) if function in SWAPS:
-            yield Call(SWAPS[function], arguments)
+            yield from (Power(node, Number("2")), Power(node, Number("3")))
+        case Call(function, arguments):
+            yield from (Call(other, arguments) for other in SWAPS.get(function, ()))
+            yield Power(node, Number("2"))
         case Power(base, Number() as exponent):
             yield from (base, Power(base, Number(str(exponent.value + 1))))
         case Negation(operand):
@@ -50,8 +78,19 @@ def _changes(node: Tree, names: dict[str, object], below: bool) -> Iterator[Tree
             yield from _without_one(node, terms)
             yield from _with_a_sign(node, terms)
         case Quotient(numerator, denominator):
-            yield from (numerator, Product((numerator, denominator)))
-    yield from () if below else (Negation(node), Product((Number("2"), node)))
+            yield from (numerator, Product((numerator, denominator)), Quotient(denominator, numerator))
+
+
+def _additions(node: Tree, names: Mapping[str, object], whole: bool) -> Iterator[Tree]:
+    """A factor, divisor or term too many, or another sign."""
+    if whole:
+        yield Negation(node)
+    if whole or isinstance(node, Name | Call | Sum):
+        for factor in (Number("2"), Number("3"), *map(Name, names)):
+            yield from (Product((factor, node)), Quotient(node, factor))
+    if whole or isinstance(node, Sum):
+        terms = node.terms if isinstance(node, Sum) else (node,)
+        yield from (Sum((*terms, term)) for term in (Number("1"), *map(Name, names)))
 
 
 def _other_numbers(node: Number) -> Iterator[Tree]:
