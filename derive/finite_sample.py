@@ -13,9 +13,11 @@ determinant.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import combinations
+from functools import cached_property, reduce
+from itertools import chain, combinations
 from math import factorial
+from operator import add, mul
+from typing import TypeVar
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.power_sums import summed
@@ -49,6 +51,9 @@ j = Variable(
     at_most=k,
 )
 
+RING = PolyRing([k, C, j, tau], sp.QQ)
+Number = TypeVar("Number", Expr, PolyElement)
+Polynomials = Tensor[PolyElement]
 RATIO = sigma_r**2 / (T**2 * sigma_v**2)
 
 
@@ -114,33 +119,17 @@ class FiniteSample:
     @cached_property
     def covariance(self) -> Tensor[Expr]:
         """R = Q⁻¹ at the newest scan: the adjoint over the determinant, as rational functions of k and C."""
-        ring = PolyRing([k, C], sp.QQ)
-        unit = {T: sp.Integer(1), sigma_r: sp.Integer(1)}
-        matrix = [
-            [ring.from_expr(sp.expand(self.information[m, n].xreplace(unit))) for n in range(self.size)]
-            for m in range(self.size)
-        ]
-        whole = determinant(matrix, ring).as_expr()
-
-        def entry(m: int, n: int) -> Expr:
-            minor = determinant(_without(matrix, n, m), ring).as_expr()
-            return sp.factor((-1) ** (m + n) * minor / whole) * sigma_r**2 / T ** (m + n)
-
-        return Tensor.build((self.size, self.size), entry)
+        return self._as_covariance(self._solution.adjoint)
 
     @cached_property
     def range_weights(self) -> Tensor[Expr]:
         """What the range of scan j adds to each component, for one metre."""
-        return self._weights(self.range_row(), sigma_r**-2)
+        return self._as_weights(self._range_weights, sp.Integer(1))
 
     @cached_property
     def rate_weights(self) -> Tensor[Expr]:
         """What the range rate of scan j adds to each component, for one metre per second."""
-        return self._weights(self.rate_row(), self.weight_of_rate * T**2 / sigma_r**2)
-
-    def _weights(self, row: list[Expr], precision: Expr) -> Tensor[Expr]:
-        products = product(self.covariance, Tensor((self.size, 1), tuple(row)))
-        return Tensor((self.size,), tuple(sp.factor(entry * precision) for entry in products))
+        return self._as_weights(self._rate_weights, self.weight_of_rate * T)
 
     @cached_property
     def transition(self) -> Tensor[Expr]:
@@ -153,22 +142,70 @@ class FiniteSample:
     @cached_property
     def lagged_covariance(self) -> Tensor[Expr]:
         """The covariance of the estimate τ scans after the newest one."""
-        moved = product(self.transition, product(self.covariance, transposed(self.transition)))
-        return moved.map(sp.factor)
+        moved = product(self._transition, product(self._solution.adjoint, transposed(self._transition)))
+        return self._as_covariance(moved)
 
     @cached_property
     def lagged_range_weights(self) -> Tensor[Expr]:
         """The weights of the range for the estimate τ scans after the newest one."""
-        return self._lagged(self.range_weights)
+        return self._as_weights(product(self._transition, self._range_weights), sp.Integer(1))
 
     @cached_property
     def lagged_rate_weights(self) -> Tensor[Expr]:
         """The weights of the range rate for the estimate τ scans after the newest one."""
-        return self._lagged(self.rate_weights)
+        return self._as_weights(product(self._transition, self._rate_weights), self.weight_of_rate * T)
 
-    def _lagged(self, weights: Tensor[Expr]) -> Tensor[Expr]:
-        moved = product(self.transition, Tensor((self.size, 1), weights.entries))
-        return Tensor((self.size,), tuple(sp.factor(entry) for entry in moved))
+    # The period and the size of the errors only scale the state: what follows is for T = 1 and σ_r = 1, as
+    # polynomials in k, C, j and τ over the determinant of Q.
+
+    @cached_property
+    def _solution(self) -> _Inverse:
+        return _Inverse(self._read(self.information))
+
+    @cached_property
+    def _range_weights(self) -> Polynomials:
+        return product(self._solution.adjoint, self._read(Tensor((self.size, 1), tuple(self.range_row()))))
+
+    @cached_property
+    def _rate_weights(self) -> Polynomials:
+        return product(self._solution.adjoint, self._read(Tensor((self.size, 1), tuple(self.rate_row()))))
+
+    @cached_property
+    def _transition(self) -> Polynomials:
+        return self._read(self.transition)
+
+    def _read(self, matrix: Tensor[Expr]) -> Polynomials:
+        unit = {T: sp.Integer(1), sigma_r: sp.Integer(1)}
+        return matrix.map(lambda entry: RING.from_expr(sp.expand(entry.xreplace(unit))))
+
+    def _as_covariance(self, numerators: Polynomials) -> Tensor[Expr]:
+        over = self._solution.over_determinant
+        return Tensor.build((self.size, self.size), lambda m, n: over(numerators[m, n]) * sigma_r**2 / T ** (m + n))
+
+    def _as_weights(self, numerators: Polynomials, factor: Expr) -> Tensor[Expr]:
+        over = self._solution.over_determinant
+        return Tensor.build((self.size,), lambda m: over(numerators[m, 0]) * factor / T**m)
+
+
+class _Inverse:
+    """The inverse of a matrix of polynomials as its adjoint over its determinant."""
+
+    def __init__(self, matrix: Polynomials) -> None:
+        rows = [list(row) for row in matrix.parts()]
+        self.adjoint: Polynomials = Tensor.build(
+            matrix.shape, lambda m, n: determinant(_without(rows, n, m), RING) * (-1) ** (m + n)
+        )
+        self._content, self._factors = determinant(rows, RING).factor_list()
+
+    def over_determinant(self, numerator: PolyElement) -> Expr:
+        """A polynomial over the determinant, in lowest terms, both factored."""
+        below = sp.Integer(1)
+        for factor in (factor for factor, power in self._factors for _ in range(power)):
+            quotient, remainder = numerator.div(factor)
+            numerator, below = (numerator, below * factor.as_expr()) if remainder else (quotient, below)
+        content, factors = (numerator * (1 / self._content)).factor_list()
+        number = sp.Rational(int(content.numerator), int(content.denominator))
+        return number * sp.Mul(*(factor.as_expr() ** power for factor, power in factors)) / below
 
 
 def fewest_scans(degree: int, *, with_rate: bool) -> int:
@@ -181,16 +218,15 @@ def highest_degree(count: int, *, with_rate: bool) -> int:
     return 2 * count - 1 if with_rate else count - 1
 
 
-def product(first: Tensor[Expr], second: Tensor[Expr]) -> Tensor[Expr]:
+def product(first: Tensor[Number], second: Tensor[Number]) -> Tensor[Number]:
     """The matrix product."""
-    rows, inner = first.shape
-    a, b = dict(first.items()), dict(second.items())
-    return Tensor.build((rows, second.shape[1]), lambda m, n: sp.Add(*(a[m, i] * b[i, n] for i in range(inner))))
+    rows, columns = first.parts(), list(zip(*second.parts(), strict=True))
+    return Tensor.build((len(rows), len(columns)), lambda m, n: reduce(add, map(mul, rows[m], columns[n])))
 
 
-def transposed(matrix: Tensor[Expr]) -> Tensor[Expr]:
+def transposed(matrix: Tensor[Number]) -> Tensor[Number]:
     """The transpose."""
-    return Tensor.build((matrix.shape[1], matrix.shape[0]), lambda m, n: matrix[n, m])
+    return Tensor((matrix.shape[1], matrix.shape[0]), tuple(chain.from_iterable(zip(*matrix.parts(), strict=True))))
 
 
 def determinant(matrix: list[list[PolyElement]], ring: PolyRing) -> PolyElement:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from hashlib import sha256
 
 from radartrack.derive import symbolic as sp
@@ -14,7 +13,7 @@ from radartrack.derive.numpy_code import code, terms
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.stable import StableForm
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tensor import nested
+from radartrack.derive.tensor import Tensor, nested
 
 VERSION = "1"
 WIDTH = 110
@@ -61,39 +60,11 @@ class Function:
 
     Attributes:
         quantity: what it computes.
-        form: the rewritten formula that is written.
+        body: the statements, without the docstring.
     """
 
     quantity: Quantity
-    form: StableForm
-
-    @cached_property
-    def body(self) -> str:
-        """The statements, without the docstring."""
-        if not self.quantity.symbols:
-            return f"return np.array({nested(self.form.entries.map(code), gap=', ')})[()]"
-        definitions, results = with_common_parts(self.form.definitions, self.form.entries)
-        names = [symbol.name for symbol in self.quantity.symbols]
-        arguments = ", ".join(names)
-        lines = [f"arguments = _floats({arguments})", f"{arguments}{',' * (len(names) == 1)} = arguments"]
-        lines += [_assignment(symbol.name, definition) for symbol, definition in definitions.items()]
-        lines.append(f"result = _empty(arguments, {self.quantity.shape})")
-        lines += self._results(results)
-        lines.append("return result[()]" if not self.quantity.shape else "return result")
-        return "\n".join(lines)
-
-    def _results(self, results: Sequence[Expr]) -> list[str]:
-        """One assignment an entry; an entry that was computed before is copied."""
-        first: dict[Expr, str] = {}
-        lines = []
-        for (index, _), expression in zip(self.form.entries.items(), results, strict=True):
-            target = f"result[{', '.join(['...', *map(str, index)])}]"
-            known = first.setdefault(expression, target)
-            if known == target or expression.is_Atom:
-                lines.append(_assignment(target, expression))
-            else:
-                lines.append(f"{target} = {known}")
-        return lines
+    body: str
 
     @property
     def digest(self) -> str:
@@ -110,6 +81,35 @@ class Function:
             signature = "\n".join([f"def {quantity.function}(", f"{INDENT}*,", *lines, ") -> Floats:"])
         inside = f'"""{docstring(quantity, accuracy)}\n"""\n{self.body}'
         return f"{signature}\n{textwrap.indent(inside, INDENT)}\n"
+
+
+def body(quantity: Quantity, form: StableForm) -> str:
+    """The statements that compute a quantity as it is rewritten, without the docstring."""
+    if not quantity.symbols:
+        return f"return np.array({nested(form.entries.map(code), gap=', ')})[()]"
+    definitions, results = with_common_parts(form.definitions, form.entries)
+    names = [symbol.name for symbol in quantity.symbols]
+    arguments = ", ".join(names)
+    lines = [f"arguments = _floats({arguments})", f"{arguments}{',' * (len(names) == 1)} = arguments"]
+    lines += [_assignment(symbol.name, definition) for symbol, definition in definitions.items()]
+    lines.append(f"result = _empty(arguments, {quantity.shape})")
+    lines += _results(Tensor(form.entries.shape, tuple(results)))
+    lines.append("return result[()]" if not quantity.shape else "return result")
+    return "\n".join(lines)
+
+
+def _results(results: Tensor[Expr]) -> list[str]:
+    """One assignment an entry; an entry that was computed before is copied."""
+    first: dict[Expr, str] = {}
+    lines = []
+    for index, expression in results.items():
+        target = f"result[{', '.join(['...', *map(str, index)])}]"
+        known = first.setdefault(expression, target)
+        if known == target or expression.is_Atom:
+            lines.append(_assignment(target, expression))
+        else:
+            lines.append(f"{target} = {known}")
+    return lines
 
 
 def docstring(quantity: Quantity, accuracy: str) -> str:

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities finite_sample.*.
 
-Written by radartrack regenerate, generator 1, derivation a27419fbd850cddd; not to be edited.
+Written by radartrack regenerate, generator 1, derivation f5ee6eabc87e7c2e; not to be edited.
 """
 
 import numpy as np
@@ -871,7 +871,7 @@ def degree1_range_correlation(*, k: npt.ArrayLike) -> Floats:
     k, = arguments
     result = _empty(arguments, (2, 2))
     result[..., 0, 0] = 1.0
-    result[..., 0, 1] = 0.5 * np.sqrt(6.0) / np.sqrt((2.0 * k - 1.0) / (k - 1.0))
+    result[..., 0, 1] = np.sqrt(3.0) / np.sqrt((4.0 * k - 2.0) / (k - 1.0))
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = 1.0
     return result
@@ -1150,17 +1150,17 @@ def degree1_range_rate_correlation(*, k: npt.ArrayLike, C: npt.ArrayLike) -> Flo
     Returns:
         Shape of the broadcast arguments + (2, 2), unit 1.
 
-    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(k, C)
     k, C = arguments
     k_squared = k**2
     sum_1 = 12.0 * C - 1.0 + k_squared
-    sum_2 = 1.0 - 3.0 * k + 2.0 * k_squared + 6.0 * C
+    sum_2 = 2.0 - 6.0 * k + 12.0 * C + 4.0 * k_squared
     result = _empty(arguments, (2, 2))
     result[..., 0, 0] = 1.0
-    result[..., 0, 1] = 0.5 * (k - 1.0) * np.sqrt(6.0) / (np.sqrt(sum_2 / sum_1**2) * sum_1)
+    result[..., 0, 1] = (6.0 * k - 6.0) * np.sqrt(3.0) / (np.sqrt(sum_2 / sum_1**2) * sum_1 * 6.0)
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = 1.0
     return result
@@ -1596,16 +1596,15 @@ def degree2_range_correlation(*, k: npt.ArrayLike) -> Floats:
     sum_2 = k - 2.0
     term_2 = 1.0 / sum_2
     sum_3 = 2.0 * k - 1.0
-    sum_4 = 2.0 - 3.0 * k + 3.0 * k**2
-    sum_5 = 8.0 * k - 11.0
-    term_3 = np.sqrt(15.0)
+    sum_4 = 8.0 * k - 11.0
+    sum_5 = 6.0 - 9.0 * k + 9.0 * k**2
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = 1.0
-    result[..., 0, 1] = 3.0 * sum_3 / np.sqrt(sum_3 * sum_4 * sum_5 * term_1 * term_2)
-    result[..., 0, 2] = term_3 / (np.sqrt(sum_4 * term_1 * term_2) * 3.0)
+    result[..., 0, 1] = (36.0 * k - 18.0) * np.sqrt(3.0) / (np.sqrt(sum_3 * sum_4 * sum_5 * term_1 * term_2) * 6.0)
+    result[..., 0, 2] = np.sqrt(5.0) / np.sqrt(sum_5 * term_1 * term_2)
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = 1.0
-    result[..., 1, 2] = term_2 * term_3 / np.sqrt(sum_3 * sum_5 / (sum_1**2 * sum_2**2))
+    result[..., 1, 2] = np.sqrt(15.0) * term_2 / np.sqrt(sum_3 * sum_4 / (sum_1**2 * sum_2**2))
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
     result[..., 2, 2] = 1.0
@@ -1958,7 +1957,7 @@ def degree2_range_rate_correlation(*, k: npt.ArrayLike, C: npt.ArrayLike) -> Flo
     Returns:
         Shape of the broadcast arguments + (3, 3), unit 1.
 
-    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(k, C)
@@ -1974,29 +1973,28 @@ def degree2_range_rate_correlation(*, k: npt.ArrayLike, C: npt.ArrayLike) -> Flo
     product_1 = k * k_squared
     C_squared = C**2
     sum_5 = (
-        4.0
-        - 136.0 * C * k_squared
-        - 56.0 * C
-        - 8.0 * k
-        - 9.0 * k_squared**2
-        + 104.0 * C * product_1
-        + 240.0 * C_squared
-        + 240.0 * C_squared * k
-        + 3.0 * k * k_squared**2
-        + 5.0 * k_squared
-        + 5.0 * product_1
-        + 64.0 * C * k
+        12.0
+        - 168.0 * C
+        - 24.0 * k
+        - 27.0 * k_squared**2
+        - 408.0 * C * k_squared
+        + 15.0 * k_squared
+        + 15.0 * product_1
+        + 192.0 * C * k
+        + 312.0 * C * product_1
+        + 720.0 * C_squared
+        + 720.0 * C_squared * k
+        + 9.0 * k * k_squared**2
     )
     sum_6 = k - 1.0
     term_4 = 1.0 / sum_6
-    term_5 = np.sqrt(15.0)
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = 1.0
-    result[..., 0, 1] = 3.0 * (20.0 * C - 2.0 - k + k_squared) * sum_4 * sum_6 * term_1 * term_2 / np.sqrt(sum_3 * sum_4 * sum_5 * term_3 / sum_1**2)
-    result[..., 0, 2] = (k - 2.0) * term_2 * term_5 / (np.sqrt(sum_5 * term_1 * term_3 * term_4) * 3.0)
+    result[..., 0, 1] = 3.0 * (20.0 * C - 2.0 - k + k_squared) * np.sqrt(3.0) * sum_4 * sum_6 * term_1 * term_2 / np.sqrt(sum_3 * sum_4 * sum_5 * term_3 / sum_1**2)
+    result[..., 0, 2] = (60.0 * k - 120.0) * np.sqrt(5.0) * term_2 / (np.sqrt(sum_5 * term_1 * term_3 * term_4) * 60.0)
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = 1.0
-    result[..., 1, 2] = term_2 * term_5 / np.sqrt(sum_3 * sum_4 * term_1 * term_3 * term_4)
+    result[..., 1, 2] = np.sqrt(15.0) * term_2 / np.sqrt(sum_3 * sum_4 * term_1 * term_3 * term_4)
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
     result[..., 2, 2] = 1.0
@@ -2562,31 +2560,29 @@ def degree3_range_correlation(*, k: npt.ArrayLike) -> Floats:
     term_2 = 1.0 / sum_2
     sum_3 = k - 3.0
     term_3 = 1.0 / sum_3
-    sum_4 = 2.0 * k - 1.0
     k_squared = k**2
-    sum_5 = 11.0 - 27.0 * k * k_squared - 30.0 * k + 42.0 * k_squared + 6.0 * k_squared**2
+    sum_4 = 2200.0 - 5400.0 * k * k_squared - 6000.0 * k + 1200.0 * k_squared**2 + 8400.0 * k_squared
+    sum_5 = 2.0 * k - 1.0
     sum_6 = 3.0 - k + k_squared
-    sum_7 = 5.0 - 6.0 * k + 6.0 * k_squared
+    sum_7 = 100.0 - 120.0 * k + 120.0 * k_squared
     sum_8 = 9.0 * k - 13.0
-    term_4 = np.sqrt(5.0)
-    term_5 = np.sqrt(14.0)
-    term_6 = 1.0 / sum_1**2
-    term_7 = 1.0 / sum_2**2
-    term_8 = 1.0 / sum_3**2
-    sum_9 = 11.0 - 15.0 * k + 6.0 * k_squared
+    term_4 = 1.0 / sum_1**2
+    term_5 = 1.0 / sum_2**2
+    term_6 = 1.0 / sum_3**2
+    sum_9 = 18480.0 - 25200.0 * k + 10080.0 * k_squared
     result = _empty(arguments, (4, 4))
     result[..., 0, 0] = 1.0
-    result[..., 0, 1] = 0.5 * sum_7 / np.sqrt(sum_4 * sum_5 * sum_6 * term_1 * term_2 * term_3)
-    result[..., 0, 2] = sum_4 * term_4 / (np.abs(sum_4) * np.sqrt(sum_6 * sum_8 * term_1 * term_2 * term_3))
-    result[..., 0, 3] = 0.25 * term_5 / np.sqrt(sum_4 * sum_6 * term_1 * term_2 * term_3)
+    result[..., 0, 1] = 0.25 * np.sqrt(2.0) * sum_7 / np.sqrt(sum_4 * sum_5 * sum_6 * term_1 * term_2 * term_3)
+    result[..., 0, 2] = (480.0 * k - 240.0) * np.sqrt(5.0) / (np.abs(sum_5) * np.sqrt(sum_6 * sum_8 * term_1 * term_2 * term_3) * 240.0)
+    result[..., 0, 3] = 0.25 * np.sqrt(14.0) / np.sqrt(sum_5 * sum_6 * term_1 * term_2 * term_3)
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = 1.0
-    result[..., 1, 2] = 0.5 * (3.0 * k - 2.0) * (3.0 * k - 5.0) * term_2 * term_3 * term_4 / np.sqrt(sum_4 * sum_5 * sum_8 * term_6 * term_7 * term_8)
-    result[..., 1, 3] = sum_9 * term_1 * term_2 * term_3 * term_5 / (np.sqrt(sum_5 * term_6 * term_7 * term_8) * 10.0)
+    result[..., 1, 2] = 5.0 * (3.0 * k - 2.0) * (3.0 * k - 5.0) * np.sqrt(10.0) * term_2 * term_3 / np.sqrt(sum_4 * sum_5 * sum_8 * term_4 * term_5 * term_6)
+    result[..., 1, 3] = np.sqrt(7.0) * sum_9 * term_1 * term_2 * term_3 / (np.sqrt(sum_4 * term_4 * term_5 * term_6) * 840.0)
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
     result[..., 2, 2] = 1.0
-    result[..., 2, 3] = 0.5 * np.sqrt(70.0) * term_2 * term_3 / np.sqrt(sum_4 * sum_8 * term_6 * term_7 * term_8)
+    result[..., 2, 3] = 0.5 * np.sqrt(70.0) * term_2 * term_3 / np.sqrt(sum_5 * sum_8 * term_4 * term_5 * term_6)
     result[..., 3, 0] = result[..., 0, 3]
     result[..., 3, 1] = result[..., 1, 3]
     result[..., 3, 2] = result[..., 2, 3]
@@ -3049,7 +3045,7 @@ def degree3_range_rate_correlation(*, k: npt.ArrayLike, C: npt.ArrayLike) -> Flo
     Returns:
         Shape of the broadcast arguments + (4, 4), unit 1.
 
-    Accuracy: at most 3 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
     arguments = _floats(k, C)
@@ -3074,68 +3070,67 @@ def degree3_range_rate_correlation(*, k: npt.ArrayLike, C: npt.ArrayLike) -> Flo
     term_2 = 1.0 / sum_2
     term_3 = 1.0 / sum_1**2
     term_4 = 1.0 / sum_2**2
-    product_1 = k * k_squared**2
-    product_2 = k * k_squared
-    product_3 = C * C_squared
+    product_1 = k * k_squared
+    product_2 = C * C_squared
+    product_3 = k * k_squared**2
     product_4 = k * k_squared * k_squared**2
     sum_3 = (
-        1260.0 * C
-        - 72.0
-        - 105.0 * product_1
-        - 1185.0 * C * k_squared_cubed
-        - 13.0 * (k_squared**2)**2
-        - 134.0 * k_squared
-        - 149.0 * product_2
-        - 22380.0 * C_squared * k_squared
-        - 2760.0 * C * k_squared_squared
-        - 3480.0 * C_squared * product_2
-        - 50400.0 * product_3
-        - 50400.0 * k * product_3
-        - 540.0 * C_squared
-        - 5520.0 * C * k
-        - 6840.0 * C_squared * k_squared_squared
-        + 12600.0 * k_squared * product_3
-        + 12600.0 * product_2 * product_3
-        + 1995.0 * C * product_1
-        + 2.0 * k * (k_squared**2)**2
-        + 210.0 * k_squared_squared
-        + 2205.0 * C * product_2
-        + 228.0 * k
-        + 24.0 * product_4
-        + 270.0 * C * product_4
-        + 3435.0 * C * k_squared
-        + 37260.0 * C_squared * k
-        + 5760.0 * C_squared * product_1
-        + 9.0 * k_squared_cubed
+        10080.0 * C
+        - 576.0
+        - 104.0 * (k_squared**2)**2
+        - 1072.0 * k_squared
+        - 1192.0 * product_1
+        - 179040.0 * C_squared * k_squared
+        - 22080.0 * C * k_squared_squared
+        - 27840.0 * C_squared * product_1
+        - 403200.0 * product_2
+        - 403200.0 * k * product_2
+        - 4320.0 * C_squared
+        - 44160.0 * C * k
+        - 54720.0 * C_squared * k_squared_squared
+        - 840.0 * product_3
+        - 9480.0 * C * k_squared_cubed
+        + 100800.0 * k_squared * product_2
+        + 100800.0 * product_1 * product_2
+        + 15960.0 * C * product_3
+        + 16.0 * k * (k_squared**2)**2
+        + 1680.0 * k_squared_squared
+        + 17640.0 * C * product_1
+        + 1824.0 * k
+        + 192.0 * product_4
+        + 2160.0 * C * product_4
+        + 27480.0 * C * k_squared
+        + 298080.0 * C_squared * k
+        + 46080.0 * C_squared * product_3
+        + 72.0 * k_squared_cubed
     )
     sum_4 = (
-        22680.0 * C_squared * product_2
-        - 220.0
-        - 105.0 * k_squared_cubed
-        - 185.0 * k_squared
-        - 30240.0 * C_squared
-        - 395.0 * product_2
-        - 45.0 * product_1
-        - 68040.0 * C_squared * k_squared
-        - 7848.0 * C * k_squared_squared
-        - 9588.0 * C * k
-        + 2592.0 * C * product_1
-        + 30.0 * product_4
-        + 380.0 * k
-        + 4104.0 * C * product_2
-        + 480.0 * k_squared_squared
-        + 5172.0 * C
-        + 60480.0 * C_squared * k
-        + 7524.0 * C * k_squared
+        103680.0 * C * product_3
+        - 8800.0
+        - 1209600.0 * C_squared
+        - 15800.0 * product_1
+        - 1800.0 * product_3
+        - 2721600.0 * C_squared * k_squared
+        - 313920.0 * C * k_squared_squared
+        - 383520.0 * C * k
+        - 4200.0 * k_squared_cubed
+        - 7400.0 * k_squared
+        + 1200.0 * product_4
+        + 15200.0 * k
+        + 164160.0 * C * product_1
+        + 19200.0 * k_squared_squared
+        + 206880.0 * C
+        + 2419200.0 * C_squared * k
+        + 300960.0 * C * k_squared
+        + 907200.0 * C_squared * product_1
     )
     sum_5 = k - 1.0
-    term_5 = np.sqrt(5.0)
     sum_6 = (
         60.0
         - 11.0 * k_squared
-        - 1164.0 * C * product_2
+        - 1164.0 * C * product_1
         - 1356.0 * C
-        - 18.0 * product_1
+        - 18.0 * product_3
         - 234.0 * C * k_squared
         - 25.0 * k_squared_squared
         - 32.0 * k
@@ -3144,81 +3139,88 @@ def degree3_range_rate_correlation(*, k: npt.ArrayLike, C: npt.ArrayLike) -> Flo
         + 582.0 * C * k_squared_squared
         + 6.0 * k_squared_cubed
         + 7560.0 * C_squared
-        + 80.0 * product_2
+        + 80.0 * product_1
         + 816.0 * C * k
     )
-    term_6 = 1.0 / sum_5
+    term_5 = 1.0 / sum_5
     sum_7 = (
-        52.0
-        - 1030.0 * C * k_squared
-        - 1380.0 * C
-        - 140.0 * k
-        - 2520.0 * C * product_2
-        - 25200.0 * C_squared * k
-        - 35.0 * product_1
-        - 77.0 * k_squared_squared
-        + 13440.0 * C_squared * k_squared
-        + 1350.0 * C * k_squared_squared
-        + 175.0 * product_2
-        + 18.0 * k_squared_cubed
-        + 3780.0 * C * k
-        + 7.0 * k_squared
-        + 9240.0 * C_squared
+        74880.0
+        - 110880.0 * k_squared_squared
+        - 1483200.0 * C * k_squared
+        - 1987200.0 * C
+        - 201600.0 * k
+        - 3628800.0 * C * product_1
+        - 36288000.0 * C_squared * k
+        - 50400.0 * product_3
+        + 10080.0 * k_squared
+        + 13305600.0 * C_squared
+        + 19353600.0 * C_squared * k_squared
+        + 1944000.0 * C * k_squared_squared
+        + 252000.0 * product_1
+        + 25920.0 * k_squared_cubed
+        + 5443200.0 * C * k
     )
     sum_8 = (
-        1060.0 * C * product_2
-        - 24.0
-        - 11.0 * k_squared_cubed
-        - 14.0 * k_squared
-        - 1740.0 * C * k
-        - 2940.0 * C_squared
-        - 7140.0 * C_squared * k_squared
-        - 77.0 * product_2
-        - 825.0 * C * k_squared_squared
-        + 10920.0 * C_squared * k
-        + 150.0 * C * product_1
-        + 2.0 * product_4
-        + 420.0 * C_squared * product_2
-        + 49.0 * k_squared_squared
-        + 540.0 * C
-        + 68.0 * k
-        + 7.0 * product_1
-        + 715.0 * C * k_squared
+        100800.0 * C_squared * product_1
+        - 5760.0
+        - 1713600.0 * C_squared * k_squared
+        - 18480.0 * product_1
+        - 198000.0 * C * k_squared_squared
+        - 2640.0 * k_squared_cubed
+        - 3360.0 * k_squared
+        - 417600.0 * C * k
+        - 705600.0 * C_squared
+        + 11760.0 * k_squared_squared
+        + 129600.0 * C
+        + 16320.0 * k
+        + 1680.0 * product_3
+        + 171600.0 * C * k_squared
+        + 254400.0 * C * product_1
+        + 2620800.0 * C_squared * k
+        + 36000.0 * C * product_3
+        + 480.0 * product_4
     )
-    sum_9 = 12.0 * C - 1.0 + k_squared
-    sum_10 = 6.0 - 4.0 * k_squared - 60.0 * C + k + product_2
+    sum_9 = 100800.0 * k_squared - 100800.0 + 1209600.0 * C
+    sum_10 = 6.0 - 4.0 * k_squared - 60.0 * C + k + product_1
     sum_11 = (
-        40.0
-        - 14.0 * k_squared
-        - 1512.0 * C * product_2
-        - 15120.0 * C_squared * k
-        - 21.0 * product_1
-        - 228.0 * C * k_squared
-        - 35.0 * k_squared_squared
-        - 84.0 * k
-        - 984.0 * C
-        + 105.0 * product_2
-        + 2268.0 * C * k
-        + 6048.0 * C_squared
-        + 6048.0 * C_squared * k_squared
-        + 696.0 * C * k_squared_squared
-        + 9.0 * k_squared_cubed
+        24000.0
+        - 12600.0 * product_3
+        - 136800.0 * C * k_squared
+        - 21000.0 * k_squared_squared
+        - 50400.0 * k
+        - 590400.0 * C
+        - 8400.0 * k_squared
+        - 907200.0 * C * product_1
+        - 9072000.0 * C_squared * k
+        + 1360800.0 * C * k
+        + 3628800.0 * C_squared
+        + 3628800.0 * C_squared * k_squared
+        + 417600.0 * C * k_squared_squared
+        + 5400.0 * k_squared_cubed
+        + 63000.0 * product_1
     )
-    term_7 = np.sqrt(70.0)
-    sum_12 = 11.0 - 120.0 * C - 4.0 * k - 9.0 * k_squared + 6.0 * product_2 + 60.0 * C * k
+    sum_12 = (
+        18480.0
+        - 15120.0 * k_squared
+        - 201600.0 * C
+        - 6720.0 * k
+        + 10080.0 * product_1
+        + 100800.0 * C * k
+    )
+    sum_13 = 50400.0 * k_squared - 50400.0 + 604800.0 * C
     result = _empty(arguments, (4, 4))
     result[..., 0, 0] = 1.0
-    result[..., 0, 1] = 0.5 * (k - 2.0) * sum_5 * sum_6 * term_1 * term_2 * term_5 / np.sqrt(sum_3 * sum_4 * term_3 * term_4)
-    result[..., 0, 2] = sum_8 * term_1 * term_2 * term_5 / np.sqrt(sum_3 * sum_7 * term_3 * term_4 * term_6)
-    result[..., 0, 3] = 0.25 * np.sqrt(14.0) * sum_10 * sum_5 * term_1 / np.sqrt(sum_3 * sum_9 * term_2 * term_3 * term_6)
+    result[..., 0, 1] = 20.0 * (k - 2.0) * sum_5 * sum_6 * term_1 * term_2 / np.sqrt(sum_3 * sum_4 * term_3 * term_4)
+    result[..., 0, 2] = sum_8 * term_1 * term_2 / np.sqrt(sum_3 * sum_7 * term_3 * term_4 * term_5)
+    result[..., 0, 3] = 840.0 * sum_10 * sum_5 * term_1 / np.sqrt(sum_3 * sum_9 * term_2 * term_3 * term_5)
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = 1.0
-    result[..., 1, 2] = 2.5 * sum_11 * term_1 * term_2 / np.sqrt(sum_4 * sum_7 * term_3 * term_4 * term_6)
-    result[..., 1, 3] = sum_12 * term_1 * term_7 / (np.sqrt(sum_4 * sum_9 * term_2 * term_3 * term_6) * 10.0)
+    result[..., 1, 2] = sum_11 * term_1 * term_2 / np.sqrt(sum_4 * sum_7 * term_3 * term_4 * term_5)
+    result[..., 1, 3] = sum_12 * term_1 / np.sqrt(sum_4 * sum_9 * term_2 * term_3 * term_5)
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
     result[..., 2, 2] = 1.0
-    result[..., 2, 3] = 0.5 * sum_9 * term_1 * term_7 / np.sqrt(sum_7 * sum_9 * term_2 * term_3 / sum_5**2)
+    result[..., 2, 3] = sum_13 * term_1 / np.sqrt(sum_7 * sum_9 * term_2 * term_3 / sum_5**2)
     result[..., 3, 0] = result[..., 0, 3]
     result[..., 3, 1] = result[..., 1, 3]
     result[..., 3, 2] = result[..., 2, 3]

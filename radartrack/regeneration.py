@@ -19,8 +19,7 @@ from radartrack.derive.catalogue import catalogue, find
 from radartrack.derive.forms import form_of
 from radartrack.derive.model import Model
 from radartrack.derive.quantity import Quantity
-from radartrack.derive.stable import StableForm
-from radartrack.derive.writer import Function, module_text
+from radartrack.derive.writer import Function, body, module_text
 from radartrack.directory_swap import replace_directory
 from radartrack.verification.sampling import sample
 from radartrack.verification.ulp import errors
@@ -97,19 +96,23 @@ def derive(quantities: Iterable[Quantity], step: Step) -> list[Function]:
     if all(quantity is catalogue().get(quantity.name) for quantity in wanted):
         names = [quantity.name for quantity in wanted]
         with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
-            return _told(wanted, pool.map(_form, names, chunksize=CHUNK), step)
-    return _told(wanted, map(form_of, wanted), step)
+            return _told(wanted, pool.map(_named_body, names, chunksize=CHUNK), step)
+    return _told(wanted, map(_body, wanted), step)
 
 
-def _form(name: str) -> StableForm:
-    return form_of(find(name))
+def _named_body(name: str) -> str:
+    return _body(find(name))
 
 
-def _told(quantities: list[Quantity], forms: Iterable[StableForm], step: Step) -> list[Function]:
+def _body(quantity: Quantity) -> str:
+    return body(quantity, form_of(quantity))
+
+
+def _told(quantities: list[Quantity], bodies: Iterable[str], step: Step) -> list[Function]:
     functions = []
-    for quantity, form in zip(quantities, forms, strict=True):
+    for quantity, statements in zip(quantities, bodies, strict=True):
         step(quantity.name)
-        functions.append(Function(quantity, form))
+        functions.append(Function(quantity, statements))
     return functions
 
 

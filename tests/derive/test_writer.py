@@ -13,7 +13,7 @@ from radartrack.derive.stable import StableForm
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import METRE, ONE
 from radartrack.derive.variable import Variable, length
-from radartrack.derive.writer import Function, docstring, module_text
+from radartrack.derive.writer import Function, body, docstring, module_text
 from tests.written import module_of
 
 r = length("r", "a length")
@@ -25,7 +25,7 @@ def function(*entries: sympy.Expr, shape: tuple[int, ...], symbols: tuple[Variab
     tensor = Tensor(shape, entries)
     axes = tuple((METRE,) * size for size in shape)
     quantity = Quantity("any.thing", "a thing", axes, symbols, Conditioning.TRUTH, SOURCE, "some word", lambda: tensor)
-    return Function(quantity, StableForm({}, tensor))
+    return Function(quantity, body(quantity, StableForm({}, tensor)))
 
 
 def module(*functions: Function):
@@ -65,7 +65,7 @@ def test_what_vanishes_is_guarded_without_a_warning(tmp_path: Path):
 
 def test_the_digest_is_of_the_code_alone():
     plain = function(r * a, shape=())
-    other_words = Function(replace(plain.quantity, meaning="another", source=Source("Else", 2000)), plain.form)
+    other_words = Function(replace(plain.quantity, meaning="another", source=Source("Else", 2000)), plain.body)
     other_code = function(r * a + 1, shape=())
     assert plain.digest == other_words.digest != other_code.digest
     assert plain.text("x") != other_words.text("x")
