@@ -21,8 +21,9 @@ from radartrack.derive.stable import NotProved
 from radartrack.derive.symbolic import Expr, Matrix, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import METRE, ONE
-from radartrack.derive.variable import Variable, angle, correlation, deviation, length
+from radartrack.derive.variable import Variable, angle, deviation, length
 
+FULLEST = 0.999  # two covariances that are singular together may have no weights
 r = length("r", "range")
 beta = angle("beta", "azimuth")
 sigma_beta = deviation(beta, low=1e-9, high=1.0)
@@ -93,7 +94,8 @@ def plane_covariance(number: int) -> tuple[Matrix, tuple[Variable, Variable, Var
         Variable(f"sigma_{axis}{number}", f"standard deviation of {axis} of measurement {number}", METRE, 1e-2, 1e5)
         for axis in "xy"
     )
-    rho = correlation(f"rho_{number}", first, second)
+    meaning = f"correlation of the errors of x and y of measurement {number}"
+    rho = Variable(f"rho_{number}", meaning, ONE, -FULLEST, FULLEST, is_correlation=True)
     mixed = rho * first * second
     return Matrix([[first**2, mixed], [mixed, second**2]]), (first, second, rho)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from radartrack.derive.names import require_names
 from radartrack.derive.quantity import Source
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
@@ -44,8 +45,7 @@ class Model:
     parameters: tuple[Variable, ...] = ()
 
     def __post_init__(self) -> None:
-        if not self.name.isidentifier():
-            raise ValueError(f"name must be an identifier, given {self.name!r}")
+        require_names("the model's name", [self.name])
         if len(self.deviations) != len(self.measured):
             raise ValueError(
                 f"deviations must be one for each measured quantity: given {len(self.deviations)}, "
@@ -56,9 +56,7 @@ class Model:
         for pair in self.correlations:
             if len(set(pair)) != 2 or not set(pair) <= set(self.measured):
                 raise ValueError(f"correlations must join two different measured quantities, given {pair}")
-        names = [symbol.name for symbol in (*self.arguments, *self.noise_symbols)]
-        if len(set(names)) != len(names):
-            raise ValueError(f"symbols must have different names, given {', '.join(names)}")
+        require_names("a symbol's name", [symbol.name for symbol in self.symbols])
         for output, expression in self.outputs.items():
             unknown = expression.free_symbols - set(self.arguments)
             if unknown:
@@ -115,4 +113,5 @@ class Model:
 def predicted(symbol: Variable) -> Variable:
     """The symbol of a prediction's own deviation or correlation."""
     meaning = symbol.meaning.replace("the error", "the prediction").replace("the errors", "the predictions")
-    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, symbol.low, symbol.high)
+    kind = {"is_correlation": symbol.is_correlation}
+    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, symbol.low, symbol.high, **kind)

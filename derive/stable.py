@@ -60,6 +60,11 @@ class StableForm:
             known[symbol] = definition.xreplace(known)
         return self.entries.map(lambda entry: entry.xreplace(known))
 
+    def renamed(self, names: Mapping[Symbol, Symbol]) -> StableForm:
+        """The same with other names for intermediates."""
+        definitions = {names.get(symbol, symbol): value.xreplace(names) for symbol, value in self.definitions.items()}
+        return StableForm(definitions, self.entries.map(lambda entry: entry.xreplace(names)))
+
     def only(self, entries: Tensor[Expr]) -> StableForm:
         """These entries with the intermediates that they need and no others."""
         needed = {symbol for entry in entries for symbol in entry.free_symbols}

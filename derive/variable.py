@@ -18,6 +18,7 @@ class Variable(Symbol):
         high: upper end of the domain, in that unit.
         whole: whether it is a whole number; the algebra takes it as real.
         at_most: a symbol that it never exceeds.
+        is_correlation: whether it is the correlation of two errors.
     """
 
     meaning: str
@@ -26,6 +27,7 @@ class Variable(Symbol):
     high: float
     whole: bool
     at_most: Variable | None
+    is_correlation: bool
 
     def __new__(
         cls,
@@ -37,12 +39,13 @@ class Variable(Symbol):
         *,
         whole: bool = False,
         at_most: Variable | None = None,
+        is_correlation: bool = False,
     ) -> Self:
         """Declare a symbol; one whose domain is above zero is positive in the algebra too."""
         sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
         variable.meaning, variable.unit, variable.low, variable.high = meaning, unit, low, high
-        variable.whole, variable.at_most = whole, at_most
+        variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
 
     @property
@@ -50,14 +53,9 @@ class Variable(Symbol):
         """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""
         return self.low > 0
 
-    @property
-    def is_correlation(self) -> bool:
-        """Whether it is a correlation coefficient, the only dimensionless symbol from -1 to 1."""
-        return self.unit == ONE and (self.low, self.high) == (-1.0, 1.0)
-
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        numbers = {"whole": self.whole, "at_most": self.at_most}
-        return (self.name, self.meaning, self.unit, self.low, self.high), numbers
+        kind = {"whole": self.whole, "at_most": self.at_most, "is_correlation": self.is_correlation}
+        return (self.name, self.meaning, self.unit, self.low, self.high), kind
 
 
 def length(name: str, meaning: str, low: float = 1.0, high: float = 1e8) -> Variable:
@@ -82,4 +80,5 @@ def deviation(of: Variable, low: float, high: float) -> Variable:
 
 def correlation(name: str, first: Variable, second: Variable) -> Variable:
     """The correlation of two measurement errors, from -1 to 1."""
-    return Variable(name, f"correlation of the errors of {first.name} and {second.name}", ONE, -1.0, 1.0)
+    meaning = f"correlation of the errors of {first.name} and {second.name}"
+    return Variable(name, meaning, ONE, -1.0, 1.0, is_correlation=True)

@@ -12,7 +12,7 @@ from radartrack.derive.common import with_common_parts
 from radartrack.derive.numpy_code import code, terms
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.stable import StableForm
-from radartrack.derive.symbolic import Expr
+from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor, nested
 
 VERSION = "1"
@@ -87,6 +87,7 @@ def body(quantity: Quantity, form: StableForm) -> str:
     """The statements that compute a quantity as it is rewritten, without the docstring."""
     if not quantity.symbols:
         return f"return np.array({nested(form.entries.map(code), gap=', ')})[()]"
+    form = _beside(form, quantity)
     definitions, results = with_common_parts(form.definitions, form.entries)
     names = [symbol.name for symbol in quantity.symbols]
     arguments = ", ".join(names)
@@ -96,6 +97,16 @@ def body(quantity: Quantity, form: StableForm) -> str:
     lines += _results(Tensor(form.entries.shape, tuple(results)))
     lines.append("return result[()]" if not quantity.shape else "return result")
     return "\n".join(lines)
+
+
+def _beside(form: StableForm, quantity: Quantity) -> StableForm:
+    """The form with an underscore behind every intermediate that is called like one of the arguments."""
+    taken = {symbol.name for symbol in quantity.symbols}
+    renamed: dict[Symbol, Symbol] = {}
+    for symbol in form.definitions:
+        if symbol.name in taken:
+            renamed[symbol] = sp.Symbol(f"{symbol.name}_", real=True)
+    return form.renamed(renamed) if renamed else form
 
 
 def _results(results: Tensor[Expr]) -> list[str]:

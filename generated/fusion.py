@@ -203,10 +203,10 @@ def matrix_weights_two(
     Args:
         sigma_x1: standard deviation of x of measurement 1 [m], 0.01 to 1e+05.
         sigma_y1: standard deviation of y of measurement 1 [m], 0.01 to 1e+05.
-        rho_1: correlation of the errors of sigma_x1 and sigma_y1 [1], -1 to 1.
+        rho_1: correlation of the errors of x and y of measurement 1 [1], -0.999 to 0.999.
         sigma_x2: standard deviation of x of measurement 2 [m], 0.01 to 1e+05.
         sigma_y2: standard deviation of y of measurement 2 [m], 0.01 to 1e+05.
-        rho_2: correlation of the errors of sigma_x2 and sigma_y2 [1], -1 to 1.
+        rho_2: correlation of the errors of x and y of measurement 2 [1], -0.999 to 0.999.
 
     Returns:
         Shape of the broadcast arguments + (2, 2), unit 1.

@@ -29,7 +29,11 @@ units = st.builds(Unit, fractions, fractions, fractions)
 @pytest.mark.parametrize(
     ("change", "complaint"),
     [
-        ({"name": "no name"}, "name must be an identifier, given 'no name'"),
+        ({"name": "no name"}, "the model's name must be an identifier of Python and no keyword; given 'no name'"),
+        ({"measured": (length("lambda", "wavelength"), beta)}, "no keyword; given 'lambda'"),
+        ({"measured": (length("np", "power"), beta)}, "which generated code uses; given 'np'"),
+        ({"measured": (length("_r", "range"), beta)}, "must not begin with _"),
+        ({"measured": (length("predicted_sigma_beta", "range"), beta)}, "a symbol's name must occur once"),
         (
             {"deviations": POLAR.deviations[:1]},
             "deviations must be one for each measured quantity: given 1, measured 2",
@@ -37,7 +41,7 @@ units = st.builds(Unit, fractions, fractions, fractions)
         ({"units": (METRE,)}, "units must be one for each output: given 1 for 2"),
         ({"correlations": {(r, r): POLAR.correlations[r, beta]}}, "two different measured quantities"),
         ({"correlations": {(r, length("q", "other")): POLAR.correlations[r, beta]}}, "two different measured"),
-        ({"measured": (r, length("r", "again"))}, "different names, given r, r"),
+        ({"measured": (r, length("r", "again"))}, "must occur once; given r, r"),
         ({"outputs": {"x": r, "y": length("q", "unknown") + beta}}, "output y may use r, beta only"),
     ],
 )

@@ -9,7 +9,7 @@ import sympy
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.quantity import Conditioning, Quantity, Source
-from radartrack.derive.stable import StableForm
+from radartrack.derive.stable import StableForm, stable_form
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.units import METRE, ONE
 from radartrack.derive.variable import Variable, length
@@ -97,3 +97,11 @@ def test_arguments_are_the_symbols_by_keyword_in_their_order():
 def test_public_names_are_listed():
     text, _ = module(function(r * a, shape=()))
     assert '__all__ = [\n    "thing",\n]' in text
+
+
+def test_a_symbol_may_be_called_like_an_intermediate(tmp_path: Path):
+    odd = Variable("cos_a", "a number called like the cosine of another", ONE, -1.0, 1.0)
+    tensor = Tensor((), (sp.cos(a) ** 2 + odd,))
+    quantity = Quantity("any.thing", "a thing", (), (a, odd), Conditioning.TRUTH, SOURCE, "some word", lambda: tensor)
+    text, _ = module(Function(quantity, body(quantity, stable_form(tensor))))
+    assert module_of(text, tmp_path).thing(a=0.3, cos_a=2.0) == pytest.approx(np.cos(0.3) ** 2 + 2.0, rel=1e-15)

@@ -1,0 +1,27 @@
+"""Names that modules, functions and arguments of generated code can carry."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from keyword import iskeyword
+
+RESERVED = frozenset({"Floats", "arguments", "np", "npt", "result"})
+"""What generated functions use themselves."""
+
+
+def require_names(what: str, names: Iterable[str]) -> None:
+    """Check names that a user chose.
+
+    Raises:
+        ValueError: when one is no Python identifier, is a keyword, begins with an underscore, is used by generated
+            code itself, or occurs twice.
+    """
+    names = list(names)
+    for name in names:
+        if not name.isidentifier() or iskeyword(name):
+            raise ValueError(f"{what} must be an identifier of Python and no keyword; given {name!r}")
+        if name in RESERVED or name.startswith("_"):
+            used = ", ".join(sorted(RESERVED))
+            raise ValueError(f"{what} must not begin with _ nor be {used}, which generated code uses; given {name!r}")
+    if len(set(names)) != len(names):
+        raise ValueError(f"{what} must occur once; given {', '.join(names)}")
