@@ -44,7 +44,8 @@ bench: $(VENV)/.extra-peers
 verify: $(VENV)/.group-test
 	$(BIN)/radartrack verify
 
-# Mutants of the derivations' own code, in a copy; Cosmic Ray has an environment of its own. It takes hours.
+# Mutants of the derivations' own code, in a copy; Cosmic Ray has an environment of its own. All of them take days;
+# `make mutants SAMPLE=120` takes an hour.
 mutants: $(VENV)/.group-test
 	rm -rf build/mutants
 	mkdir -p build/mutants
@@ -53,6 +54,8 @@ mutants: $(VENV)/.group-test
 	$(PYTHON) -m venv build/mutants/tool
 	build/mutants/tool/bin/python -m pip install -qq cosmic-ray==8.7.0
 	cd build/mutants && tool/bin/cosmic-ray init mutation.toml session.sqlite
+	cd build/mutants && tool/bin/cr-filter-operators session.sqlite mutation.toml
+	$(if $(SAMPLE),$(BIN)/python tests/mutants_of_the_tool.py sample build/mutants/session.sqlite $(SAMPLE))
 	cd build/mutants && PYTHONPATH="$$PWD" PATH="$$PWD/../../$(BIN):$$PATH" tool/bin/cosmic-ray exec mutation.toml session.sqlite
 	build/mutants/tool/bin/cr-report build/mutants/session.sqlite
 
