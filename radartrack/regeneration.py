@@ -168,14 +168,16 @@ def texts(functions: list[Function], record: Mapping[str, Accuracy]) -> Files:
 
 def differences(directory: Path, expected: Files) -> Iterator[str]:
     """What stands on disk against what the derivations give, file by file, as unified diffs."""
-    on_disk = {path.name: path for path in sorted(directory.glob("*")) if path.name != "__pycache__"}
-    for name in sorted(expected.keys() | on_disk.keys()):
-        if name not in expected:
-            yield f"{name}: no derivation owns this file\n"
-        elif name not in on_disk:
-            yield f"{name}: missing\n"
-        else:
-            yield _difference(on_disk[name], expected[name])
+    for orphan in orphans(directory, expected):
+        yield f"{orphan}: no derivation owns this file\n"
+    for name, text in sorted(expected.items()):
+        path = directory / name
+        yield _difference(path, text) if path.exists() else f"{name}: missing\n"
+
+
+def orphans(directory: Path, expected: Files) -> list[str]:
+    """The names of what stands in the directory and no derivation owns."""
+    return sorted({path.name for path in directory.glob("*")} - expected.keys() - {"__pycache__"})
 
 
 def write(directory: Path, files: Files) -> None:

@@ -41,6 +41,8 @@ def regenerate(
     if check:
         _report(found, directory)
     elif found:
+        for orphan in regeneration.orphans(directory, files):
+            typer.echo(f"{orphan}: no derivation owns this file; removed", err=True)
         regeneration.write(directory, files)
     typer.echo(f"{len(functions)} functions {'written to' if found else 'derived, as they stand in'} {directory}")
 
