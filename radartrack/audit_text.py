@@ -19,6 +19,20 @@ WRONG = ("differs", "wrong_dimensions")
 HUGE = 1e4
 
 
+def headline(record: Record) -> tuple[str, str]:
+    """The verdict in words, and what follows them in the same line: conditions or reasons."""
+    under = f" when {' and '.join(record['conditions'])}" if record["conditions"] else ""
+    match record["verdict"]:
+        case "equal":
+            return "equal, proved", under
+        case "equal_numerically":
+            return record["reason"], ""
+        case "undecided":
+            return "cannot decide", f": {record['reason']}".replace(": cannot decide", "")
+        case verdict:
+            return WORDS[verdict], f": {record['reason']}"
+
+
 def explanation(record: Record) -> Iterator[tuple[str, str]]:
     """Pairs of heading and text that explain a record beyond its reason."""
     if example := record["counterexample"]:

@@ -190,7 +190,7 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
         return Finding(entry, Outcome.DIFFERS, reason="the printed formula has no real value")
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
-    return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points, not proved")
+    return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points")
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:
@@ -201,6 +201,8 @@ def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[st
     match worst.outcome:
         case Outcome.EQUAL:
             return f"proved equal{under}"
+        case Outcome.EQUAL_NUMERICALLY:
+            return f"{worst.reason}{under}{where}, not proved"
         case Outcome.DIFFERS:
             return f"{worst.reason or 'not equal'}{under}{where}{count}"
         case _:

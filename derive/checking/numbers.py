@@ -271,7 +271,7 @@ def _evaluated(expression: Expr) -> Number:
 
 
 def _shown(value: Number) -> str:
-    return str(mpmath.nstr(value, SHOWN_DIGITS))
+    return str(mpmath.nstr(value, SHOWN_DIGITS)).removesuffix(".0")
 
 
 def _unit(claim: Claim) -> str:

@@ -19,17 +19,6 @@ class Outcome(StrEnum):
     WRONG_DIMENSIONS = "wrong_dimensions"
     UNDECIDED = "undecided"
 
-    @property
-    def words(self) -> str:
-        """As it is said to people."""
-        return {
-            Outcome.EQUAL: "equal, proved",
-            Outcome.EQUAL_NUMERICALLY: "equal to 50 digits, not proved",
-            Outcome.DIFFERS: "differs",
-            Outcome.WRONG_DIMENSIONS: "wrong dimensions",
-            Outcome.UNDECIDED: "cannot decide",
-        }[self]
-
 
 @dataclass(frozen=True)
 class Counterexample:

@@ -69,8 +69,9 @@ def _tell(record: dict[str, object], *, latex: bool) -> None:
     verdict = str(record["verdict"])
     if latex:
         typer.echo(f"read as: {record['printed']}")
-    typer.echo(f"{typer.style(audit_text.WORDS[verdict], fg=COLOURS.get(verdict), bold=True)}: {record['reason']}")
-    if verdict != "equal":
+    words, rest = audit_text.headline(record)
+    typer.echo(typer.style(words, fg=COLOURS.get(verdict), bold=True) + rest)
+    if verdict != "equal" and record["derived"]:
         typer.echo(f"derived: {record['derived']}")
     for heading, text in audit_text.explanation(record):
         typer.echo(f"{heading}: {text}")

@@ -54,6 +54,31 @@ def test_check_says_what_differs_and_what_was_meant() -> None:
         assert said in output
 
 
+@pytest.mark.parametrize(
+    ("arguments", "code", "said"),
+    [
+        (("polar.map[0]", "r*cos(beta)"), 0, "equal, proved\n"),
+        (
+            ("polar.bias.second_order[0]", "-r*cos(beta)*sigma_beta^2/2", "--given", "rho=0"),
+            0,
+            "equal, proved when rho = 0\n",
+        ),
+        (
+            ("observe.polar.map[1]", "2*atan2(y, x + sqrt(x**2 + y**2))"),
+            0,
+            "equal to 50 digits at 48 points, not proved\n",
+        ),
+        (("polar.map[0]", "r*sin(beta)"), 1, "differs: not equal: sin should be cos"),
+        (("polar.map[0]", "r**2*cos(beta)"), 1, "wrong dimensions: the formula has the unit m^2"),
+        (("spherical.covariance.averaged[0,0]", "r", "--timeout", "0.1"), 3, "cannot decide in 0.1 s\n"),
+    ],
+)
+def test_the_verdict_comes_first_in_the_same_words(arguments: tuple[str, ...], code: int, said: str) -> None:
+    result = _run("check", *arguments)
+    assert result.exit_code == code, result.output
+    assert result.output.startswith(said)
+
+
 def test_check_repeats_how_latex_was_read() -> None:
     assert "read as: r*cos(beta)" in _run("check", "polar.map[0]", r"r\cos\beta", "--latex").output
 
