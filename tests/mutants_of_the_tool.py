@@ -16,6 +16,7 @@ TESTS = {
     "exponential": ["test_exponential.py", "test_operator.py"],
     "numpy_code": ["test_numpy_code.py", "test_writer.py"],
     "writer": ["test_writer.py"],
+    "bernstein": ["test_bernstein.py", "test_stable.py"],
     "stable": ["test_stable.py", "test_forms.py"],
     "common": ["test_common.py"],
     "rational": ["test_rational.py"],

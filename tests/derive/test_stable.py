@@ -1,7 +1,5 @@
 """Stable forms: the same function, without cancellation, and never unproved."""
 
-from fractions import Fraction
-
 import numpy as np
 import pytest
 import sympy
@@ -9,7 +7,6 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from radartrack.derive import stable
-from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import ExponentialPolynomial, NotExponentialPolynomial, ring_over
 from radartrack.derive.numpy_code import code
 from radartrack.derive.stable import NotProved, StableForm, stable_form
@@ -159,22 +156,3 @@ def test_only_keeps_what_the_entries_need_in_order():
     assert list(form.only(vector(b)).definitions) == [a, b]
     assert list(form.only(vector(c)).definitions) == [c]
     assert list(form.expanded()) == [r**2 + 1, sympy.sin(r)]
-
-
-@given(
-    st.dictionaries(
-        st.tuples(st.integers(-3, 4), st.integers(-3, 4)),
-        st.fractions(-5, 5, max_denominator=7).filter(bool),
-        max_size=5,
-    )
-)
-@share(0.4)
-def test_bernstein_is_the_polynomial_that_it_was_given(coefficients: dict[tuple[int, int], Fraction]):
-    decays = tuple(stable.Decay.of((n,), s**2, Fraction(1)) for n, s in enumerate(sympy.symbols("a b", positive=True)))
-    rewritten = stable.bernstein(frozenset(coefficients.items()), decays)
-    shortfalls = {decay.shortfall: 1 - decay.attenuation for decay in decays}
-    expected = sum(
-        sympy.Rational(c) * decays[0].attenuation ** m * decays[1].attenuation ** n
-        for (m, n), c in coefficients.items()
-    )
-    assert sympy.expand(sp.Integer(0) + rewritten.subs(shortfalls) - expected) == 0
