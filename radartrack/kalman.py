@@ -230,7 +230,11 @@ def _sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans
         yield from repeat(_Sensor(matrix, noise, across, _rows(across, matrix)), scans)
         return
     size = len(matrix)
-    for part in np.moveaxis(np.broadcast_to(noise, (*tracks, scans, size, size)), -3, 0):
+    leading = (1,) if math.prod(noise.shape[:-3]) == 1 else tracks
+    spread = np.broadcast_to(
+        noise.reshape(-1, *noise.shape[-3:]) if leading == (1,) else noise, (*leading, scans, size, size)
+    )
+    for part in np.moveaxis(spread, -3, 0):
         own = np.ascontiguousarray(np.moveaxis(part.reshape(-1, size, size), 0, -1))
         across = _whitening_of_each(np.ones((size, 1), dtype=bool), own).swapaxes(0, 1)
         yield _Sensor(matrix, own, across, _rows(across, matrix))

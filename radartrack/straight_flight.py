@@ -136,7 +136,7 @@ def compare(
     line.require_count("runs", runs, least=2)
     seen = [plots_of(station, runs, (seed, number)) for number, station in enumerate(stations)]
     times = np.linspace(0.0, DURATION, EVALUATED)
-    motions = {name: _line(seen, weigh(stations, seen)) for name, weigh in _SOURCES.items()}
+    motions = {name: fused(name, stations, seen) for name in _SOURCES}
     motions["covariance"] = _by_covariance(stations, seen)
     truth = FLIGHT.states(times)[:, :2]
     squares = {
@@ -157,7 +157,9 @@ def plots_of(station: Station, runs: int, seed: Seed) -> Plots:
     return Plots(seen.t, r, azimuth, elevation, *line.to_plane(r, azimuth, elevation, site=station.site))
 
 
-def _line(seen: Sequence[Plots], weights: Floats) -> fusion.Motion:
+def fused(source: str, stations: Sequence[Station], seen: Sequence[Plots]) -> fusion.Motion:
+    """The line through the plots of all radars, with a weight for each radar from one of the sources."""
+    weights = _SOURCES[source](stations, seen)
     return fusion.fuse_lines([p.t for p in seen], [p.x for p in seen], [p.y for p in seen], weights)
 
 

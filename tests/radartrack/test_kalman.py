@@ -115,6 +115,18 @@ def test_a_run_with_a_noise_for_each_plot_is_the_textbook_recursion(missing: flo
             assert found.covariance[track, scan] == pytest.approx(belief.covariance, abs=1e-7)
 
 
+def test_tracks_share_covariances_where_the_noise_changes_from_scan_to_scan_alone() -> None:
+    motion = kalman.constant_acceleration(2.0, 0.1)
+    noise = NOISE * np.arange(1, 13)[:, np.newaxis, np.newaxis]
+    measured = measurements((3, 12, 3), 0.0)
+    start = Belief(np.zeros(3), np.diag([400.0, 100.0, 25.0]))
+    shared = kalman.run(start, motion, measured, MATRIX, noise)
+    each = kalman.run(start, motion, measured, MATRIX, np.broadcast_to(noise, (3, 12, 3, 3)))
+    assert shared.covariance.strides[0] == 0
+    assert shared.mean == pytest.approx(each.mean, rel=1e-12)
+    assert shared.covariance == pytest.approx(each.covariance, rel=1e-12)
+
+
 def test_an_update_takes_a_noise_for_each_track_and_broadcasts() -> None:
     noise = np.stack([np.diag([1.0, 2.0]), np.diag([3.0, 4.0])])
     start = Belief(np.zeros(2), np.diag([400.0, 100.0]))

@@ -1,0 +1,1 @@
+"""The experiments of three papers, repeated: tables, figures, and the papers' numbers beside ours."""
