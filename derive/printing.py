@@ -10,6 +10,11 @@ from radartrack.derive.quantity import Quantity
 from radartrack.derive.symbolic import Symbol
 from radartrack.derive.tensor import Index, Tensor, nested
 
+RATIO = """
+def _ratio(above, below):  # the quotient; 0 where the divisor is 0
+    quotient = np.zeros(np.broadcast(above, below).shape)
+    return np.divide(above, below, out=quotient, where=np.not_equal(below, 0))
+"""
 LATEX_NAMES = {
     "r": "r",
     "rdot": r"\dot{r}",
@@ -45,12 +50,14 @@ def latex(quantity: Quantity, index: Index | None = None) -> str:
 
 
 def python(quantity: Quantity, index: Index | None = None) -> str:
-    """NumPy statements; the last ones compute the entries asked for."""
+    """NumPy statements that run where the symbols have values; the last ones compute the entries asked for."""
     form = form_of(quantity)
     wanted = form.entries if index is None else Tensor((), (form.entries[index],))
     definitions, results = with_common_parts(form.only(wanted).definitions, wanted)
     lines = [f"{symbol.name} = {code(definition)}" for symbol, definition in definitions.items()]
-    return "\n".join([*lines, f"result = {nested(Tensor(wanted.shape, tuple(results)).map(code))}"])
+    lines.append(f"result = {nested(Tensor(wanted.shape, tuple(results)).map(code))}")
+    helper = f"\n{RATIO}\n" if any("_ratio(" in line for line in lines) else ""
+    return "\n".join([f"import numpy as np\n{helper}", *lines])
 
 
 def latex_name(symbol: Symbol) -> str:

@@ -84,7 +84,8 @@ def percent(relative: float) -> str:
     """A relative difference."""
     if relative > HUGE:
         return f"a factor of {relative:.1e}"
-    return f"{relative * 100:.3g} %"
+    digits = f"{relative * 100:.3g}"
+    return f"{float(digits):.0f} %" if "e+" in digits else f"{digits} %"
 
 
 def _power(exponent: int) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from html import escape
+from itertools import pairwise
 from typing import Any
 
 from radartrack.derive.checking.claims import Claim
@@ -31,6 +33,7 @@ GREEK = {
     "tau": "τ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Sigma": "Σ",
     "rdot": "ṙ", "mean": "mean", "predicted": "predicted",
 }  # fmt: skip
+THIN = '<mspace width="0.167em"/>'  # around functions: sin α cos β
 APPLY, TIMES, MINUS = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>", "<mo>−</mo>"
 SQUARED_BY_NAME = {"sin", "cos", "tan", "sinh", "cosh", "tanh"}
 LONGEST = 4000
@@ -63,7 +66,7 @@ def element(tree: Tree) -> str:
         case Sum(terms):
             return _row(*(_term(term, first=not place) for place, term in enumerate(terms)))
         case Product(factors):
-            return _row(TIMES.join(map(_factor, factors)))
+            return _product(factors)
         case Quotient(numerator, denominator):
             return f"<mfrac>{element(numerator)}{element(denominator)}</mfrac>"
         case Negation(operand):
@@ -100,16 +103,33 @@ def _term(term: Tree, *, first: bool) -> str:
     return shown if first else f"<mo>+</mo>{shown}"
 
 
+def _product(factors: Sequence[Tree]) -> str:
+    parts = [_factor(factors[0])]
+    for before, factor in pairwise(factors):
+        parts += [TIMES, THIN if _is_named(before) or _is_named(factor) else "", _factor(factor)]
+    return _row(*parts)
+
+
 def _factor(factor: Tree) -> str:
     return _bracketed(factor) if isinstance(factor, Sum | Negation) else element(factor)
 
 
+def _is_named(tree: Tree) -> bool:
+    """Whether it is a function written with its name, or a power of one."""
+    call = tree.base if isinstance(tree, Power) else tree
+    return isinstance(call, Call) and call.function not in {"sqrt", "abs", "exp"}
+
+
 def _power(base: Tree, exponent: Tree) -> str:
-    if isinstance(base, Call) and base.function in SQUARED_BY_NAME and isinstance(exponent, Number):
-        raised = f"<msup><mi>{base.function}</mi>{element(exponent)}</msup>"
-        return _row(raised, APPLY, _argument(base.arguments[0]))
-    simple = isinstance(base, Name | Number | Constant)
-    return f"<msup>{element(base) if simple else _bracketed(base)}{element(exponent)}</msup>"
+    match base:
+        case Call(function, (argument,)) if function in SQUARED_BY_NAME and isinstance(exponent, Number):
+            return _applied(f"<msup><mi>{function}</mi>{element(exponent)}</msup>", argument)
+        case Name(name) if "_" in name:
+            return _name(name, element(exponent))
+        case Name() | Number() | Constant():
+            return f"<msup>{element(base)}{element(exponent)}</msup>"
+        case _:
+            return f"<msup>{_bracketed(base)}{element(exponent)}</msup>"
 
 
 def _call(function: str, arguments: tuple[Tree, ...]) -> str:
@@ -120,28 +140,32 @@ def _call(function: str, arguments: tuple[Tree, ...]) -> str:
     if function == "exp":
         return f'<msup><mi mathvariant="normal">e</mi>{element(arguments[0])}</msup>'
     if len(arguments) == 1:
-        return _row(f"<mi>{function}</mi>", APPLY, _argument(arguments[0]))
+        return _applied(f"<mi>{function}</mi>", arguments[0])
     inside = "<mo>,</mo>".join(map(element, arguments))
     return _row(f"<mi>{function}</mi>", APPLY, "<mo>(</mo>", inside, "<mo>)</mo>")
 
 
-def _argument(tree: Tree) -> str:
-    return element(tree) if isinstance(tree, Name | Number) else _bracketed(tree)
+def _applied(function: str, argument: Tree) -> str:
+    if isinstance(argument, Name | Number):
+        return _row(function, APPLY, THIN, element(argument))
+    return _row(function, APPLY, _bracketed(argument))
 
 
 def _array(entries: tuple[Tree, ...]) -> str:
     rows = [entry.entries if isinstance(entry, Array) else (entry,) for entry in entries]
     cells = ("".join(f"<mtd>{element(cell)}</mtd>" for cell in row) for row in rows)
     table = "".join(f"<mtr>{row}</mtr>" for row in cells)
-    return _row("<mo>(</mo>", f"<mtable>{table}</mtable>", "<mo>)</mo>")
+    return f'<mtable class="array">{table}</mtable>'
 
 
-def _name(name: str) -> str:
+def _name(name: str, power: str = "") -> str:
+    """A letter with what stands below it, and above."""
     base, *below = name.split("_")
     letter = _letter(base)
     if not below:
         return letter
-    return f"<msub>{letter}{_row('<mo>,</mo>'.join(map(_letter, below)))}</msub>"
+    index = _row("<mo>,</mo>".join(map(_letter, below)))
+    return f"<msubsup>{letter}{index}{power}</msubsup>" if power else f"<msub>{letter}{index}</msub>"
 
 
 def _letter(word: str) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from itertools import islice
 from random import Random
 
 from radartrack.derive import symbolic as sp
@@ -35,28 +36,27 @@ def mutants(tree: Tree, names: Mapping[str, object], count: int, random: Random)
         count: how many are wanted.
         random: chooses among them.
     """
-    found = _distinct(_slips(tree, names), {to_text(tree)})
-    random.shuffle(found)
-    known = {to_text(tree), *map(to_text, found)}
-    first = list(found)
+    known = {to_text(tree)}
+    found = list(islice(_slips(tree, names, known, random), count))
+    once = list(found)
     for _ in range(TRIES * (count - len(found))):
-        twice = _distinct(_slips(random.choice(first), names), known)
-        if len(found) < count and twice:
-            found.append(random.choice(twice))
-            known.add(to_text(found[-1]))
-    return found[:count]
+        if len(found) < count:
+            found.extend(islice(_slips(random.choice(once), names, known, random), 1))
+    return found
 
 
-def _distinct(trees: Iterable[Tree], known: set[str]) -> list[Tree]:
-    """Those that print differently from one another and from what is known."""
-    printed = {to_text(tree): tree for tree in trees}
-    return [tree for text, tree in printed.items() if text not in known]
-
-
-def _slips(tree: Tree, names: Mapping[str, object]) -> Iterator[Tree]:
-    for path, node in walk(tree):
-        whole = not path
-        yield from (replace_at(tree, path, new) for new in (*_changes(node, names), *_additions(node, names, whole)))
+def _slips(tree: Tree, names: Mapping[str, object], known: set[str], random: Random) -> Iterator[Tree]:
+    """Formulas with one slip in any order; none that prints as one that is known."""
+    places = [
+        (path, new)
+        for path, node in walk(tree)
+        for new in (*_changes(node, names), *_additions(node, names, whole=not path))
+    ]
+    for path, new in random.sample(places, len(places)):
+        changed = replace_at(tree, path, new)
+        if (text := to_text(changed)) not in known:
+            known.add(text)
+            yield changed
 
 
 def _changes(node: Tree, names: Mapping[str, object]) -> Iterator[Tree]:
@@ -81,7 +81,7 @@ def _changes(node: Tree, names: Mapping[str, object]) -> Iterator[Tree]:
             yield from (numerator, Product((numerator, denominator)), Quotient(denominator, numerator))
 
 
-def _additions(node: Tree, names: Mapping[str, object], whole: bool) -> Iterator[Tree]:
+def _additions(node: Tree, names: Mapping[str, object], *, whole: bool) -> Iterator[Tree]:
     """A factor, divisor or term too many, or another sign."""
     if whole:
         yield Negation(node)

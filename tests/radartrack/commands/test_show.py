@@ -1,6 +1,7 @@
 """`radartrack show`: every quantity and entry in every format, and hints for what is not there."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,9 +9,11 @@ from typer.testing import CliRunner
 
 from radartrack.cli import app
 from radartrack.derive import printing
-from radartrack.derive.catalogue import find
+from radartrack.derive.catalogue import catalogue, find
 from radartrack.derive.quantity import Quantity
+from radartrack.verification.sampling import sample
 from tests import conversions
+from tests.written import module_of
 
 POLAR = [find(f"polar.{row}") for row in ("map", "hessian", "bias.truth", "covariance.averaged", "std.position")]
 FORMATS = {"text": printing.text, "latex": printing.latex, "python": printing.python}
@@ -32,6 +35,18 @@ def test_heading_and_formula_are_shown_for_the_whole_and_for_every_entry(quantit
         assert formula == FORMATS[kind](quantity, index) + "\n"
         assert [line.removeprefix(COMMENTS[kind]) for line in heading.splitlines()] == printing.heading(quantity)
         assert all(line.startswith(COMMENTS[kind]) for line in heading.splitlines())
+
+
+@pytest.mark.parametrize("quantity", [q for q in catalogue().values() if q.module == "observe"], ids=conversions.ids)
+def test_code_holds_all_that_it_uses(quantity: Quantity, tmp_path: Path):
+    code = show(quantity.name, "--format", "python")
+    points = sample(quantity, 3, seed=5)
+    expected = conversions.generated(quantity)(**points)
+    for n, row in enumerate(zip(*points.values(), strict=True)):
+        values = "".join(f"{name} = {float(value)!r}\n" for name, value in zip(points, row, strict=True))
+        assert np.asarray(module_of(values + code, tmp_path).result) == pytest.approx(
+            expected[n], rel=1e-12, abs=1e-300
+        )
 
 
 def test_text_is_the_format_when_none_is_asked_for():
