@@ -134,11 +134,15 @@ def _badness(layer: Mapping[str, Any]) -> float:
 
 def _show(records: Sequence[Mapping[str, Any]]) -> None:
     """One row a function, worst first, then what failed in words."""
+    from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
     console = Console() if sys.stdout.isatty() else Console(width=int(os.environ.get("COLUMNS", PLAIN_WIDTH)))
     titles = [layer["layer"] for layer in records[0]["layers"]] if records else []
-    table = Table("function", *titles)
+    table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    table.add_column("function", overflow="fold")
+    for title in titles:
+        table.add_column(title.replace(" ", "\n"), justify="right", no_wrap=True)
     for record in sorted(records, key=lambda r: -max(map(_badness, r["layers"]))):
         table.add_row(record["quantity"], *map(_cell, record["layers"]))
     console.print(table)
@@ -154,4 +158,4 @@ def _cell(layer: Mapping[str, Any]) -> str:
     if layer["verdict"] == "not applicable":
         return "–"
     figure = "" if layer["figure"] is None else f"{layer['figure']:.2g}"
-    return f"[bold red]{figure} failed[/]" if layer["verdict"] == "failed" else figure or "passed"
+    return f"[bold red]✗ {figure}[/]" if layer["verdict"] == "failed" else figure

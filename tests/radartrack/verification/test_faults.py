@@ -94,8 +94,9 @@ def test_code_that_breaks_down_has_failed():
     assert (outcome.verdict, outcome.detail) == (Verdict.FAILED, "ZeroDivisionError: no range")
 
 
-def test_right_code_passes_every_layer():
-    quantity = catalogue()["polar.covariance.truth"]
+@pytest.mark.parametrize("name", ["polar.covariance.truth", "polar.std.linear", "spherical.bias.averaged"])
+def test_right_code_passes_every_layer(name: str):
+    quantity = catalogue()[name]
     assert noticed(quantity, function_of(quantity.name)) == set()
 
 

@@ -84,13 +84,15 @@ def test_the_search_finds_worse_points_than_chance():
 
 
 EXAMPLES = ["polar.jacobian", "polar.bias.averaged", "polar.unbiased.covariance", "ruv.bias.truth.fourth_order"]
+EXAMPLES += ["line.slope", "line.gradient", "fusion.matrix_weights.two", "kinematics.constant_jerk.process_noise"]
+EXAMPLES += ["taylor.mean_shift", "spherical.std.linear", "finite_sample.degree2.range_rate.at_lag.covariance"]
 EXAMPLES += ["observe.polar.jacobian", "finite_sample.degree1.range_rate.covariance", "polar.covariance.second_order"]
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_every_mutant_is_caught_by_other_layers_than_monte_carlo(name: str):
-    found = mutants.caught(catalogue()[name], 14, seed=1)
-    assert len(found) > 8
+    found = mutants.caught(catalogue()[name], 10, seed=1)
+    assert len(found) > 6
     assert [each.mutant for each in found if not each.derivation or not each.code] == []
 
 

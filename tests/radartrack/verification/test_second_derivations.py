@@ -8,12 +8,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radartrack.derive.catalogue import catalogue
 from radartrack.derive.models import models
+from radartrack.derive.quantity import Quantity
+from radartrack.verification.best_weights import constrained_minimum
 from radartrack.verification.definitions import ROWS, defined
 from radartrack.verification.direct_series import DirectSeries
 from radartrack.verification.generating import GeneratingFunction
+from radartrack.verification.identity import Identity
 from radartrack.verification.jets import gaussian_moment, jets
 from radartrack.verification.least_squares import inverse
+from radartrack.verification.motions import drift, exponential
+from radartrack.verification.outcome import Verdict
+from radartrack.verification.point_sets import points_with
 from tests import maps
 from tests.examples import share
 
@@ -67,3 +74,49 @@ def test_the_inverse_of_fractions_is_exact(rows: list[list[int]]):
 def test_every_definition_is_one_of_exact_algebra():
     generating = GeneratingFunction(models()["polar"])
     assert all(defined(row, generating).entries for row in ROWS)
+
+
+SUMS = ("W", "mean_x", "mean_y", "S_xx", "S_xy", "S_yy")
+
+
+@given(st.tuples(*[st.integers(-1000, 1000)] * len(SUMS)))
+def test_points_have_the_sums_that_were_asked_for(numbers: tuple[int, ...]):
+    asked = dict(zip(SUMS, map(mpmath.mpf, numbers), strict=True))
+    points, x, y = points_with(asked), asked["mean_x"], asked["mean_y"]
+    found = {
+        "W": sum(p.weight for p in points),
+        "S_xx": sum(p.weight * (p.x - x) ** 2 for p in points),
+        "S_xy": sum(p.weight * (p.x - x) * (p.y - y) for p in points),
+        "S_yy": sum(p.weight * (p.y - y) ** 2 for p in points),
+    }
+    assert found == {name: asked[name] for name in found}
+    assert sum(p.weight * (p.x - x) for p in points) == sum(p.weight * (p.y - y) for p in points) == 0
+
+
+@given(seed=st.integers(0, 100))
+@share(0.2)
+def test_any_other_weights_that_sum_to_one_have_a_larger_trace(seed: int):
+    generator = np.random.default_rng(seed)
+    factors = generator.normal(size=(2, 2, 2))
+    covariances = [factor @ factor.T for factor in factors]
+    first, second = (
+        np.array(w.tolist(), dtype=float) for w in constrained_minimum(list(map(mpmath.matrix, covariances)))
+    )
+    np.testing.assert_allclose(first + second, np.eye(2), atol=1e-12)
+
+    def trace(move: np.ndarray) -> float:
+        pairs = zip((first + move, second - move), covariances, strict=True)
+        return sum(np.trace(weight @ covariance @ weight.T) for weight, covariance in pairs)
+
+    assert all(trace(np.zeros((2, 2))) <= trace(generator.normal(size=(2, 2))) for _ in range(20))
+
+
+def test_the_exponential_of_a_motion_is_made_of_its_halves():
+    whole, half = (exponential(drift(4) * time) for time in (mpmath.mpf(3), mpmath.mpf("1.5")))
+    assert mpmath.mnorm(half * half - whole) < 1e-13
+    np.testing.assert_allclose(np.array(whole.tolist(), dtype=float)[0], [1, 3, 4.5, 4.5])
+
+
+@pytest.mark.parametrize("quantity", catalogue().values(), ids=lambda quantity: quantity.name)
+def test_every_quantity_has_a_second_derivation_that_agrees(quantity: Quantity):
+    assert Identity()(quantity, lambda **_: None).verdict is Verdict.PASSED

@@ -14,6 +14,7 @@ from distributed import LocalCluster
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.forms import form_of
+from radartrack.verification import experiments
 from radartrack.verification.compilation import compiled
 from radartrack.verification.engines import Dask, Engine, Local
 from radartrack.verification.experiments import Polynomial, Trial, trials
@@ -114,6 +115,13 @@ def test_what_the_second_order_leaves_out_is_noticed(name: str, cut_off: str):
 
     assert MonteCarlo(draws=1 << 18)(quantity, right(name)).verdict is Verdict.PASSED
     assert MonteCarlo(draws=1 << 18)(quantity, second_order).verdict is Verdict.FAILED
+
+
+@pytest.mark.parametrize("name", ["polar.bias.truth", "polar.covariance.truth", "spherical.bias.averaged"])
+def test_what_the_second_order_leaves_out_is_several_times_what_would_be_found(name: str):
+    one = trial(name)
+    found = comparisons(one, simulate(one.experiment, range(32)))
+    assert max(c.beyond / c.detectable(experiments.tests_of_catalogue()) for c in found) > 4
 
 
 SEEDS = 60
