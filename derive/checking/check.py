@@ -186,8 +186,10 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
         values = comparison.differ_at(point)
         if values is not None:
             return Finding(entry, Outcome.DIFFERS, values)
-    if not compared and any(comparison.is_imaginary_at(point) for point in points):
-        return Finding(entry, Outcome.DIFFERS, reason="the printed formula has no real value")
+    imaginary = next((point for point in points if comparison.is_imaginary_at(point)), None)
+    if imaginary is not None:
+        where = ", ".join(f"{name} = {value:g}" for name, value in imaginary.items())
+        return Finding(entry, Outcome.DIFFERS, reason=f"the printed formula has no real value at {where}")
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
     return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points")

@@ -52,8 +52,11 @@ class Comparison:
 
     def is_imaginary_at(self, point: Point) -> bool:
         """Whether what is printed is no real number there, while what was derived is."""
-        pair = _evaluated(self._evaluator, self._names, point)
-        return pair is not None and _is_real(pair[1]) and isinstance(pair[0], mpmath.mpc)
+        pair, fine = (_evaluated(one, self._names, point) for one in (self._evaluator, self._fine))
+        if pair is None or fine is None or not _is_real(pair[1]):
+            return False
+        rough, exact = (abs(mpmath.im(printed)) for printed, _ in (pair, fine))
+        return bool(exact > NOISE * abs(fine[0]) and exact > rough / 2)
 
     def differ_at(self, point: Point) -> Values | None:
         """Both values when they differ beyond the rounding of many digits, else None.

@@ -14,6 +14,7 @@ from functools import cached_property
 from radartrack.derive import catalogue
 from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
 from radartrack.derive.checking.scalar import scalar_expression
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import Array, Tree
 from radartrack.derive.gaussian import COVERAGE
@@ -107,35 +108,46 @@ def refer(text: str) -> Reference:
 
     Raises:
         UnknownQuantity: for a name that the catalogue does not have.
-        UnknownEntry: for an index that the quantity does not have, or shapes that do not fit each other.
-        FormulaError: for an expression that cannot be read.
+        UnknownEntry: for an index that the quantity does not have, shapes that do not fit each other, or an
+            expression that cannot be read.
     """
-    parts: dict[str, Part] = {}
-    names: dict[str, str] = {}
-
-    def placeholder(found: re.Match[str]) -> str:
-        name = names.setdefault(found[0], _placeholder(len(names)))
-        parts[name] = _part(_find(found["name"]), found["index"])
-        return name
-
-    replaced = _MENTION.sub(placeholder, text[:MAX_CHARACTERS])
-    if not parts or len(text) > MAX_CHARACTERS:
+    if len(text) > MAX_CHARACTERS:
+        raise UnknownEntry(f"{text[:80]!r} names no quantity: it has more than {MAX_CHARACTERS} characters")
+    names = {found[0]: _placeholder(place) for place, found in enumerate(_mentions(text))}
+    parts = {names[found[0]]: _part(_find(found["name"]), found["index"]) for found in _mentions(text)}
+    if not parts:
         _find(text[:80].strip())
-        raise UnknownEntry(f"{text[:80]!r} names no quantity")
+    reference = Reference(text.strip(), _combination(text, names, parts), parts)
+    try:
+        _ = reference.dimensions
+    except WrongDimensions as error:
+        raise UnknownEntry(f"{text}: {_with_names(str(error), names)}") from None
+    return reference
+
+
+def _mentions(text: str) -> list[re.Match[str]]:
+    """The quantities of an expression, each once."""
+    return list({found[0]: found for found in _MENTION.finditer(text)}.values())
+
+
+def _combination(text: str, names: Mapping[str, str], parts: Mapping[str, Part]) -> Tree:
+    """The expression over placeholders for its quantities, all of one shape or scalars."""
     symbols = {symbol.name for part in parts.values() for symbol in part.quantity.symbols}
-    tree = read_text(replaced, symbols | set(parts))
+    try:
+        tree = read_text(_MENTION.sub(lambda found: names[found[0]], text), symbols | set(parts))
+    except FormulaError as error:
+        raise UnknownEntry(f"{text}: {_with_names(error.message, names)}") from None
     if isinstance(tree, Array):
         raise UnknownEntry(f"{text}: an expression over quantities is no array")
     shapes = {part.shape for part in parts.values() if part.shape}
     if len(shapes) > 1:
         raise UnknownEntry(f"{text}: the shapes {' and '.join(map(str, sorted(shapes)))} do not fit each other")
-    reference = Reference(text.strip(), tree, parts)
-    try:
-        _ = reference.dimensions
-    except WrongDimensions as error:
-        said = _PLACEHOLDER.sub(lambda found: list(names)[int(found[1])], str(error))
-        raise UnknownEntry(f"{text}: {said}") from None
-    return reference
+    return tree
+
+
+def _with_names(message: str, names: Mapping[str, str]) -> str:
+    """What is said about placeholders, said about quantities."""
+    return _PLACEHOLDER.sub(lambda found: list(names)[int(found[1])], message)
 
 
 def _find(name: str) -> Quantity:

@@ -110,7 +110,7 @@ def _as_asked(asked: Asked) -> _Trial | None:
 
 def _without_correlation(asked: Asked) -> _Trial | None:
     """The comparison with all correlations zero; None where there is none to set."""
-    free = [symbol for symbol in _symbols(asked) if symbol.is_correlation and symbol not in asked.conditions]
+    free = [one for one in asked.reference.symbols if one.is_correlation and one not in asked.conditions]
     if not free:
         return None
     zero: dict[Symbol, Expr] = {symbol: sp.Integer(0) for symbol in free}

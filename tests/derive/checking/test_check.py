@@ -185,6 +185,18 @@ def test_what_algebra_cannot_decide_is_compared_in_numbers_and_said_to_be_unprov
     assert "not proved" in verdict.reason
 
 
+def test_a_formula_that_is_real_only_where_both_vanish_differs() -> None:
+    verdict = check("finite_sample.degree2.range_rate.design[0,2]", "T**2*(j - k)**(1/2)/2")
+    assert verdict.verdict is Outcome.DIFFERS
+    assert "no real value at k = 8, j = 3" in verdict.reason
+
+
+def test_a_root_of_what_rounding_brings_below_zero_is_not_taken_for_imaginary() -> None:
+    formula = "acos(cos(atan2(y, x)))*sqrt(1 + sqrt((sin(x/y)**2 + cos(x/y)**2 - 1)**2))"
+    verdict = check("observe.polar.map[1]", formula, given={"y": "2*abs(x) + 1"})
+    assert verdict.verdict in {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}, verdict.reason
+
+
 def test_a_difference_far_below_rounding_in_floating_point_is_seen() -> None:
     verdict = check("polar.map[0]", "r*cos(beta) + 1e-38*r")
     assert verdict.verdict is Outcome.DIFFERS
