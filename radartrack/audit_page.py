@@ -1,4 +1,7 @@
-"""An audit as one HTML page that needs no network: formulas are MathML, which browsers typeset by themselves."""
+"""An audit, with experiments where there are any, as one HTML page that needs no network.
+
+Formulas are MathML, which browsers typeset by themselves.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +10,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import Any
 
-from radartrack import audit_text
+from radartrack import audit_text, experiment_section
+from radartrack.experiment_section import Experiment
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c1e21; --paper: #fcfcfa; --line: #d8d8d2; --dim: #63666b;
   --good: #1d6b3a; --bad: #a3231f; --open: #7a5a00; --wash: #f2f2ee; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e6e6e3; --paper: #17181a; --line: #3a3c40; --dim: #a2a5aa;
-  --good: #74c990; --bad: #ff8d86; --open: #e3bd55; --wash: #202225; } }
+@media screen and (prefers-color-scheme: dark) { :root { --ink: #e6e6e3; --paper: #17181a; --line: #3a3c40;
+  --dim: #a2a5aa; --good: #74c990; --bad: #ff8d86; --open: #e3bd55; --wash: #202225; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 62rem; padding: 1.5rem 1rem 4rem; color: var(--ink); background: var(--paper);
   font: 1rem/1.5 system-ui, sans-serif; }
@@ -24,35 +28,53 @@ article { border-top: 1px solid var(--line); padding: .9rem 0; }
 .verdict { font-weight: 600; } .equal .verdict, .equal_numerically .verdict { color: var(--good); }
 .differs .verdict, .wrong_dimensions .verdict { color: var(--bad); } .undecided .verdict { color: var(--open); }
 .where { color: var(--dim); font-weight: 400; font-size: .9rem; }
-p { margin: .35rem 0; } dl { margin: .5rem 0 0; } dt { color: var(--dim); font-size: .85rem; margin-top: .45rem; }
+p { margin: .35rem 0; overflow-wrap: anywhere; } h3 span { min-width: 0; overflow-wrap: anywhere; }
+dl { margin: .5rem 0 0; } dt { color: var(--dim); font-size: .85rem; margin-top: .45rem; }
 dd { margin: 0; overflow-wrap: anywhere; } code { font: .88rem/1.45 ui-monospace, monospace; }
 .formula { overflow-x: auto; overflow-y: hidden; padding: .3rem .6rem; background: var(--wash); border-radius: .3rem;
   margin: .35rem 0; }
-math { font-size: 1.1rem; } math[display=block] { text-align: left; }
+math { font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", math; font-size: 1.15rem; }
+math[display=block] { width: max-content; }
+.array { border: solid currentColor; border-width: 0 1px; border-radius: .6em; padding: 0 .25em; }
 nav a { color: inherit; }
 @media print { body { max-width: none; font-size: 10pt; padding: 0; } article { break-inside: avoid; }
   .formula { background: none; border: 1px solid var(--line); overflow: visible; } }
 """
 
 
-def page(audits: Sequence[Mapping[str, Any]]) -> str:
-    """The whole page for some papers; what comes from claims files is escaped."""
-    body = "\n".join(_paper(audit) for audit in audits)
+def page(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experiment] = ()) -> str:
+    """The whole page for some papers, after the experiments if there are any; what comes from files is escaped."""
+    title = "Reproduction of papers" if experiments else "Audit of printed formulas"
+    sections = [experiment_section.section(experiment) for experiment in experiments]
+    sections += [_paper(audit, number) for number, audit in enumerate(audits)]
+    style = STYLE + experiment_section.STYLE if experiments else STYLE
+    contents = _contents(audits, experiments) if experiments else ""
+    body = "\n".join(sections)
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        "<title>Audit of printed formulas</title>\n"
-        f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>Audit of printed formulas</h1>\n{body}\n</body>\n</html>\n"
+        f"<title>{title}</title>\n"
+        f"<style>{style}</style>\n</head>\n<body>\n<h1>{title}</h1>\n{contents}<main>\n{body}\n</main>\n</body>\n</html>\n"
     )
 
 
-def _paper(audit: Mapping[str, Any]) -> str:
+def _contents(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experiment]) -> str:
+    links = [
+        (experiment_section.identity(experiment), f"Experiments: {experiment.title}") for experiment in experiments
+    ]
+    links += [(f"formulas-{number}", f"Formulas: {audit['paper']}") for number, audit in enumerate(audits)]
+    items = "\n".join(f'<li><a href="#{target}">{escape(words)}</a></li>' for target, words in links)
+    return f'<nav aria-label="Contents">\n<ul>\n{items}\n</ul>\n</nav>\n'
+
+
+def _paper(audit: Mapping[str, Any], number: int) -> str:
     records = audit["claims"]
     counts = Counter(audit_text.WORDS[record["verdict"]] for record in records)
     said = ", ".join(f"{count} {words}" for words, count in counts.items())
     articles = "\n".join(map(_claim, records))
     heading = f"<h2>{escape(audit['paper'])}</h2>"
-    return f'<section>\n{heading}\n<p class="counts">{len(records)} claims: {escape(said)}</p>\n{articles}\n</section>'
+    counted = f'<p class="counts">{len(records)} claims: {escape(said)}</p>'
+    return f'<section id="formulas-{number}">\n{heading}\n{counted}\n{articles}\n</section>'
 
 
 def _claim(record: Mapping[str, Any]) -> str:
@@ -65,7 +87,7 @@ def _claim(record: Mapping[str, Any]) -> str:
         _formula(record.get("printed_mathml", ""), record["printed"]),
         f"<p>{escape(record['reason'])}</p>",
         _details(record) if verdict in audit_text.WRONG else "",
-        f'<p class="where">{escape(record["note"])}</p>' if record["note"] else "",
+        f'<p class="where">{escape(record["note"])}</p>' if record["note"] not in {"", record["printed"]} else "",
     ]
     identity = escape(record["id"], quote=True)
     return f'<article class="{verdict}" id="{identity}">{"".join(parts)}</article>'

@@ -8,6 +8,7 @@ from radartrack.commands.audit import audit
 from radartrack.commands.check import check
 from radartrack.commands.list_quantities import list_quantities
 from radartrack.commands.regenerate import regenerate
+from radartrack.commands.reproduce import reproduce
 from radartrack.commands.show import show
 from radartrack.commands.verify import verify
 
@@ -23,3 +24,4 @@ app.command()(show)
 app.command(context_settings={"ignore_unknown_options": True})(check)  # a formula may begin with a minus sign
 app.command()(audit)
 app.command()(verify)
+app.command()(reproduce)

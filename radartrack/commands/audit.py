@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
-    from radartrack.derive.checking.claims import Claim
+    from radartrack.derive.checking.claims import Claim, ClaimsFile
 
 PROCESSES = 2
 PLAIN_WIDTH = 120  # in a file or a pipe
@@ -41,11 +41,7 @@ def audit(
     except ClaimsError as error:
         typer.echo(str(error), err=True)
         raise typer.Exit(2) from None
-    claims = [claim for paper in papers for claim in paper.claims]
-    records, errors = _decided(claims, timeout, typeset=html_out is not None)
-    rest = iter(records)
-    audits = [{"paper": p.paper, "file": p.name, "claims": [next(rest) for _ in p.claims]} for p in papers]
-    places = [f"{paper.name}: " for paper in papers for _ in paper.claims]
+    audits, problems = decided(papers, timeout, typeset=html_out is not None)
     console = Console() if sys.stdout.isatty() else Console(width=PLAIN_WIDTH)
     for paper in audits:
         audit_table.show(paper, console)
@@ -53,11 +49,20 @@ def audit(
         _write(json_out, json.dumps({"papers": audits}, indent=2, ensure_ascii=False) + "\n")
     if html_out is not None:
         _write(html_out, audit_page.page(audits))
-    for place, problem in zip(places, errors, strict=True):
-        if problem:
-            typer.echo(place + problem, err=True)
-    if any(errors):
+    for problem in problems:
+        typer.echo(problem, err=True)
+    if problems:
         raise typer.Exit(2)
+
+
+def decided(papers: list[ClaimsFile], timeout: float, *, typeset: bool) -> tuple[list[dict[str, Any]], list[str]]:
+    """The verdicts on each paper, and what is wrong with claims that cannot be read."""
+    claims = [claim for paper in papers for claim in paper.claims]
+    records, errors = _decided(claims, timeout, typeset=typeset)
+    rest = iter(records)
+    audits = [{"paper": p.paper, "file": p.name, "claims": [next(rest) for _ in p.claims]} for p in papers]
+    places = [f"{paper.name}: " for paper in papers for _ in paper.claims]
+    return audits, [place + error for place, error in zip(places, errors, strict=True) if error]
 
 
 def _decided(claims: list[Claim], timeout: float, *, typeset: bool) -> tuple[list[dict[str, Any]], list[str]]:

@@ -32,6 +32,7 @@ from radartrack.straight_flight import DURATION, EVALUATED, FLIGHT, Comparison, 
 from radartrack.validation import RealArray
 
 TITLE = "Gao, Dong and Zhang: two methods for the variance of radar measurements"
+RUNS, TRACKS = 2000, 1000
 SPEEDS = (0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 200.0, 300.0, 1000.0)
 TRUE_STD = 100.0
 PLOTS_OF_A_TRACK = 100
@@ -47,7 +48,7 @@ SOURCES = {
 }
 
 
-def reproduce(runs: int = 2000, tracks: int = 1000, seed: int = 0, step: Step = silent) -> Reproduction:
+def reproduce(runs: int = RUNS, tracks: int = TRACKS, seed: int = 0, step: Step = silent) -> Reproduction:
     """Run all experiments.
 
     Args:

@@ -42,7 +42,6 @@ def _scene(rows: Table) -> Picture:
                 *_along_and_across(rows, f"line by {source}"), color=colour, linestyle=line, label=SOURCES[source]
             )
         right.axhline(0, color=BLACK, linewidth=3, alpha=0.3)
-        right.set_ylim(-800, 800)
         left.set_xlabel("x [km]")
         left.set_ylabel("y [km]")
         left.set_title("radars (crosses) and flight")

@@ -17,7 +17,7 @@ BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
 )  # fmt: skip
 """The colours of Okabe and Ito (2008), darkened where they are too pale for a thin line on white paper."""
 
-STYLE: dict[str, Any] = {
+STYLE: Any = {
     "axes.axisbelow": True,
     "axes.grid": True,
     "axes.spines.right": False,
@@ -72,9 +72,12 @@ class Picture(NamedTuple):
 
 @contextmanager
 def drawing(width: float, height: float) -> Iterator[Figure]:
-    """A new figure [inches], and the style to draw it in."""
+    """A new figure [inches], and the style to draw it in; laid out once, so that every time it is saved alike."""
     with mpl.rc_context(STYLE):
-        yield Figure(figsize=(width, height), layout="constrained")
+        figure = Figure(figsize=(width, height), layout="constrained")
+        yield figure
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
 
 
 def mark(axes: Axes, x: float, y: float, text: str, offset: tuple[float, float] = (6, 6)) -> None:

@@ -144,9 +144,8 @@ def _map(rows: Table) -> Picture:
         for axes in grid[:, 0]:
             axes.set_ylabel("the same at σᵦ = 2° [%]")
         keys = [Line2D([], [], color=colour, label=f"T₀ = {period:g} s") for period, colour in PERIOD_COLOURS.items()]
-        keys += [
-            Line2D([], [], color=BLACK, linestyle=line, label=name) for line, name in (("-", "away"), ("--", "towards"))
-        ]
+        keys += [Line2D([], [], color=BLACK, linestyle="-", label="away")]
+        keys += [Line2D([], [], color=BLACK, linestyle="--", label="towards")]
         keys.append(Line2D([], [], color=RED, marker="*", linestyle="none", markersize=10, label="the paper"))
         figure.legend(handles=keys, loc="outside lower center", ncols=7)
     return Picture(

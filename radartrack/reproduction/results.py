@@ -63,7 +63,8 @@ class Finding:
         what: which quantity, under which conditions.
         printed: what the paper says of it.
         ours: what the experiment gives, with its unit.
-        interval: 95 % confidence interval in the same unit; empty for what has no sampling error.
+        interval: in the same unit, of 95 % confidence if the remark says nothing else; empty for what has no
+            sampling error.
         verdict: whether both agree; "depends" where the paper does not say what would decide it.
         remark: what there is to say about it.
 
@@ -97,7 +98,7 @@ def table(rows: Sequence[Mapping[str, Cell]]) -> Table:
     return Table({name: [row[name] for row in rows] for name in rows[0]})
 
 
-def columns(name: str, estimate: Estimate, place: Any = (), scale: float = 1.0) -> dict[str, float]:
+def columns(name: str, estimate: Estimate, place: Any = (), scale: float = 1.0) -> dict[str, Cell]:
     """One entry of an estimate as three columns: the value, and the ends of its interval."""
     suffixes = ("", "_lower", "_upper")
     return {f"{name}{suffix}": scale * float(part[place]) for suffix, part in zip(suffixes, estimate, strict=True)}

@@ -75,6 +75,11 @@ class Scene(NamedTuple):
         return {**self.seen.measured, **self.radar.noise}
 
     @property
+    def exact(self) -> Plot:
+        """The same without errors, shape (scans,)."""
+        return {**self.seen.truth, **self.radar.noise}
+
+    @property
     def position(self) -> RealArray:
         """True x and y, shape (scans, 2)."""
         return self.seen.states[:, :2]
@@ -140,7 +145,7 @@ def track(
     position = conversion.position(view.plots)
     if weighting == "prediction":
         return _tracked(view, _by_prediction(view, position, moves, _at_mean(conversion.covariance)))
-    at = view.plots if weighting == "measurement" else {**view.seen.truth, **view.radar.noise}
+    at = view.plots if weighting == "measurement" else view.exact
     noise = _converted(conversion.covariance, at).covariance
     return _tracked(view, kalman.run(START, moves, position, kinematics.plane_observation(), noise))
 

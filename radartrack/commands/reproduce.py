@@ -1,0 +1,121 @@
+"""`radartrack reproduce`: the experiments of the papers again, their figures, and their numbers beside ours."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from enum import StrEnum
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+if TYPE_CHECKING:
+    from radartrack.experiment_section import Experiment
+    from radartrack.reproduction.papers import Paper
+    from radartrack.reproduction.results import Reproduction
+
+PLAIN_WIDTH = 140  # in a file or a pipe
+TIMEOUT = 20.0
+STYLES = {"agrees": "green", "differs": "bold red", "depends": "yellow"}
+
+
+class PaperName(StrEnum):
+    """The papers whose experiments are here."""
+
+    PROSOV = "prosov"
+    GAO = "gao"
+    GORSHKOV = "gorshkov"
+
+
+def reproduce(
+    papers: Annotated[list[PaperName] | None, typer.Argument(help="Which; without any, all.")] = None,
+    out: Annotated[Path, typer.Option(help="Directory for figures, data and report.html.")] = Path("reproduction"),
+    fast: Annotated[bool, typer.Option("--fast", help="A tenth of the trials: wider intervals.")] = False,
+) -> None:
+    """Repeat the experiments of the papers: figures (SVG, PNG), data (CSV), a table of findings, and one report.
+
+    Exit 0 whatever is found, 2 without matplotlib or where the directory cannot be written.
+    """
+    if find_spec("matplotlib") is None:
+        _refuse("reproduce draws figures and needs the extra: pip install radartrack[plots]")
+    from radartrack.reproduction.papers import PAPERS
+
+    _make(out)
+    console = Console() if sys.stdout.isatty() else Console(width=int(os.environ.get("COLUMNS", PLAIN_WIDTH)))
+    names = [str(name) for name in dict.fromkeys(papers or PaperName)]
+    experiments = []
+    with _progress() as step:
+        for name in names:
+            found = PAPERS[name].reproduce(step, fast=fast)
+            step(f"{found.title}: figures")
+            experiments.append(_written(PAPERS[name], found, out))
+            _show(found, console)
+    _report(names, experiments, out / "report.html")
+    console.print(f"\nFigures, data and report.html are in {out}", highlight=False, markup=False)
+
+
+def _make(out: Path) -> None:
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        _refuse(f"{out}: {error.strerror or error}")
+
+
+def _refuse(reason: str) -> None:
+    typer.echo(reason, err=True)
+    raise typer.Exit(2)
+
+
+def _written(paper: Paper, found: Reproduction, out: Path) -> Experiment:
+    """Write tables and figures; what the report shows of them."""
+    from radartrack.experiment_section import Experiment, Shown
+
+    for name, table in (*found.tables.items(), ("findings", found.findings_table())):
+        table.write(out / f"{found.paper}_{name}.csv")
+    shown = []
+    for picture in paper.pictures(found):
+        picture.write(out)
+        shown.append(Shown(picture.svg(), picture.caption, picture.alt))
+    return Experiment(found.paper, found.title, [vars(finding) for finding in found.findings], shown)
+
+
+def _report(names: Sequence[str], experiments: Sequence[Experiment], path: Path) -> None:
+    """The experiments and the audit of the same papers on one page."""
+    from radartrack import audit_page
+    from radartrack.commands.audit import decided
+    from radartrack.derive.checking.claims import read_claims, shipped
+
+    claims = [read_claims(file) for file in shipped() if file.stem in names]
+    audits, _ = decided(claims, TIMEOUT, typeset=True)
+    path.write_text(audit_page.page(audits, experiments), encoding="utf-8")
+
+
+def _show(found: Reproduction, console: Console) -> None:
+    """The findings of one paper, the paper's number first."""
+    console.print(f"\n[bold]{escape(found.title)}[/bold]", highlight=False)
+    table = Table(box=None, pad_edge=False)
+    for heading, share in (("what", 4), ("the paper", 2), ("ours", 3), ("interval", 2)):
+        table.add_column(heading, overflow="fold", ratio=share)
+    table.add_column("verdict", no_wrap=True)
+    for finding in found.findings:
+        cells = map(escape, (finding.what, finding.printed, finding.ours, finding.interval))
+        table.add_row(*cells, f"[{STYLES[finding.verdict]}]{finding.verdict}[/]")
+    console.print(table, highlight=False)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str], None]]:
+    """What is worked on, on the error stream."""
+    console = Console(stderr=True)
+    columns = (SpinnerColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+        task = progress.add_task("", total=None)
+        yield lambda description: progress.update(task, description=description)

@@ -1,0 +1,38 @@
+"""Figures: the same bytes each time, nothing of the machine in them, and words for who cannot see them."""
+
+import re
+
+import pytest
+
+from radartrack.reproduction.papers import PAPERS
+from radartrack.reproduction.pictures import Picture
+
+
+@pytest.fixture(scope="module", params=PAPERS)
+def pictures(request: pytest.FixtureRequest) -> list[Picture]:
+    return list(PAPERS[request.param].pictures(request.getfixturevalue(f"{request.param}_found")))
+
+
+def test_svg_and_png_have_the_same_bytes_each_time_and_no_date(pictures: list[Picture]) -> None:
+    for picture in pictures:
+        svg = picture.svg()
+        assert svg == picture.svg()
+        assert b"<dc:date>" not in svg
+    assert pictures[0].png() == pictures[0].png()
+    assert b"matplotlib" not in pictures[0].png()
+
+
+def test_every_axis_has_a_name_and_a_unit_where_it_has_one(pictures: list[Picture]) -> None:
+    for picture in pictures:
+        shared = [axes.get_xlabel() for axes in picture.figure.axes] + [a.get_ylabel() for a in picture.figure.axes]
+        named = [label for label in shared if label]
+        assert named
+        without = [label for label in named if not re.search(r"\[.+\]|cycle|scan|over|NEES", label)]
+        assert not without
+
+
+def test_captions_and_alternative_texts_say_what_is_seen(pictures: list[Picture]) -> None:
+    for picture in pictures:
+        assert len(picture.caption) > 60
+        assert len(picture.alt) > 60
+    assert pictures[0]._repr_mimebundle_()["text/plain"] == pictures[0].alt
