@@ -32,11 +32,12 @@ def form_of(quantity: Quantity) -> StableForm:
 def readable(quantity: Quantity) -> Tensor[Expr]:
     """The form with its intermediates filled in, to be read: 1 − e^x stands where code calls expm1."""
     form = form_of(quantity)
-    plain = {symbol: _without_expm1(definition) for symbol, definition in form.definitions.items()}
-    return StableForm(plain, form.entries.map(_without_expm1)).expanded()
+    plain = {symbol: without_expm1(definition) for symbol, definition in form.definitions.items()}
+    return StableForm(plain, form.entries.map(without_expm1)).expanded()
 
 
-def _without_expm1(expression: Expr) -> Expr:
+def without_expm1(expression: Expr) -> Expr:
+    """The expression with e^x − 1 in place of calls of expm1."""
     calls = expression.atoms(sp.expm1)
     opposites = {-call: 1 - sp.exp(call.args[0]) for call in calls}
     return expression.xreplace(opposites).xreplace({call: sp.exp(call.args[0]) - 1 for call in calls})

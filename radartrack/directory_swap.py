@@ -60,6 +60,19 @@ def replace_directory(target: Path, write: Callable[[Path], None]) -> None:
             _clean_up(target)
 
 
+def replace_file(target: Path, text: str) -> None:
+    """Replace a text file, or create it, in one step.
+
+    Raises:
+        OSError: the file system refuses.
+
+    """
+    new = _beside(target, "new")
+    new.write_text(text, newline="\n")
+    _flush(new)
+    new.replace(target)
+
+
 def _beside(target: Path, role: str) -> Path:
     return target.with_name(f".{target.name}.swap-{role}")
 

@@ -7,7 +7,7 @@ import importlib.util
 import json
 import math
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -17,10 +17,11 @@ from typing import Any
 
 from radartrack.derive.catalogue import catalogue, find
 from radartrack.derive.forms import form_of
+from radartrack.derive.formula_book import Page, book, formula
 from radartrack.derive.model import Model
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.writer import Function, body, module_text
-from radartrack.directory_swap import replace_directory
+from radartrack.directory_swap import replace_directory, replace_file
 from radartrack.verification.sampling import sample
 from radartrack.verification.ulp import errors
 
@@ -29,7 +30,9 @@ CHUNK = 4  # neighbours in the catalogue share what they are derived from
 POINTS = 500
 PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
 
+BOOK = "formulas.md"
 Files = dict[str, str]
+Written = tuple[str, str]  # statements and formula
 Step = Callable[[str], None]
 
 
@@ -51,13 +54,29 @@ class Accuracy:
         )
 
 
+@dataclass(frozen=True)
+class Derived:
+    """A quantity as code and as a formula to read."""
+
+    function: Function
+    formula: str
+
+
 def source_directory() -> Path | None:
     """`generated/` of the source checkout that this package is imported from; None for an installed wheel."""
     here = importlib.util.find_spec("radartrack.generated")
     places = list(here.submodule_search_locations or ()) if here else []
     folder = Path(places[0]) if places else Path()
-    is_checkout = folder.name == "generated" and (folder.parent / "pyproject.toml").exists()
-    return folder if is_checkout else None
+    return folder if _is_of_checkout(folder) else None
+
+
+def _is_of_checkout(folder: Path) -> bool:
+    return folder.name == "generated" and (folder.parent / "pyproject.toml").exists()
+
+
+def place(directory: Path, name: str) -> Path:
+    """Where a file stands: with the modules, and in a checkout the formula book among the documents."""
+    return directory.parent / "docs" / name if name == BOOK and _is_of_checkout(directory) else directory / name
 
 
 def is_ours(directory: Path) -> bool:
@@ -87,8 +106,8 @@ def load_model(path: Path) -> Model:
     return model
 
 
-def derive(quantities: Iterable[Quantity], step: Step) -> list[Function]:
-    """The functions of all quantities; `step` is told each name as its turn comes.
+def derive(quantities: Iterable[Quantity], step: Step) -> list[Derived]:
+    """The code and formula of all quantities; `step` is told each name as its turn comes.
 
     Those of the catalogue are derived in one process a core, a model of a user's own in this one.
     """
@@ -96,24 +115,25 @@ def derive(quantities: Iterable[Quantity], step: Step) -> list[Function]:
     if all(quantity is catalogue().get(quantity.name) for quantity in wanted):
         names = [quantity.name for quantity in wanted]
         with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
-            return _told(wanted, pool.map(_named_body, names, chunksize=CHUNK), step)
-    return _told(wanted, map(_body, wanted), step)
+            return _told(wanted, pool.map(_named, names, chunksize=CHUNK), step)
+    return _told(wanted, map(_written, wanted), step)
 
 
-def _named_body(name: str) -> str:
-    return _body(find(name))
+def _named(name: str) -> Written:
+    return _written(find(name))
 
 
-def _body(quantity: Quantity) -> str:
-    return body(quantity, form_of(quantity))
+def _written(quantity: Quantity) -> Written:
+    form = form_of(quantity)
+    return body(quantity, form), formula(quantity, form)
 
 
-def _told(quantities: list[Quantity], bodies: Iterable[str], step: Step) -> list[Function]:
-    functions = []
-    for quantity, statements in zip(quantities, bodies, strict=True):
+def _told(quantities: list[Quantity], written: Iterable[Written], step: Step) -> list[Derived]:
+    derived = []
+    for quantity, (statements, typeset) in zip(quantities, written, strict=True):
         step(quantity.name)
-        functions.append(Function(quantity, statements))
-    return functions
+        derived.append(Derived(Function(quantity, statements), typeset))
+    return derived
 
 
 def read_record(directory: Path) -> dict[str, Accuracy]:
@@ -155,14 +175,16 @@ def measure(module: ModuleType, quantity: Quantity) -> float:
     return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
 
 
-def texts(functions: list[Function], record: Mapping[str, Accuracy]) -> Files:
-    """The files of the generated package."""
+def texts(derived: Sequence[Derived], record: Mapping[str, Accuracy]) -> Files:
+    """The files of the generated package, and the formula book."""
     rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
+    pages = [Page(one.function.quantity, one.formula, record[one.function.quantity.name].sentence) for one in derived]
     return {
         "__init__.py": PACKAGE,
         "py.typed": "",
         RECORD: json.dumps(rows, indent=1) + "\n",
-        **_modules(functions, record),
+        BOOK: book(pages),
+        **_modules([one.function for one in derived], record),
     }
 
 
@@ -171,23 +193,27 @@ def differences(directory: Path, expected: Files) -> Iterator[str]:
     for orphan in orphans(directory, expected):
         yield f"{orphan}: no derivation owns this file\n"
     for name, text in sorted(expected.items()):
-        path = directory / name
+        path = place(directory, name)
         yield _difference(path, text) if path.exists() else f"{name}: missing\n"
 
 
 def orphans(directory: Path, expected: Files) -> list[str]:
     """The names of what stands in the directory and no derivation owns."""
-    return sorted({path.name for path in directory.glob("*")} - expected.keys() - {"__pycache__"})
+    owned = {place(directory, name) for name in expected} | {directory / "__pycache__"}
+    return sorted(path.name for path in set(directory.glob("*")) - owned)
 
 
 def write(directory: Path, files: Files) -> None:
     """Replace the directory in one step: whoever looks sees the old set or the new one."""
+    beside = {name: place(directory, name) for name in files if place(directory, name).parent == directory}
 
     def fill(folder: Path) -> None:
-        for name, text in files.items():
-            (folder / name).write_text(text, newline="\n")
+        for name in beside:
+            (folder / name).write_text(files[name], newline="\n")
 
     replace_directory(directory, fill)
+    for name in files.keys() - beside.keys():
+        replace_file(place(directory, name), files[name])
 
 
 def _difference(path: Path, expected: str) -> str:

@@ -20,7 +20,7 @@ def regenerate(
     out: Annotated[Path | None, typer.Option(help="Write here instead of the checkout's generated/.")] = None,
     model: Annotated[Path | None, typer.Option(help="Python file of your own that defines MODEL; wants --out.")] = None,
 ) -> None:
-    """Derive everything and write generated/; with --check, exit 1 where it is not what the derivations give."""
+    """Derive everything and write generated/ and the formula book; with --check, exit 1 where they differ from that."""
     from radartrack import regeneration
     from radartrack.derive.stable import NotProved
 
@@ -28,7 +28,8 @@ def regenerate(
     quantities = _quantities(model)
     try:
         with _progress(len(quantities)) as step:
-            functions = regeneration.derive(quantities.values(), step)
+            derived = regeneration.derive(quantities.values(), step)
+            functions = [one.function for one in derived]
             known = regeneration.read_record(directory)
             measured = regeneration.as_recorded(functions, known)
             if not check:
@@ -36,7 +37,7 @@ def regenerate(
     except NotProved as error:
         typer.echo(f"Nothing was written: {error}", err=True)
         raise typer.Exit(1) from None
-    files = regeneration.texts(functions, measured)
+    files = regeneration.texts(derived, measured)
     found = [difference for difference in regeneration.differences(directory, files) if difference]
     if check:
         _report(found, directory)
