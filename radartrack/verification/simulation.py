@@ -209,14 +209,18 @@ def _correlated(normal: Array, factor: Array) -> list[Array]:
     return rows
 
 
+def _scaled(factor: float, values: Array) -> Array:
+    return values if factor == 1 else factor * values
+
+
 def _displacement(term: Term, errors: list[list[Array]], way: float) -> list[Array]:
     """One array a measured quantity; empty where the term stays at the point."""
     moved: list[Array] = []
     for times, group in zip(term.displacement, errors, strict=True):
         if times and not moved:
-            moved = [way * times * error for error in group]
+            moved = [_scaled(way * times, error) for error in group]
         elif times:
-            moved = [so_far + way * times * error for so_far, error in zip(moved, group, strict=True)]
+            moved = [so_far + _scaled(way * times, error) for so_far, error in zip(moved, group, strict=True)]
     return moved
 
 
@@ -225,8 +229,8 @@ def _values(experiment: Experiment, displacements: list[list[Array]]) -> list[Ar
     found: list[Array] = []
     for term, displacement in zip(experiment.terms, displacements, strict=True):
         values = _evaluated(experiment, term, displacement)
-        signed = values if term.sign > 0 else [-value for value in values]
-        found = [so_far + value for so_far, value in zip(found, signed, strict=True)] if found else signed
+        combine = np.add if term.sign > 0 else np.subtract
+        found = list(map(combine, found, values)) if found else [_scaled(term.sign, value) for value in values]
     return found
 
 
@@ -247,10 +251,11 @@ def _control(experiment: Experiment, displacements: list[list[Array]], *, both_w
 
     The linear parts of w and −w cancel.
     """
-    slopes, totals = experiment.slopes, {}
+    totals: dict[int, Array] = {}
+    slopes = experiment.slopes
     for term, displacement in zip(experiment.terms, displacements, strict=True):
         for place, feature in _features(slopes, displacement, both_ways=both_ways):
-            signed = term.sign * feature
+            signed = _scaled(term.sign, feature)
             totals[place] = totals[place] + signed if place in totals else signed
     weights = slopes.weights
     return [
