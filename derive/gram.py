@@ -12,9 +12,9 @@ With polynomials p_l that are orthogonal under this product,
 the derivatives taken where the estimate is wanted. The variances are sums of squares, and by Cauchy and
 Schwarz no covariance is less accurate than they are. The polynomials are those of Gram, except that C shifts
 the third one: its coefficients lie between those for range alone and those for range rate alone, as the
-information on the slope is shared by the two. Near the ends of the sample they are counted from the ends,
-through `reach`, the product of the distances to the first and the last scan; so they keep their accuracy
-where few scans barely determine the state.
+information on the slope is shared by the two. At the ends of the sample they are written for the ends, and the cubic
+everywhere through `reach`, the product of the distances to the first and the last scan; so they keep their accuracy
+where few scans barely determine the state. Within the sample powers of s cancel less.
 
 This table is short because it is written by hand. It is proved equal to the normal equations wherever it is
 used.
@@ -136,26 +136,28 @@ class GramForm:
 
     def _table(self, place: Place) -> list[list[Expr]]:
         """One row a polynomial: its value and its derivatives."""
-        s, reach = place.position, place.reach
-        zero, one = sp.Integer(0), sp.Integer(1)
+        s, zero, one = place.position, sp.Integer(0), sp.Integer(1)
         value, slope = self._cubic_at_ends
+        square = (k - 1) * (k - 2) / 6 if place == NEWEST else s**2 - SPAN / 12
+        steepness = slope if place == NEWEST else 3 * s**2 - self._shared((3 * k**2 - 7) / 20, SPAN / 4)
         table: list[list[Expr]] = [
             [one, zero, zero, zero],
             [s, one, zero, zero],
-            [(k - 1) * (k - 2) / 6 - reach, 2 * s, sp.Integer(2), zero],
-            [s * (value - reach), slope - 3 * reach, 6 * s, sp.Integer(6)],
+            [square, 2 * s, sp.Integer(2), zero],
+            [s * (value - place.reach), steepness, 6 * s, sp.Integer(6)],
         ]
         return table[: self.filter.size]
 
     @property
     def _cubic_at_ends(self) -> tuple[Expr, Expr]:
         """The cubic over its argument, and its slope, at the ends of the sample."""
-        by_range = (k - 2) * (k - 3) / 10, (6 * (k - 1) * (k - 2) + 3 * k - 1) / 10
-        by_rate = -(k - 1) / 2, (k - 1) * (k - 2) / 2
-        if not self.filter.with_rate:
-            return by_range
-        value, slope = (RANGE_SHARE * a + RATE_SHARE * b for a, b in zip(by_range, by_rate, strict=True))
+        value = self._shared((k - 2) * (k - 3) / 10, -(k - 1) / 2)
+        slope = self._shared((6 * (k - 1) * (k - 2) + 3 * k - 1) / 10, (k - 1) * (k - 2) / 2)
         return value, slope
+
+    def _shared(self, by_range: Expr, by_rate: Expr) -> Expr:
+        """Between the value for range alone and that for range rate alone."""
+        return RANGE_SHARE * by_range + RATE_SHARE * by_rate if self.filter.with_rate else by_range
 
     @cached_property
     def _definitions(self) -> Definitions:
