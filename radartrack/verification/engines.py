@@ -14,7 +14,6 @@ from typing import Any, Protocol
 
 Task = Callable[[], Any]
 AHEAD = 3  # tasks per worker that wait for their turn; the rest is not made before it is needed
-RETRIES = 5
 
 
 class Engine(Protocol):
@@ -91,7 +90,7 @@ class Dask:
             numbers: dict[str, int] = {}
 
             def submitted(number: int, task: Task) -> Any:
-                future = client.submit(task, key=f"{client.id}-{number}", retries=RETRIES)
+                future = client.submit(task, key=f"{client.id}-{number}")
                 numbers[future.key] = number
                 return future
 

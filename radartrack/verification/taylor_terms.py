@@ -17,8 +17,8 @@ METHOD = "direct power series"
 Number = Any
 At = Mapping[str, Number]
 X, Y = sp.Symbol("first", real=True), sp.Symbol("second", real=True)
-WITH = {"f_xx": sp.exp(X) - X, "f_xy": sp.sin(X) * sp.sin(Y), "f_yy": -sp.cos(Y)}
-"""For each second derivative a function that has it, has no other and is no polynomial."""
+WITH = {"f_xx": sp.exp(X), "f_xy": sp.sin(X) * sp.sin(Y), "f_yy": -sp.cos(Y)}
+"""For each second derivative a function whose only one it is, and that is no polynomial."""
 
 
 def _series(at: At) -> Jet:

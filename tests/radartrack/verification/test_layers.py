@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
@@ -74,13 +75,17 @@ def test_without_balls_mpmath_measures(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_the_search_finds_worse_points_than_chance():
-    quantity = catalogue()["polar.covariance.truth"]
+    quantity = catalogue()["polar.map"]
+    right = compiled(quantity.expression, quantity.symbols)
 
-    def wrong_nearby(**arguments: Any) -> np.ndarray:
-        right = compiled(quantity.expression, quantity.symbols)(**arguments)
-        return right * 0 + np.asarray(arguments["sigma_r"])[..., np.newaxis, np.newaxis]
+    def wrong_nearby(r: np.ndarray, beta: np.ndarray) -> np.ndarray:
+        near = np.exp(-(((np.log(r) - 9) / 0.5) ** 2) - ((beta - 1) / 0.2) ** 2)
+        return right(r=r, beta=beta) * (1 + 1e-12 * near)[..., np.newaxis]
 
-    assert Accuracy(points=100)(quantity, wrong_nearby).verdict is Verdict.FAILED
+    outcome = Accuracy(points=400)(quantity, wrong_nearby)
+    before = re.search(r"points, (\S+) ulp before the search", outcome.detail)
+    assert outcome.verdict is Verdict.FAILED
+    assert outcome.figure > 3 * float(before[1])
 
 
 EXAMPLES = ["polar.jacobian", "polar.bias.averaged", "polar.unbiased.covariance", "ruv.bias.truth.fourth_order"]

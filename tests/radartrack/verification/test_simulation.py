@@ -147,10 +147,9 @@ def test_the_threshold_shares_the_false_alarms_between_all_tests():
     assert math.erfc(many / math.sqrt(2)) == pytest.approx(1e-9, rel=1e-6)
 
 
-@pytest.mark.parametrize("z", [2.0, 3.0, 3.5])
-def test_the_corrected_tail_is_no_smaller_than_the_true_one_of_skewed_draws(z: float):
-    """Means of ten exponential draws, whose tail is known: that of a gamma distribution."""
-    count = 10
+@pytest.mark.parametrize(("count", "z"), [(10, 2.0), (10, 3.0), (10, 3.5), (4000, 5.0)])
+def test_the_corrected_tail_is_no_smaller_than_the_true_one_of_skewed_draws(count: int, z: float):
+    """Means of exponential draws, whose tail is known: that of a gamma distribution."""
     mean = Mean(count, 0.0, 1.0, 2.0, 6.0)
     x = count + z * math.sqrt(count)
     tail = sum(math.exp(-x + n * math.log(x) - math.lgamma(n + 1)) for n in range(count))
