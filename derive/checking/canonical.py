@@ -244,12 +244,12 @@ class Field:
         return outside * self._ground(self._generator("root", (inside,), degree).symbol)
 
     def _without_powers(self, radicand: Quotient, degree: int) -> tuple[Quotient, Quotient]:
-        """The root of the positive symbols that multiply or divide everything, and what is left inside."""
+        """The root of positive divisors and of positive symbols that multiply everything, and what is left inside."""
         outside, denominators = self._number(1), Counter(radicand.denominators)
         for base, power in radicand.denominators.items():
-            if self._is_positive_monomial(base):
-                (coefficient,) = base.terms.values()
-                outside = outside * self._inverse(self._root_of_monomial(coefficient.monoms()[0], degree)) ** power
+            root = self._root_of_positive(base, degree)
+            if root is not None:
+                outside = outside * self._inverse(root) ** power
                 del denominators[base]
         powers = zip(_shared_powers(radicand.numerator), self._positive, strict=True)
         shared = [power if may else 0 for power, may in powers]
@@ -264,13 +264,28 @@ class Field:
         gens = zip(self._ring.gens, self._ring.symbols, strict=True)
         return [symbol.is_positive is True or gen in pi for gen, symbol in gens]
 
-    def _is_positive_monomial(self, value: ExponentialPolynomial) -> bool:
+    def _root_of_positive(self, value: ExponentialPolynomial, degree: int) -> Quotient | None:
+        """The root of a product of positive symbols, or of a sum of what is never negative; None for anything else."""
         zero = self._ring.zero
         if value.terms.keys() != {zero}:
-            return False
-        ((monomial, number), *others) = value.terms[zero].terms()
-        used = zip(monomial, self._positive, strict=True)
-        return not others and number == self._ring.domain.one and all(may for power, may in used if power)
+            return None
+        terms = value.terms[zero].terms()
+        if len(terms) > 1:
+            root = (
+                self._generator("root", (Quotient(value),), degree)
+                if all(map(self._is_never_negative, terms))
+                else None
+            )
+            return root and self._ground(root.symbol)
+        ((monomial, number),) = terms
+        positive = all(may for power, may in zip(monomial, self._positive, strict=True) if power)
+        return self._root_of_monomial(monomial, degree) if positive and number == self._ring.domain.one else None
+
+    def _is_never_negative(self, term: tuple[tuple[int, ...], sp.PolyCoefficient]) -> bool:
+        """Whether a term is a positive number times positive symbols and even powers."""
+        monomial, number = term
+        real = not number.y and number.x > 0
+        return real and all(may or power % 2 == 0 for power, may in zip(monomial, self._positive, strict=True))
 
     def _root_of_monomial(self, powers: tuple[int, ...], degree: int) -> Quotient:
         """The root of a product of positive symbols, a root of its own for each."""

@@ -92,7 +92,7 @@ class Question:
 
     def answer(self) -> Verdict:
         """The verdict on all entries together: the gravest of them."""
-        findings = [self._compare(entry) for entry, _ in self.printed.entries.items()]
+        findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
         worst = max(findings, key=lambda finding: _GRAVITY.index(finding.outcome))
         conditions = tuple(f"{symbol} = {value}" for symbol, value in self.conditions.items())
         verdict = Verdict(
@@ -114,7 +114,8 @@ class Question:
         """The printed formula under the conditions."""
         return self.printed.expressions[entry].xreplace(self.conditions)
 
-    def _compare(self, entry: Index) -> Finding:
+    def finding(self, entry: Index) -> Finding:
+        """What is found out about one entry: a difference, a proof, or neither."""
         printed, derived = self.printed_entry(entry), self.derived_entry(entry)
         comparison = Comparison(printed, derived, self.symbols)
         values = find_difference(comparison, self.symbols)

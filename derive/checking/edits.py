@@ -28,6 +28,7 @@ FAMILIES = (
     ("tan", "tanh"),
 )
 SHOWN = 50
+NEAR = 3  # terms among which a bracket closes, unless it is at the end
 
 
 @dataclass(frozen=True)
@@ -209,7 +210,7 @@ def _signs(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
 def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
     """a*b + c may have been a*(b + c), and a/b + c may have been a/(b + c) or (a + c)/b."""
     for place, term in enumerate(terms[:-1]):
-        for end in range(place + 2, len(terms) + 1):
+        for end in _ends(place + 2, len(terms)):
             rest = terms[place + 1 : end]
             for inner in _swallowed(term, rest):
                 others = (*terms[:place], inner, *terms[end:])
@@ -231,6 +232,11 @@ def _swallowed(term: Tree, rest: tuple[Tree, ...]) -> Iterator[Tree]:
             return
 
 
+def _ends(first: int, last: int) -> list[int]:
+    """Where a misplaced bracket may close: soon, or at the very end."""
+    return sorted({*range(first, min(first + NEAR, last + 1)), last} if first <= last else ())
+
+
 def _sum(first: Tree, rest: tuple[Tree, ...]) -> Sum:
     return Sum((*(first.terms if isinstance(first, Sum) else (first,)), *rest))
 
@@ -241,7 +247,7 @@ def _brackets_removed(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
         if not isinstance(factor, Sum):
             continue
         others = (*factors[:place], *factors[place + 1 :])
-        for end in range(1, len(factor.terms)):
+        for end in _ends(1, len(factor.terms) - 1):
             kept = factor.terms[0] if end == 1 else Sum(factor.terms[:end])
             yield _bracket(Sum((Product((*others, kept)), *factor.terms[end:])))
         for out, term in enumerate(factor.terms[:-1]):

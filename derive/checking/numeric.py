@@ -182,10 +182,14 @@ class Screen:
         return above and combined(truediv, above, needed)
 
     def _required_of_power(self, base: Tree, exponent: Tree, child: int, needed: Values) -> Values | None:
-        given = self(base) if child else self(exponent)
-        if given is None:
+        bases, exponents = self(base), self(exponent)
+        if bases is None or exponents is None:
             return None
-        return combined(_exponent, needed, given) if child else combined(_base, needed, given)
+        if child:
+            return combined(_exponent, needed, bases)
+        root = combined(_base, needed, exponents)
+        is_even = not any(exponent % 2 for exponent in exponents)
+        return combined(math.copysign, root, bases) if root and is_even else root
 
 
 def _exponent(power: float, base: float) -> float:

@@ -24,6 +24,7 @@ from radartrack.derive.formula.tree import (
 from radartrack.derive.symbolic import Expr
 
 SWAPS = {"sin": ("cos",), "cos": ("sin", "cosh"), "sinh": ("cosh", "sin"), "cosh": ("sinh", "cos")}
+SHORT = 300  # characters of what SymPy factors in little time
 TRIES = 20  # for each formula with two slips that is wanted
 
 
@@ -112,14 +113,20 @@ def _with_a_sign(node: Sum | Product, terms: tuple[Tree, ...]) -> Iterator[Tree]
 
 
 def rewritings(expression: Expr) -> dict[str, Expr]:
-    """The same function, expanded, in exponentials, over double angles, and as one fraction."""
+    """The same function expanded, factored, in exponentials, over double and half angles, and as one fraction."""
+    expanded = sp.expand(expression)
     return {
-        "expanded": sp.expand(expression),
+        "expanded": expanded,
+        "factored": sp.factor(expression) if _is_short(expression) else sp.factor_terms(expression),
         "in exponentials": _replaced(expression, (sp.sinh, _sinh), (sp.cosh, _cosh), (sp.tanh, _tanh)),
-        "over double angles": _replaced(sp.expand(expression), (sp.Pow, _double_angle)),
+        "over double angles": _replaced(expanded, (sp.Pow, _double_angle)),
         "half angles": _replaced(expression, (sp.sin, _half_sine), (sp.cos, _half_cosine)),
         "one fraction": expression if _has_roots(expression) else sp.together(expression),
     }
+
+
+def _is_short(expression: Expr) -> bool:
+    return len(str(expression)) <= SHORT and not _has_roots(expression)
 
 
 def _has_roots(expression: Expr) -> bool:
