@@ -132,3 +132,8 @@ def test_what_is_no_exponential_polynomial_is_refused(expression: sympy.Expr):
 @given(st.permutations([x, y, *sympy.symbols("b a", real=True)]))
 def test_the_ring_does_not_depend_on_the_order_in_which_symbols_are_named(symbols: list[sympy.Symbol]):
     assert [symbol.name for symbol in ring_over(symbols).symbols] == ["a", "b", "x", "y"]
+
+
+def test_the_inverse_of_a_single_wave_is_that_of_the_function():
+    wave = read(3 * sympy.exp(x - 2 * y))
+    assert wave**-2 == read(sympy.exp(4 * y - 2 * x) / 9)
