@@ -36,7 +36,7 @@ drift: $(VENV)/.package
 	$(BIN)/radartrack regenerate --check
 
 notebooks: $(VENV)/.group-notebooks $(VENV)/.extra-plots
-	$(BIN)/python -m pytest -n auto --nbmake notebooks
+	$(BIN)/python -m pytest -n auto --nbmake --overwrite notebooks
 
 bench: $(VENV)/.extra-peers
 	for script in benchmarks/*.py; do $(BIN)/python "$$script" || exit 1; done
