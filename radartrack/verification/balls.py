@@ -17,6 +17,7 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
+from radartrack.verification.compilation import leaves
 
 Ball = Any
 PRECISION = 448  # bits; the textbook form of a fourth power of 1e-9 against 1e8 squared loses some 175
@@ -28,9 +29,12 @@ class Balls:
     """A tensor of formulas, prepared for evaluation at many points; as `derive.evaluation.Evaluator`, with balls."""
 
     def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol]) -> None:
-        self._places: dict[Expr, int] = {symbol: place for place, symbol in enumerate(symbols)}
-        self._arity = len(symbols)
+        numbers = {leaf for entry in entries for leaf in leaves(entry) if leaf.is_number}
+        self._numbers = sorted(numbers, key=str)
+        self._known: dict[int, list[Ball]] = {}
+        self._places: dict[Expr, int] = {leaf: place for place, leaf in enumerate([*symbols, *self._numbers])}
         self._steps: list[tuple[Callable[..., Ball], tuple[int, ...]]] = []
+        self._first = len(self._places)
         self._results = [self._place(entry) for entry in entries]
         self._shape = entries.shape
 
@@ -40,38 +44,46 @@ class Balls:
         bits = PRECISION
         while True:
             with _precision(bits):
-                entries = self._entries(values)
+                entries = self._entries(values, bits)
             if bits >= MOST or all(_sharp(entry) for entry in entries):
                 return Tensor(self._shape, tuple(entry.mid() for entry in entries))
             bits *= 2
 
-    def _entries(self, values: Sequence[float]) -> list[Ball]:
-        ball = _flint().arb
-        slots = [ball(value) for value in values]
+    def _entries(self, values: Sequence[float], bits: int) -> list[Ball]:
+        if bits not in self._known:
+            self._known[bits] = list(map(_number, self._numbers))
+        slots = [*map(_flint().arb, values), *self._known[bits]]
         for operation, operands in self._steps:
-            slots.append(operation(*(slots[i] for i in operands)))
+            slots.append(operation(*[slots[i] for i in operands]))
         return [slots[i] for i in self._results]
 
     def _place(self, expression: Expr) -> int:
         if expression not in self._places:
-            step = self._step(expression)
-            self._places[expression] = self._arity + len(self._steps)
-            self._steps.append(step)
+            self._places[expression] = self._placed(expression)
         return self._places[expression]
 
-    def _step(self, expression: Expr) -> tuple[Callable[..., Ball], tuple[int, ...]]:
-        if isinstance(expression, sp.Rational):
-            above, below = int(expression.p), int(expression.q)
-            return lambda: _flint().arb(above) / below, ()
-        if expression in (sp.pi, sp.E):
-            return (_flint().arb.pi if expression == sp.pi else _flint().arb.const_e), ()
+    def _placed(self, expression: Expr) -> int:
         if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
             exponent = int(expression.exp)
-            return lambda base: base**exponent, (self._place(expression.base),)
+            return self._step(lambda base: base**exponent, self._place(expression.base))
         if isinstance(expression, sp.Pow) and expression.exp == sp.Rational(1, 2):
-            return lambda base: base.sqrt(), (self._place(expression.base),)
-        operation = _OPERATIONS[expression.func]
-        return operation, tuple(self._place(argument) for argument in expression.args)
+            return self._step(lambda base: base.sqrt(), self._place(expression.base))
+        operands = [self._place(argument) for argument in expression.args]
+        if isinstance(expression, sp.Add | sp.Mul):
+            combine = add if isinstance(expression, sp.Add) else mul
+            return reduce(lambda first, second: self._step(combine, first, second), operands)
+        return self._step(_OPERATIONS[expression.func], *operands)
+
+    def _step(self, operation: Callable[..., Ball], *operands: int) -> int:
+        self._steps.append((operation, operands))
+        return self._first + len(self._steps) - 1
+
+
+def _number(number: Expr) -> Ball:
+    """At the precision of the moment."""
+    if isinstance(number, sp.Rational):
+        return _flint().arb(int(number.p)) / int(number.q)
+    return {sp.pi: _flint().arb.pi, sp.E: _flint().arb.const_e}[number]()
 
 
 def _sharp(entry: Ball) -> bool:
@@ -80,8 +92,6 @@ def _sharp(entry: Ball) -> bool:
 
 _OPERATIONS: dict[type[Expr], Callable[..., Ball]] = {
     sp.Abs: abs,
-    sp.Add: lambda *terms: reduce(add, terms),
-    sp.Mul: lambda *factors: reduce(mul, factors),
     sp.Pow: lambda base, exponent: base**exponent,
     sp.acos: lambda x: x.acos(),
     sp.asin: lambda x: x.asin(),

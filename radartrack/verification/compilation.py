@@ -18,11 +18,11 @@ def compiled(entries: Tensor[Expr], symbols: Sequence[Symbol]) -> Program:
 
 class _Compiler:
     def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol]) -> None:
-        numbers = {e for entry in entries for e in _leaves(entry) if e.is_number}
+        numbers = {e for entry in entries for e in leaves(entry) if e.is_number}
         constants = sorted(numbers | {sp.Rational(1, 2)}, key=str)
-        leaves = [*symbols, *constants]
-        self._places: dict[Expr, int] = {leaf: place for place, leaf in enumerate(leaves)}
-        self._count = len(leaves)
+        first = [*symbols, *constants]
+        self._places: dict[Expr, int] = {leaf: place for place, leaf in enumerate(first)}
+        self._count = len(first)
         self._steps: list[tuple[str, tuple[int, ...]]] = []
         results = tuple(self._place(entry) for entry in entries)
         values = tuple(_value(constant) for constant in constants)
@@ -47,10 +47,11 @@ class _Compiler:
         return name, tuple(self._place(argument) for argument in expression.args)
 
 
-def _leaves(expression: Expr) -> set[Expr]:
+def leaves(expression: Expr) -> set[Expr]:
+    """The symbols and numbers that occur."""
     if not expression.args:
         return {expression}
-    return set().union(*(_leaves(argument) for argument in expression.args))
+    return set().union(*(leaves(argument) for argument in expression.args))
 
 
 def _value(number: Expr) -> float:
