@@ -271,12 +271,9 @@ class Field:
             return None
         terms = value.terms[zero].terms()
         if len(terms) > 1:
-            root = (
-                self._generator("root", (Quotient(value),), degree)
-                if all(map(self._is_never_negative, terms))
-                else None
-            )
-            return root and self._ground(root.symbol)
+            if not all(map(self._is_never_negative, terms)):
+                return None
+            return self._ground(self._generator("root", (Quotient(value),), degree).symbol)
         ((monomial, number),) = terms
         positive = all(may for power, may in zip(monomial, self._positive, strict=True) if power)
         return self._root_of_monomial(monomial, degree) if positive and number == self._ring.domain.one else None

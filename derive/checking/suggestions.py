@@ -56,6 +56,7 @@ FIRST_EDITS = 150
 ENOUGH = 5
 FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
 LARGE = 60  # nodes from which two edits at once are not looked for
+HUGE = 500  # nodes from which one edit in one place is enough
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
 MOST_COMPLEX = 6
 
@@ -130,8 +131,11 @@ class _Search:
 
     def edits(self, tree: Tree) -> list[_Candidate]:
         """One edit, or one that runs through the formula; where there is none, two."""
-        found = [*self._single(tree), *self._everywhere(tree)]
-        if not found and sum(1 for _ in walk(tree)) <= LARGE:
+        size = sum(1 for _ in walk(tree))
+        found = list(self._single(tree))
+        if not found or size <= HUGE:
+            found += self._everywhere(tree)
+        if not found and size <= LARGE:
             found = list(self._double(tree))
         return sorted(found, key=lambda candidate: candidate.cost)
 

@@ -87,11 +87,13 @@ def _additions(node: Tree, names: Mapping[str, object], *, whole: bool) -> Itera
     if whole:
         yield Negation(node)
     if whole or isinstance(node, Name | Call | Sum):
-        for factor in (Number("2"), Number("3"), *map(Name, names)):
+        factors: list[Tree] = [Number("2"), Number("3"), *map(Name, names)]
+        for factor in factors:
             yield from (Product((factor, node)), Quotient(node, factor))
     if whole or isinstance(node, Sum):
         terms = node.terms if isinstance(node, Sum) else (node,)
-        yield from (Sum((*terms, term)) for term in (Number("1"), *map(Name, names)))
+        more: list[Tree] = [Number("1"), *map(Name, names)]
+        yield from (Sum((*terms, term)) for term in more)
 
 
 def _other_numbers(node: Number) -> Iterator[Tree]:
