@@ -24,7 +24,7 @@ from radartrack.verification.identity import Identity
 from radartrack.verification.mutants import Mutants
 from radartrack.verification.outcome import Layer, Outcome, Verdict, examined
 from radartrack.verification.quadrature import Quadrature
-from radartrack.verification.simulation import CHUNK, Draws, Sums, chunks_of, tasks_for
+from radartrack.verification.simulation import CHUNK, Draws, Sums, tasks_for
 from radartrack.verification.statistics import FALSE_ALARM
 from radartrack.verification.subject import NotGenerated, generated
 
@@ -122,8 +122,7 @@ class Campaign:
                 yield Examination(name, layer)
         for name in self.names:
             for trial in self._simulations(find(name)):
-                for task in range(tasks_for(self.effort.draws)):
-                    yield Draws(trial.experiment, chunks_of(task, self.effort.draws))
+                yield from tasks_for(trial.experiment, self.effort.draws)
 
     def _simulations(self, quantity: Quantity) -> list[Trial]:
         if quantity.name not in self._trials:
@@ -155,8 +154,8 @@ class Campaign:
 
     def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
         total: Sums | None = None
-        for task in range(tasks_for(self.effort.draws)):
-            record = done[Draws(trial.experiment, chunks_of(task, self.effort.draws)).key]
+        for task in tasks_for(trial.experiment, self.effort.draws):
+            record = done[task.key]
             if record is None:
                 return ValueError("not a number")
             total = reduce(add, [total, Sums.read(record)]) if total else Sums.read(record)
@@ -168,7 +167,7 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
     versions = {name: importlib.metadata.version(name) for name in PACKAGES if _installed(name)}
     return {
         "effort": asdict(effort),
-        "draws_of_a_chunk": CHUNK,
+        "sets_of_errors_in_a_chunk": CHUNK,
         "false_alarm_of_the_catalogue": FALSE_ALARM,
         "versions": {"python": platform.python_version(), "radartrack": _own_version(), **versions},
         "functions": list(records),

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import reduce
-from operator import add
 
 from radartrack.derive.quantity import Quantity
 from radartrack.verification.experiments import Trial, simulated, tests_of_catalogue, trials
 from radartrack.verification.outcome import Function, Outcome
 from radartrack.verification.quadrature import not_applicable
-from radartrack.verification.simulation import CHUNK, Experiment, Sums, simulate
+from radartrack.verification.simulation import Experiment, Sums, simulate
 from radartrack.verification.statistics import (
     FALSE_ALARM,
     MOST_CORRECTION,
@@ -42,8 +40,8 @@ class MonteCarlo:
         """Draws in this process; the command line spreads the same draws over many."""
         if not simulated(quantity):
             return reason(quantity)
-        chunks = range(-(-self.draws // CHUNK))
-        return decided((trial, _sums(trial.experiment, chunks)) for trial in trials(quantity, function, self.seed))
+        planned = trials(quantity, function, self.seed)
+        return decided((trial, _sums(trial.experiment, self.draws)) for trial in planned)
 
 
 def reason(quantity: Quantity) -> Outcome:
@@ -52,9 +50,9 @@ def reason(quantity: Quantity) -> Outcome:
     return Outcome.not_applicable(NAME, said)
 
 
-def _sums(experiment: Experiment, chunks: Iterable[int]) -> Sums | ValueError:
+def _sums(experiment: Experiment, draws: int) -> Sums | ValueError:
     try:
-        return reduce(add, (simulate(experiment, [number]) for number in chunks))
+        return simulate(experiment, range(experiment.chunks(draws)))
     except ValueError as error:
         return error
 

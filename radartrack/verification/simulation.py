@@ -25,7 +25,7 @@ from radartrack.verification.programs import Program
 
 Array = npt.NDArray[np.float64]
 Function = Callable[..., Any]
-CHUNK = 1 << 13  # draws; w and −w are two
+CHUNK = 1 << 13  # times that all errors are drawn
 CHUNKS_OF_A_TASK = 128
 
 
@@ -92,10 +92,14 @@ class Experiment:
     pairs: tuple[tuple[int, int], ...]
     shift: tuple[float, ...]
 
+    def chunks(self, draws: int) -> int:
+        """How many give at least so many draws; w and −w are two."""
+        return -(-draws // (CHUNK if self.pairs else 2 * CHUNK))
+
 
 @dataclass(frozen=True)
 class Sums:
-    """Numbers of draws, and for each mean the sums of the first powers of what was drawn."""
+    """How many residuals there are, w and −w giving one, and for each mean the sums of their first powers."""
 
     draws: int
     powers: tuple[tuple[ExactSum, ...], ...]
@@ -139,15 +143,11 @@ class Draws:
             return None
 
 
-def chunks_of(task: int, draws: int) -> range:
-    """The chunks of a task, so many draws in all being wanted."""
-    first = task * CHUNKS_OF_A_TASK
-    return range(first, min(first + CHUNKS_OF_A_TASK, -(-draws // CHUNK)))
-
-
-def tasks_for(draws: int) -> int:
-    """How many tasks give at least so many draws."""
-    return -(-draws // (CHUNK * CHUNKS_OF_A_TASK))
+def tasks_for(experiment: Experiment, draws: int) -> list[Draws]:
+    """Those that give at least so many draws."""
+    chunks = experiment.chunks(draws)
+    starts = range(0, chunks, CHUNKS_OF_A_TASK)
+    return [Draws(experiment, range(start, min(start + CHUNKS_OF_A_TASK, chunks))) for start in starts]
 
 
 def _sums(residuals: list[Array]) -> Sums:
@@ -167,10 +167,8 @@ def _exact(total: Array) -> ExactSum:
 
 def _residuals(experiment: Experiment, number: int, chunk: int) -> list[Array]:
     """g − c, or products of them, less what the mean should be: one array for every mean."""
-    if experiment.pairs:
-        left = _of_products(experiment, _errors(experiment, number, chunk))
-    else:
-        left = _of_values(experiment, _errors(experiment, number, chunk // 2))
+    errors = _errors(experiment, number, chunk)
+    left = _of_products(experiment, errors) if experiment.pairs else _of_values(experiment, errors)
     return [residual - shift for residual, shift in zip(left, experiment.shift, strict=True)]
 
 
