@@ -29,6 +29,7 @@ def test_a_small_change_is_noticed(first: sympy.Expr, second: sympy.Expr) -> Non
 def test_constants_are_compared_too() -> None:
     assert is_zero(sympy.Integer(0))
     assert not is_zero(sympy.Rational(1, 10**30))
+    assert not is_zero(sympy.Rational(-1, 10**30))
 
 
 @pytest.mark.parametrize("expression", [sympy.sqrt(x), sympy.sin(x), x**y, sympy.pi * x])
