@@ -38,6 +38,8 @@ IDENTITIES = [
     (cos(2 * x / r), 2 * cos(x / r) ** 2 - 1),
     (exp(-(x**2) / (2 * r**2)) ** 2, exp(-(x**2) / r**2)),
     (log(r) + atan(x), atan(x) + log(r)),
+    (sqrt(y / (x**2 + r)), sqrt(y) / sqrt(x**2 + r)),
+    (sqrt(1 / ((x**2 + s) * (y**4 + x**2))), 1 / (sqrt(x**2 + s) * sqrt(y**4 + x**2))),
     ((r ** Rational(1, 3)) ** 2 * r, r ** Rational(5, 3)),
 ]
 
@@ -87,6 +89,8 @@ def test_a_division_by_zero_is_never_equal_to_anything() -> None:
 def test_a_root_keeps_its_sign() -> None:
     assert not proved_equal(sqrt((x - 1) ** 2), x - 1)
     assert not proved_equal(sqrt(x**2 * y**2), x * y)
+    assert not proved_equal(sqrt(1 / (x + r)) * sqrt(x + r), Integer(1))
+    assert not proved_equal(sqrt(1 / (x**2 - r)) * sqrt(x**2 - r), Integer(1))
 
 
 def _formula(random: Random, depth: int) -> sympy.Expr:
