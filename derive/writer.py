@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 
@@ -13,7 +13,7 @@ from radartrack.derive.numpy_code import code, terms
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.stable import StableForm
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.tensor import Tensor, nested
+from radartrack.derive.tensor import nested
 
 VERSION = "1"
 WIDTH = 110
@@ -92,9 +92,10 @@ def body(quantity: Quantity, form: StableForm) -> str:
     names = [symbol.name for symbol in quantity.symbols]
     arguments = ", ".join(names)
     lines = [f"arguments = _floats({arguments})", f"{arguments}{',' * (len(names) == 1)} = arguments"]
-    lines += [_assignment(symbol.name, definition) for symbol, definition in definitions.items()]
+    lines += assignments((symbol.name, definition) for symbol, definition in definitions.items())
     lines.append(f"result = _empty(arguments, {quantity.shape})")
-    lines += _results(Tensor(form.entries.shape, tuple(results)))
+    places = (f"result[{', '.join(['...', *map(str, index)])}]" for index, _ in form.entries.items())
+    lines += assignments(zip(places, results, strict=True))
     lines.append("return result[()]" if not quantity.shape else "return result")
     return "\n".join(lines)
 
@@ -109,12 +110,11 @@ def _beside(form: StableForm, quantity: Quantity) -> StableForm:
     return form.renamed(renamed) if renamed else form
 
 
-def _results(results: Tensor[Expr]) -> list[str]:
-    """One assignment an entry; an entry that was computed before is copied."""
+def assignments(pairs: Iterable[tuple[str, Expr]]) -> list[str]:
+    """One assignment a pair of target and value; a value that was computed before is copied."""
     first: dict[Expr, str] = {}
     lines = []
-    for index, expression in results.items():
-        target = f"result[{', '.join(['...', *map(str, index)])}]"
+    for target, expression in pairs:
         known = first.setdefault(expression, target)
         if known == target or expression.is_Atom:
             lines.append(_assignment(target, expression))

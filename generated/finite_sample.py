@@ -1,6 +1,6 @@
 """NumPy functions of the quantities finite_sample.*.
 
-Written by radartrack regenerate, generator 1, derivation a6f3a10dc264278b; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 41413b7b31fecd4c; not to be edited.
 """
 
 import numpy as np
@@ -838,7 +838,7 @@ def degree1_range_covariance(*, k: npt.ArrayLike, T: npt.ArrayLike, sigma_r: npt
     span = (1.0 + k) * (k - 1.0)
     middle = 0.5 * k - 0.5
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / span
     sigma_r_squared = sigma_r**2
     sum_1 = middle**2 * per_slope + per_constant
@@ -902,7 +902,7 @@ def degree1_range_range_weights(*, k: npt.ArrayLike, j: npt.ArrayLike, T: npt.Ar
     middle = 0.5 * k - 0.5
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / span
     result = _empty(arguments, (2,))
     result[..., 0] = middle * per_slope * scan_position + per_constant
@@ -942,7 +942,7 @@ def degree1_range_at_lag_covariance(
     middle = 0.5 * k - 0.5
     position = middle + tau
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / span
     sigma_r_squared = sigma_r**2
     sum_1 = per_constant + per_slope * position**2
@@ -987,7 +987,7 @@ def degree1_range_at_lag_range_weights(
     position = middle + tau
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / span
     result = _empty(arguments, (2,))
     result[..., 0] = per_constant + per_slope * position * scan_position
@@ -1123,7 +1123,7 @@ def degree1_range_rate_covariance(
     span = (1.0 + k) * (k - 1.0)
     middle = 0.5 * k - 0.5
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     sigma_r_squared = sigma_r**2
     sum_1 = middle**2 * per_slope + per_constant
@@ -1198,7 +1198,7 @@ def degree1_range_rate_range_weights(
     middle = 0.5 * k - 0.5
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     result = _empty(arguments, (2,))
     result[..., 0] = middle * per_slope * scan_position + per_constant
@@ -1277,7 +1277,7 @@ def degree1_range_rate_at_lag_covariance(
     middle = 0.5 * k - 0.5
     position = middle + tau
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     sigma_r_squared = sigma_r**2
     sum_1 = per_constant + per_slope * position**2
@@ -1324,7 +1324,7 @@ def degree1_range_rate_at_lag_range_weights(
     position = middle + tau
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     result = _empty(arguments, (2,))
     result[..., 0] = per_constant + per_slope * position * scan_position
@@ -1549,7 +1549,7 @@ def degree2_range_covariance(*, k: npt.ArrayLike, T: npt.ArrayLike, sigma_r: npt
     bend = (2.0 + k) * sum_2
     middle = 0.5 * k - 0.5
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     per_curvature = 180.0 * term_1 * term_2 / bend
@@ -1639,7 +1639,7 @@ def degree2_range_range_weights(*, k: npt.ArrayLike, j: npt.ArrayLike, T: npt.Ar
     middle = 0.5 * k - 0.5
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     per_curvature = 180.0 * term_1 * term_2 / bend
@@ -1691,7 +1691,7 @@ def degree2_range_at_lag_covariance(
     middle = 0.5 * k - 0.5
     position = middle + tau
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     per_curvature = 180.0 * term_1 * term_2 / bend
@@ -1750,7 +1750,7 @@ def degree2_range_at_lag_range_weights(
     position = middle + tau
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     per_curvature = 180.0 * term_1 * term_2 / bend
@@ -1913,7 +1913,7 @@ def degree2_range_rate_covariance(
     bend = (2.0 + k) * sum_2
     middle = 0.5 * k - 0.5
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     per_curvature = 180.0 * term_1 / ((60.0 * C + bend) * span)
     middle_squared = middle**2
@@ -2029,7 +2029,7 @@ def degree2_range_rate_range_weights(
     middle = 0.5 * k - 0.5
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     per_curvature = 180.0 * term_1 / ((60.0 * C + bend) * span)
     scan_position_squared = scan_position**2
@@ -2128,7 +2128,7 @@ def degree2_range_rate_at_lag_covariance(
     middle = 0.5 * k - 0.5
     position = middle + tau
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     per_curvature = 180.0 * term_1 / ((60.0 * C + bend) * span)
     position_squared = position**2
@@ -2188,7 +2188,7 @@ def degree2_range_rate_at_lag_range_weights(
     position = middle + tau
     scan_position = j - 0.5 - 0.5 * k
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     per_slope = 12.0 * term_1 / (12.0 * C + span)
     per_curvature = 180.0 * term_1 / ((60.0 * C + bend) * span)
     scan_position_squared = scan_position**2
@@ -2467,7 +2467,7 @@ def degree3_range_covariance(*, k: npt.ArrayLike, T: npt.ArrayLike, sigma_r: npt
     bend = (2.0 + k) * sum_2
     middle = 0.5 * k - 0.5
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / bend
@@ -2602,7 +2602,7 @@ def degree3_range_range_weights(*, k: npt.ArrayLike, j: npt.ArrayLike, T: npt.Ar
     scan_position = j - 0.5 - 0.5 * k
     scan_reach = (k - j) * (j - 1.0)
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / bend
@@ -2668,7 +2668,7 @@ def degree3_range_at_lag_covariance(
     position = middle + tau
     reach = -(k - 1.0 + tau) * tau
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / bend
@@ -2758,7 +2758,7 @@ def degree3_range_at_lag_range_weights(
     scan_position = j - 0.5 - 0.5 * k
     scan_reach = (k - j) * (j - 1.0)
     per_constant = 1.0 / k
-    term_1 = 1.0 / k
+    term_1 = per_constant
     term_2 = 1.0 / span
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / bend
@@ -2963,7 +2963,7 @@ def degree3_range_rate_covariance(
     rate_share = 12.0 * C * term_1
     middle = 0.5 * k - 0.5
     per_constant = 1.0 / k
-    term_2 = 1.0 / k
+    term_2 = per_constant
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / span
     per_curvature = 180.0 * term_2 * term_3 / (60.0 * C + bend)
@@ -3250,7 +3250,7 @@ def degree3_range_rate_range_weights(
     scan_position = j - 0.5 - 0.5 * k
     scan_reach = (k - j) * (j - 1.0)
     per_constant = 1.0 / k
-    term_2 = 1.0 / k
+    term_2 = per_constant
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / span
     per_curvature = 180.0 * term_2 * term_3 / (60.0 * C + bend)
@@ -3389,7 +3389,7 @@ def degree3_range_rate_at_lag_covariance(
     position = middle + tau
     reach = -(k - 1.0 + tau) * tau
     per_constant = 1.0 / k
-    term_2 = 1.0 / k
+    term_2 = per_constant
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / span
     per_curvature = 180.0 * term_2 * term_3 / (60.0 * C + bend)
@@ -3484,7 +3484,7 @@ def degree3_range_rate_at_lag_range_weights(
     scan_position = j - 0.5 - 0.5 * k
     scan_reach = (k - j) * (j - 1.0)
     per_constant = 1.0 / k
-    term_2 = 1.0 / k
+    term_2 = per_constant
     per_slope = 12.0 * term_1 * term_2
     term_3 = 1.0 / span
     per_curvature = 180.0 * term_2 * term_3 / (60.0 * C + bend)

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities spherical.*.
 
-Written by radartrack regenerate, generator 1, derivation b99c0825c53bfb9c; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 7298a45b66657c52; not to be edited.
 """
 
 import numpy as np
@@ -599,7 +599,7 @@ def validity_linear(
     sigma_epsilon_squared = sigma_epsilon**2
     r_squared = r**2
     sigma_beta_squared_squared = sigma_beta_squared**2
-    cos_epsilon_ = np.cos(epsilon)
+    cos_epsilon_ = cos_epsilon
     term_1 = 1.0 / r
     sigma_r_squared = sigma_r**2
     sin_epsilon_squared = sin_epsilon**2
@@ -658,7 +658,7 @@ def validity_second_order(
     sigma_r_squared = sigma_r**2
     complement_of_rho_squared = complement_of_rho**2
     sigma_epsilon_squared_squared = sigma_epsilon_squared**2
-    cos_epsilon_ = np.cos(epsilon)
+    cos_epsilon_ = cos_epsilon
     term_1 = 1.0 / r
     result = _empty(arguments, (3,))
     result[..., 0] = np.sqrt(0.75 * cos_epsilon_squared * r_squared * sigma_beta_squared_squared * sigma_epsilon_squared * sin_epsilon_squared + 1.5 * cos_epsilon_squared_squared * rho_squared * sigma_beta_squared_squared * sigma_r_squared + 0.5 * complement_of_rho_squared * cos_epsilon_squared_squared * sigma_beta_squared_squared * sigma_r_squared + 0.5 * complement_of_rho_squared * sigma_epsilon_squared_squared * sigma_r_squared + (-0.5 * cos_epsilon_squared * sigma_beta_squared - 0.5 * sigma_epsilon_squared)**2 * complement_of_rho_squared * sigma_r_squared + 0.5 * rho_squared * sigma_epsilon_squared_squared * sigma_r_squared + (-1.5 * cos_epsilon_squared * sigma_beta_squared - 0.5 * sigma_epsilon_squared)**2 * rho_squared * sigma_r_squared) / sigma_r

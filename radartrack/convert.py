@@ -12,13 +12,17 @@ the measurement; its covariance is
 - decorrelated, mean e^-L h: of the error of that mean given the truth, averaged over a prediction of it.
 """
 
+import math
 import reprlib
-from collections.abc import Mapping
-from typing import Literal, NamedTuple, TypeAlias
+from collections.abc import Callable, Mapping
+from typing import Any, Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from radartrack import compiled
+from radartrack.batches import fill
+from radartrack.generated import conversions
 from radartrack.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments
 from radartrack.sensors import SENSORS, AzimuthFrom, Sensor
 from radartrack.validation import RealArray, broadcast_shape, one_of, real_arrays
@@ -33,23 +37,8 @@ class Converted(NamedTuple):
     covariance: RealArray
 
 
-class _Words(NamedTuple):
-    """The generated functions of a method; its mean is the estimate less the bias."""
-
-    estimate: str
-    bias: str | None
-    covariance: str
-    needs_prediction: bool = False
-
-
-_METHODS: Mapping[Method, _Words] = {
-    "linear": _Words("map", None, "covariance_linear"),
-    "second_order": _Words("map", "bias_second_order", "covariance_second_order"),
-    "averaged": _Words("map", "bias_averaged", "covariance_averaged"),
-    "unbiased": _Words("unbiased_estimate", None, "unbiased_covariance"),
-    "posterior": _Words("posterior_estimate", None, "posterior_covariance"),
-    "decorrelated": _Words("unbiased_estimate", None, "decorrelated_covariance", needs_prediction=True),
-}
+_METHODS: tuple[Method, ...] = get_args(Method)
+_NEEDS_PREDICTION = "decorrelated"
 
 
 def polar(
@@ -277,55 +266,75 @@ def _convert(
     predicted: Prediction | None,
     azimuth_from: AzimuthFrom | None = None,
 ) -> Converted:
-    words = _METHODS[one_of("method", method, _METHODS)]
+    one_of("method", method, _METHODS)
     turned = sensor.is_turned(azimuth_from)
-    arrays = real_arrays({**given, **_predicted_arguments(method, words, predicted)})
+    arrays = real_arrays({**given, **_predicted_arguments(method, predicted)})
     plot = {name: arrays[name] for name in given}
     measured = sensor.read(plot)
-    prediction = Predicted(sensor, arrays[MEAN], arrays[COVARIANCE]) if words.needs_prediction else None
+    prediction = Predicted(sensor, arrays[MEAN], arrays[COVARIANCE]) if method == _NEEDS_PREDICTION else None
     shape = broadcast_shape({**plot, **(prediction.named() if prediction else {})})
-    converted = Converted(_mean(sensor, words, measured), _covariance(sensor, words.covariance, measured, prediction))
-    return _spread(_swap_x_and_y(converted) if turned else converted, shape)
+    converted = _computed(sensor, method if prediction is None else "unbiased", measured, shape, turned=turned)
+    if prediction is not None:
+        converted.covariance[...] = _swapped(_decorrelated(sensor, measured, prediction), turned=turned)
+    return converted
 
 
-def _predicted_arguments(method: Method, words: _Words, predicted: Prediction | None) -> Mapping[str, ArrayLike]:
-    if words.needs_prediction:
+def _predicted_arguments(method: Method, predicted: Prediction | None) -> Mapping[str, ArrayLike]:
+    if method == _NEEDS_PREDICTION:
         return prediction_arguments(predicted)
     if predicted is not None:
         raise ValueError(f"predicted must be None for method {method!r}; got {reprlib.repr(predicted)}")
     return {}
 
 
-def _mean(sensor: Sensor, words: _Words, measured: Mapping[str, RealArray]) -> RealArray:
-    mean = sensor.evaluate(words.estimate, measured)
-    return mean if words.bias is None else mean - sensor.evaluate(words.bias, measured)
+def _computed(
+    sensor: Sensor, method: Method, measured: Mapping[str, RealArray], shape: tuple[int, ...], *, turned: bool
+) -> Converted:
+    dtype = measured["r"].dtype
+    count, size = math.prod(shape), len(sensor.coordinates)  # as many coordinates as there are measured quantities
+    mean, covariance = np.empty((count, size), dtype), np.empty((count, size, size), dtype)
+    function = _function(f"{sensor.module}_{method}", count, dtype)
+
+    def convert(*arrays: RealArray) -> None:
+        function(*arrays)
+        if turned:
+            *_, means, covariances = arrays
+            means[...] = means.take(_order(size), axis=-1)
+            covariances[...] = _swapped(covariances, turned=True)
+
+    fill(convert, [_flat(array, shape) for array in measured.values()], [mean, covariance])
+    return Converted(mean.reshape(*shape, size), covariance.reshape(*shape, size, size))
 
 
-def _covariance(
-    sensor: Sensor, word: str, measured: Mapping[str, RealArray], prediction: Predicted | None
-) -> RealArray:
-    if prediction is None:
-        return sensor.evaluate(word, measured)
+def _function(name: str, count: int, dtype: np.dtype[Any]) -> Callable[..., None]:
+    """Compiled where that is installed and worth while."""
+    if count >= compiled.COMPILED_FROM and dtype == np.float64 and compiled.is_available():
+        return compiled.conversion(name)
+    function: Callable[..., None] = getattr(conversions, name)
+    return function
+
+
+def _decorrelated(sensor: Sensor, measured: Mapping[str, RealArray], prediction: Predicted) -> RealArray:
     prediction.require_possible(measured)
+    word = "decorrelated_covariance"
     parts = ((weight, sensor.evaluate(word, {**measured, **part})) for weight, part in prediction.parts())
     weight, first = next(parts)
     return sum((weight * covariance for weight, covariance in parts), start=weight * first)
 
 
-def _swap_x_and_y(converted: Converted) -> Converted:
-    mean, covariance = converted
-    size = mean.shape[-1]
-    order = [1, 0, *range(2, size)]
-    entries = np.arange(size**2).reshape(size, size)[np.ix_(order, order)]
-    flat = covariance.reshape(*covariance.shape[:-2], size**2)
-    return Converted(mean.take(order, axis=-1), flat.take(entries, axis=-1))
+def _flat(array: RealArray, shape: tuple[int, ...]) -> RealArray:
+    """One axis, or none where all plots share the value."""
+    return array.reshape(()) if array.size == 1 else np.broadcast_to(array, shape).reshape(-1)
 
 
-def _spread(converted: Converted, shape: tuple[int, ...]) -> Converted:
-    """Both with the leading shape of all the arguments together, and writable."""
-    size = converted.mean.shape[-1]
-    return Converted(_full(converted.mean, (*shape, size)), _full(converted.covariance, (*shape, size, size)))
+def _order(size: int) -> list[int]:
+    """The coordinates with x and y exchanged."""
+    return [1, 0, *range(2, size)]
 
 
-def _full(array: RealArray, shape: tuple[int, ...]) -> RealArray:
-    return array if array.shape == shape else np.broadcast_to(array, shape).copy()
+def _swapped(covariance: RealArray, *, turned: bool) -> RealArray:
+    """With x and y exchanged, where the azimuth is counted from the other axis."""
+    if not turned:
+        return covariance
+    order = _order(covariance.shape[-1])
+    return covariance[..., order, :][..., order]

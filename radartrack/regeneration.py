@@ -7,7 +7,7 @@ import importlib.util
 import json
 import math
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -16,6 +16,8 @@ from types import ModuleType
 from typing import Any
 
 from radartrack.derive.catalogue import catalogue, find
+from radartrack.derive.conversion_code import ARRAYS, LOOPS, ConversionCode, conversion_code, conversions_of
+from radartrack.derive.conversion_code import module_text as conversion_code_text
 from radartrack.derive.forms import form_of
 from radartrack.derive.formula_book import Page, book, formula
 from radartrack.derive.model import Model
@@ -62,6 +64,19 @@ class Derived:
     formula: str
 
 
+@dataclass(frozen=True)
+class Derivation:
+    """All that is written: the quantities, and the conversions that join some of them."""
+
+    quantities: list[Derived]
+    conversions: list[ConversionCode]
+
+    @property
+    def functions(self) -> list[Function]:
+        """Those of the quantities."""
+        return [derived.function for derived in self.quantities]
+
+
 def source_directory() -> Path | None:
     """`generated/` of the source checkout that this package is imported from; None for an installed wheel."""
     here = importlib.util.find_spec("radartrack.generated")
@@ -106,17 +121,23 @@ def load_model(path: Path) -> Model:
     return model
 
 
-def derive(quantities: Iterable[Quantity], step: Step) -> list[Derived]:
-    """The code and formula of all quantities; `step` is told each name as its turn comes.
+def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
+    """The code and formula of all quantities, and their conversions; `step` is told each name as its turn comes.
 
     Those of the catalogue are derived in one process a core, a model of a user's own in this one.
     """
-    wanted = list(quantities)
-    if all(quantity is catalogue().get(quantity.name) for quantity in wanted):
-        names = [quantity.name for quantity in wanted]
+    wanted, conversions = list(quantities.values()), conversions_of(quantities)
+    if quantities == catalogue():
         with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
-            return _told(wanted, pool.map(_named, names, chunksize=CHUNK), step)
-    return _told(wanted, map(_written, wanted), step)
+            written = pool.map(_named, quantities, chunksize=CHUNK)
+            codes = pool.map(_named_conversion, conversions, chunksize=CHUNK)
+            return Derivation(_told(wanted, written, step), list(codes))
+    derived = _told(wanted, map(_written, wanted), step)
+    return Derivation(derived, [conversion_code(quantities, *conversion) for conversion in conversions])
+
+
+def _named_conversion(conversion: tuple[str, str]) -> ConversionCode:
+    return conversion_code(catalogue(), *conversion)
 
 
 def _named(name: str) -> Written:
@@ -175,17 +196,24 @@ def measure(module: ModuleType, quantity: Quantity) -> float:
     return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
 
 
-def texts(derived: Sequence[Derived], record: Mapping[str, Accuracy]) -> Files:
+def texts(derivation: Derivation, record: Mapping[str, Accuracy]) -> Files:
     """The files of the generated package, and the formula book."""
     rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
-    pages = [Page(one.function.quantity, one.formula, record[one.function.quantity.name].sentence) for one in derived]
-    return {
+    pages = [
+        Page(derived.function.quantity, derived.formula, record[derived.function.quantity.name].sentence)
+        for derived in derivation.quantities
+    ]
+    files = {
         "__init__.py": PACKAGE,
         "py.typed": "",
         RECORD: json.dumps(rows, indent=1) + "\n",
         BOOK: book(pages),
-        **_modules([one.function for one in derived], record),
+        **_modules(derivation.functions, record),
     }
+    if derivation.conversions:
+        files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
+        files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
+    return files
 
 
 def differences(directory: Path, expected: Files) -> Iterator[str]:

@@ -28,8 +28,8 @@ def regenerate(
     quantities = _quantities(model)
     try:
         with _progress(len(quantities)) as step:
-            derived = regeneration.derive(quantities.values(), step)
-            functions = [one.function for one in derived]
+            derivation = regeneration.derive(quantities, step)
+            functions = derivation.functions
             known = regeneration.read_record(directory)
             measured = regeneration.as_recorded(functions, known)
             if not check:
@@ -37,7 +37,7 @@ def regenerate(
     except NotProved as error:
         typer.echo(f"Nothing was written: {error}", err=True)
         raise typer.Exit(1) from None
-    files = regeneration.texts(derived, measured)
+    files = regeneration.texts(derivation, measured)
     found = [difference for difference in regeneration.differences(directory, files) if difference]
     if check:
         _report(found, directory)

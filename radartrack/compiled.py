@@ -1,0 +1,46 @@
+"""Conversions as machine code, where Numba is installed: the extra `radartrack[fast]`.
+
+The loops are written by the same generator as the NumPy code, from the same formulas. They are compiled when they are
+first needed, which takes seconds, and kept on disk.
+"""
+
+import importlib
+import importlib.util
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from radartrack.generated import loops
+from radartrack.validation import RealArray
+
+COMPILED_FROM = 4096  # plots; for fewer NumPy needs less time than loading the compiler
+
+
+def is_available() -> bool:
+    """Whether Numba is installed."""
+    return _has_numba()
+
+
+@cache
+def _has_numba() -> bool:
+    return importlib.util.find_spec("numba") is not None
+
+
+@cache
+def conversion(name: str) -> Callable[..., None]:
+    """The compiled conversion of this name, for float64 arrays: inputs of shape (plots,) or (), then outputs."""
+    numba: Any = importlib.import_module("numba")
+    loop = getattr(loops, name)
+    count = loop.__code__.co_argcount - 2
+    outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
+    readable = numba.types.Array(numba.float64, 1, "A", readonly=True)
+    signature = numba.void(*[readable] * count, *outputs)
+    compiled: Any = numba.njit(signature, cache=True, nogil=True, error_model="numpy")(loop)
+
+    def fill(*arrays: RealArray) -> None:
+        *inputs, mean, covariance = arrays
+        compiled(*(np.broadcast_to(array, len(mean)) for array in inputs), mean, covariance)
+
+    return fill

@@ -1,0 +1,76 @@
+"""Mean and covariance together: the same as the quantities that they join, over arrays and as loops."""
+
+import numpy as np
+import pytest
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.conversion_code import METHODS, conversions_of
+from radartrack.generated import conversions, loops
+from radartrack.verification.sampling import Points, sample
+from tests import conversions as generated
+
+POINTS = 200
+EACH = pytest.mark.parametrize(("model", "method"), conversions_of(catalogue()))
+
+
+def symbols(model: str, method: str) -> list[str]:
+    loop = getattr(conversions, f"{model}_{method}")
+    return list(loop.__code__.co_varnames[: loop.__code__.co_argcount - 2])
+
+
+def drawn(model: str, method: str) -> Points:
+    name = f"{model}.{METHODS[method].covariance}"
+    quantity = catalogue().get(name) or catalogue()[f"{name}.fourth_order"]
+    return sample(quantity, POINTS, seed=5, correlated=True)
+
+
+def separately(model: str, method: str, points: Points) -> tuple[np.ndarray, np.ndarray]:
+    def value(word: str) -> np.ndarray:
+        name = f"{model}.{word}"
+        quantity = catalogue().get(name) or catalogue()[f"{name}.fourth_order"]
+        return generated.generated(quantity)(**{s.name: points[s.name] for s in quantity.symbols})
+
+    words = METHODS[method]
+    mean = value(words.estimate) - (value(words.bias) if words.bias else 0)
+    return mean, value(words.covariance)
+
+
+def together(module: object, model: str, method: str, points: Points) -> tuple[np.ndarray, np.ndarray]:
+    size = len(points["r"])
+    count = 3 if model != "polar" else 2
+    mean, covariance = np.full((size, count), np.nan), np.full((size, count, count), np.nan)
+    getattr(module, f"{model}_{method}")(*(points[name] for name in symbols(model, method)), mean, covariance)
+    return mean, covariance
+
+
+def assert_equal_within_rounding(
+    found: tuple[np.ndarray, np.ndarray], expected: tuple[np.ndarray, np.ndarray], independent: np.ndarray
+) -> None:
+    """Means against their size, covariances against the deviations for independent errors."""
+    size = np.linalg.norm(expected[0], axis=-1, keepdims=True)
+    assert (np.abs(found[0] - expected[0]) <= 1e-14 * size).all()
+    deviations = np.sqrt(np.diagonal(independent, axis1=-2, axis2=-1))
+    scale = deviations[..., :, np.newaxis] * deviations[..., np.newaxis, :] + np.abs(expected[1])
+    assert (np.abs(found[1] - expected[1]) <= 1e-13 * scale).all()
+
+
+@EACH
+def test_over_arrays_it_is_what_the_quantities_are_one_by_one(model: str, method: str) -> None:
+    points = drawn(model, method)
+    independent = separately(model, method, points | {"rho": np.zeros(POINTS)})[1]
+    assert_equal_within_rounding(
+        together(conversions, model, method, points), separately(model, method, points), independent
+    )
+
+
+@EACH
+def test_the_loop_computes_the_same(model: str, method: str) -> None:
+    points = drawn(model, method)
+    independent = separately(model, method, points | {"rho": np.zeros(POINTS)})[1]
+    assert_equal_within_rounding(
+        together(loops, model, method, points), together(conversions, model, method, points), independent
+    )
+
+
+def test_every_method_of_every_sensor_is_there() -> None:
+    assert len(conversions_of(catalogue())) == 4 * len(METHODS)

@@ -1,0 +1,77 @@
+"""Compiled conversions: the same results as NumPy, within the rounding that both are allowed."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from radartrack import compiled, convert
+from radartrack.convert import Converted
+
+SIZE = compiled.COMPILED_FROM + 3
+
+
+def plots(seed: int) -> dict[str, np.ndarray]:
+    generator = np.random.default_rng(seed)
+    return {
+        "r": generator.uniform(1e3, 1e5, SIZE),
+        "azimuth": generator.uniform(-3, 3, SIZE),
+        "elevation": generator.uniform(-1, 1, SIZE),
+        "range_std": generator.uniform(1, 100, SIZE),
+        "azimuth_std": 10 ** generator.uniform(-7, -0.5, SIZE),
+        "elevation_std": 10 ** generator.uniform(-7, -0.5, SIZE),
+    }
+
+
+def both(monkeypatch: pytest.MonkeyPatch, sensor: str, *arguments: Any, **options: Any) -> tuple[Converted, Converted]:
+    found = getattr(convert, sensor)(*arguments, **options)
+    monkeypatch.setattr(compiled, "is_available", lambda: False)
+    return found, getattr(convert, sensor)(*arguments, **options)
+
+
+def assert_same(found: Converted, expected: Converted) -> None:
+    size = np.linalg.norm(expected.mean, axis=-1, keepdims=True)
+    assert (np.abs(found.mean - expected.mean) <= 16 * np.spacing(size)).all()
+    deviations = np.sqrt(np.diagonal(expected.covariance, axis1=-2, axis2=-1))
+    scale = deviations[:, :, np.newaxis] * deviations[:, np.newaxis, :]
+    assert (np.abs(found.covariance - expected.covariance) <= 32 * np.spacing(scale)).all()
+
+
+@pytest.mark.parametrize("method", ["averaged", "unbiased"])
+@pytest.mark.parametrize("azimuth_from", ["x", "y"])
+def test_polar(monkeypatch: pytest.MonkeyPatch, method: str, azimuth_from: str) -> None:
+    given = plots(1)
+    names = ("r", "azimuth", "range_std", "azimuth_std")
+    arguments = [given[name] for name in names]
+    assert_same(*both(monkeypatch, "polar", *arguments, method=method, azimuth_from=azimuth_from))
+
+
+def test_spherical_with_deviations_that_all_plots_share(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = plots(2)
+    arguments = [*(given[name] for name in ("r", "azimuth", "elevation")), 30.0, 2e-3, 3e-3]
+    assert_same(*both(monkeypatch, "spherical", *arguments))
+
+
+def test_shapes_and_strides_are_free(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = plots(3)
+    shape = (SIZE // 7 + 1, 7)
+    ranges = np.resize(given["r"], shape[::-1]).T
+    azimuths = np.linspace(-3, 3, shape[1])
+    found, expected = both(monkeypatch, "polar", ranges, azimuths, 20.0, 1e-3)
+    assert found.mean.shape == (*shape, 2)
+    np.testing.assert_allclose(found.mean, expected.mean, rtol=1e-13)
+    np.testing.assert_allclose(found.covariance, expected.covariance, rtol=1e-11)
+
+
+def test_few_plots_and_single_precision_are_not_worth_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiled, "conversion", lambda name: pytest.fail(f"{name} was compiled"))
+    convert.polar(1e4, 0.1, 10.0, 1e-3)
+    single = np.ones(SIZE, np.float32)
+    assert convert.polar(single, single, single, single / 100).mean.dtype == np.float32
+
+
+def test_without_numba_numpy_does_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiled, "is_available", lambda: False)
+    monkeypatch.setattr(compiled, "conversion", lambda name: pytest.fail(f"{name} was compiled"))
+    given = plots(4)
+    assert convert.polar(given["r"], given["azimuth"], 10.0, 1e-3).mean.shape == (SIZE, 2)
