@@ -140,7 +140,9 @@ def test_what_was_just_written_passes_the_check_and_is_not_written_again(out: Pa
     assert result.exit_code == 0
     assert "as they stand in" in result.output
     assert (contents(out), out.stat().st_ino) == (before, inode)
-    assert sorted(before) == ["__init__.py", "accuracy.json", "formulas.md", "polar.py", "py.typed"]
+    assert sorted(before) == sorted(
+        ["__init__.py", "accuracy.json", "conversions.py", "formulas.md", "loops.py", "polar.py", "py.typed"]
+    )
 
 
 def edit_code(out: Path) -> None:
