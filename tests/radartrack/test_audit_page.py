@@ -21,7 +21,11 @@ def html() -> str:
     claims = [
         Claim("a.right", "polar.map[0]", formula="r*cos(beta)", page="3"),
         Claim(
-            "a.wrong", "polar.bias.second_order", formula="[r*cos(beta), r*sin(beta)]", note="<script>alert(1)</script>"
+            "a.wrong",
+            "polar.bias.second_order",
+            formula="[r*cos(beta), r*sin(beta)]",
+            given={"rho": "0"},
+            note="<script>alert(1)</script>",
         ),
         Claim("a.number", "polar.map[0]", value="2.5", unit="km", at={"r": "3000", "beta": "0"}),
         Claim("a.open", undecided="nobody <b>knows</b> & cares"),
