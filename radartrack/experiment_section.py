@@ -61,12 +61,13 @@ class Experiment(NamedTuple):
 def section(experiment: Experiment) -> str:
     """The experiments of one paper."""
     rows = "\n".join(map(_row, experiment.findings))
-    headings = "".join(f'<th scope="col">{heading}</th>' for heading in ("what", *HEADINGS.values()))
+    headings = "".join(f'<th scope="col" role="columnheader">{h}</th>' for h in ("what", *HEADINGS.values()))
     figures = "\n".join(map(_figure, experiment.figures))
     return (
         f'<section id="{identity(experiment)}">\n<h2>{escape(experiment.title)}</h2>\n'
         f'<p class="counts">{NOTE}</p>\n'
-        f'<table class="findings">\n<thead><tr>{headings}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table>\n'
+        f'<table class="findings" role="table">\n<thead role="rowgroup"><tr role="row">{headings}</tr></thead>\n'
+        f'<tbody role="rowgroup">\n{rows}\n</tbody>\n</table>\n'
         f"{figures}\n</section>"
     )
 
@@ -79,15 +80,18 @@ def identity(experiment: Experiment) -> str:
 def _row(finding: Mapping[str, str]) -> str:
     remark = f'<span class="remark">{escape(finding["remark"])}</span>' if finding["remark"] else ""
     cells = "".join(
-        f'<td data-label="{HEADINGS[name]}">{escape(finding[name])}</td>' for name in HEADINGS if name != "verdict"
+        f'<td role="cell" data-label="{HEADINGS[name]}">{escape(finding[name])}</td>'
+        for name in HEADINGS
+        if name != "verdict"
     )
     verdict = finding["verdict"]
-    said = f'<td data-label="verdict"><span class="{CLASSES[verdict]}">{verdict}</span></td>'
-    return f'<tr><th scope="row">{escape(finding["what"])}{remark}</th>{cells}{said}</tr>'
+    said = f'<td role="cell" data-label="verdict"><span class="{CLASSES[verdict]}">{verdict}</span></td>'
+    return f'<tr role="row"><th scope="row" role="rowheader">{escape(finding["what"])}{remark}</th>{cells}{said}</tr>'
 
 
 def _figure(shown: Shown) -> str:
     source = f"data:image/svg+xml;base64,{b64encode(shown.svg).decode('ascii')}"
     image = f'<img src="{source}" alt="{escape(shown.alt, quote=True)}">'
-    framed = f'<div class="scroll" role="group" tabindex="0" aria-label="Figure">{image}</div>'
+    label = escape(shown.caption.partition(":")[0].partition(".")[0], quote=True)
+    framed = f'<div class="scroll" role="group" tabindex="0" aria-label="{label}">{image}</div>'
     return f"<figure>\n{framed}\n<figcaption>{escape(shown.caption)}</figcaption>\n</figure>"

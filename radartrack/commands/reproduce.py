@@ -93,7 +93,8 @@ def _report(names: Sequence[str], experiments: Sequence[Experiment], path: Path)
     from radartrack.commands.audit import decided
     from radartrack.derive.checking.claims import read_claims, shipped
 
-    claims = [read_claims(file) for file in shipped() if file.stem in names]
+    files = {file.stem: file for file in shipped()}
+    claims = [read_claims(files[name]) for name in names]
     audits, _ = decided(claims, TIMEOUT, typeset=True)
     path.write_text(audit_page.page(audits, experiments), encoding="utf-8")
 

@@ -287,22 +287,20 @@ def _biases(rows: Table) -> Iterator[Finding]:
 def _combinations(fits: Table) -> Iterator[Finding]:
     for weighting in WEIGHTINGS:
         for version in VERSIONS:
-            rows = [
-                dict(zip(fits.columns, row, strict=True))
-                for row in fits.where(weighting=weighting, version=version).rows()
-            ]
-            fitting = [row for row in rows if row["first_fitting"] != ""]
-            listed = "; ".join(
-                f"{row['period_s']:g} s {row['direction']}: {row['first_fitting']}–{row['last_fitting']}"
-                for row in fitting
-            )
+            rows = fits.where(weighting=weighting, version=version).records()
+            fitting = [_fitting(row) for row in rows if row["first_fitting"] != ""]
             yield Finding(
                 f"T₀, direction and cycles that give both numbers: {_NAMES[version]}, covariance at the {weighting}",
                 "not legible",
-                f"cycles {listed}" if fitting else "none",
+                f"cycles {'; '.join(fitting)}" if fitting else "none",
                 "",
                 "depends" if fitting else "differs",
             )
+
+
+def _fitting(row: Mapping[str, Cell]) -> str:
+    first, last = row["first_fitting"], row["last_fitting"]
+    return f"{row['period_s']:g} s {row['direction']}: {first if first == last else f'{first}–{last}'}"
 
 
 def _printed_transition(trials: int, seed: int) -> Finding:

@@ -52,7 +52,7 @@ def pictures(found: Reproduction) -> Iterator[Picture]:
 
 
 def _difference(rows: Table, degrees: int) -> Picture:
-    with drawing(7.2, 3.9) as figure:
+    with drawing(7.2, 4.4) as figure:
         axes = figure.subplots()
         axes.axhline(0, color=BLACK, linewidth=0.8)
         for name, (label, colour, line, marker) in METHODS.items():
@@ -66,7 +66,7 @@ def _difference(rows: Table, degrees: int) -> Picture:
         )  # fmt: skip
         _cycles(axes)
         axes.set_ylabel("Δx: change of the error in x [%]")
-        figure.legend(loc="outside right upper")
+        figure.legend(loc="outside lower center", ncols=3)
     return Picture(
         f"prosov_figure_{degrees}",
         figure,

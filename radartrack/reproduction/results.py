@@ -34,6 +34,10 @@ class Table:
         """Row by row."""
         return zip(*self.columns.values(), strict=True)
 
+    def records(self) -> Iterator[dict[str, Cell]]:
+        """Row by row, each by the names of the columns."""
+        return (dict(zip(self.columns, row, strict=True)) for row in self.rows())
+
     def column(self, name: str) -> RealArray:
         """A column of numbers as an array."""
         return np.asarray(self.columns[name], dtype=np.float64)
