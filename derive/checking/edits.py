@@ -68,6 +68,17 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
             yield from _other_functions(function, arguments)
             yield from _powers(tree)
             yield from _out_of_call(tree)
+        case Negation(operand):
+            yield Alternative(operand, "the sign of {}", 1.0, (operand,))
+            yield from _sign_of_sum(operand)
+        case Power() | Sum() | Product() | Quotient():
+            yield from _of_an_operation(tree)
+        case _:
+            return
+
+
+def _of_an_operation(tree: Power | Sum | Product | Quotient) -> Iterator[Alternative]:
+    match tree:
         case Power(base, exponent):
             yield Alternative(base, "{} without its exponent", 1.1, (tree,))
             yield from _into_call(base, exponent)
@@ -81,11 +92,6 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
             yield from _brackets_removed(factors)
         case Quotient(numerator, denominator):
             yield from _fractions(numerator, denominator)
-        case Negation(operand):
-            yield Alternative(operand, "the sign of {}", 1.0, (operand,))
-            yield from _sign_of_sum(operand)
-        case _:
-            return
 
 
 @dataclass(frozen=True)

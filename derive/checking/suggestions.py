@@ -1,64 +1,36 @@
-"""Finds the smallest edits of a printed formula that make it right.
-
-From what the whole formula should be worth at some points follows, step by step down the tree, what each of its
-parts would have to be worth there. An edit of a part is right when it is worth that: so thousands are screened in no
-time, and a factor or term that is missing shows in the ratio or the difference. What passes is proved.
-"""
+"""Suggests the smallest edits of a printed formula that make it right: what the search finds, proved."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from operator import sub, truediv
 
 from radartrack.derive.checking.comparison import Comparison
 from radartrack.derive.checking.display import shown
-from radartrack.derive.checking.edits import Alternative, alternatives, everywhere
 from radartrack.derive.checking.equality import proved_equal
-from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
-from radartrack.derive.checking.numeric import Screen, Values, close, combined
-from radartrack.derive.checking.pieces import Pieces
+from radartrack.derive.checking.numeric import Screen, Values
 from radartrack.derive.checking.points import generic_points
 from radartrack.derive.checking.printed import Names
+from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import (
-    Call,
-    Name,
-    Negation,
     Number,
-    Path,
     Power,
-    Product,
-    Quotient,
-    Sum,
     Tree,
-    children,
     rebuild,
-    replace_at,
-    walk,
-)
-from radartrack.derive.formula.tree import (
-    names as names_of,
 )
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
 
 SIZE = 18
-QUICK = 2  # points that rule out nearly every edit
 DIGITS = 20
-FACTORS = 13
-FIRST_EDITS = 150
 ENOUGH = 5
 FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
-LARGE = 60  # nodes from which two edits at once are not looked for
-HUGE = 500  # nodes from which one edit in one place is enough
-PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
-MOST_COMPLEX = 6
 
 
 @dataclass(frozen=True)
@@ -71,37 +43,6 @@ class Edited:
     proved: bool
 
 
-@dataclass(frozen=True)
-class _Candidate:
-    tree: Tree
-    words: str
-    cost: float
-
-
-@dataclass(frozen=True)
-class _Part:
-    """A part of the printed formula, and what it would have to be worth.
-
-    Attributes:
-        path: where it stands.
-        node: what is printed.
-        parent: what it is directly part of; None for the whole formula.
-        needed: what it would have to be worth.
-        is_all: whether it is the whole formula but for signs.
-    """
-
-    path: Path
-    node: Tree
-    parent: Tree | None
-    needed: Values
-    is_all: bool
-
-    @property
-    def is_shared(self) -> bool:
-        """Whether a factor, divisor or sign of this part is one of its parent just as well."""
-        return isinstance(self.parent, Product | Quotient | Negation)
-
-
 def suggest(
     printed: Tree, names: Names, derived: Expr, symbols: Sequence[Variable], conditions: Mapping[Symbol, Expr]
 ) -> list[Edited]:
@@ -112,194 +53,9 @@ def suggest(
     if target is None:
         return []
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
-    search = _Search(screen, target, names, (printed, *_derived_trees(derived, names)))
+    search = Search(screen, target, names, (printed, *_derived_trees(derived, names)))
     found = search.edits(printed)
     return list(_confirmed(found, names, derived, symbols, conditions))
-
-
-class _Search:
-    """The points, what is wanted there, and the factors that may be missing."""
-
-    def __init__(self, screen: Screen, target: Values, names: Names, trees: Sequence[Tree]) -> None:
-        self._screen = screen
-        self._quick = screen.first(min(QUICK, screen.size))
-        self._target = target
-        self._kinds = {name: names.dimensions[name] for name in screen.names}
-        symbols = [name for name in screen.names if names.values[name].is_Symbol]
-        self._fitter = Fitter(self._factors(symbols, trees), screen.size)
-        self._pieces = Pieces(trees, screen)
-
-    def edits(self, tree: Tree) -> list[_Candidate]:
-        """One edit, or one that runs through the formula; where there is none, two."""
-        size = sum(1 for _ in walk(tree))
-        found = list(self._single(tree))
-        if not found or size <= HUGE:
-            found += self._everywhere(tree)
-        if not found and size <= LARGE:
-            found = list(self._double(tree))
-        return sorted(found, key=lambda candidate: candidate.cost)
-
-    def _everywhere(self, tree: Tree) -> Iterator[_Candidate]:
-        for edit in everywhere(sorted(names_of(tree)), self._kinds):
-            if edit.values is not None:
-                changed = {name: value(self._quick.names) for name, value in edit.values.items()}
-                quick = Screen({**self._quick.names, **changed}, self._quick.size)
-                if not close(quick(tree), self._target[:QUICK]):
-                    continue
-            edited = rebuild(tree, edit.change)
-            if edited != tree and self._is_worth(edited, self._target):
-                yield _Candidate(edited, edit.words, edit.cost)
-
-    def _is_worth(self, tree: Tree, needed: Values) -> bool:
-        return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
-
-    def _single(self, tree: Tree) -> Iterator[_Candidate]:
-        for part in self._parts(tree):
-            for edit in self._replacements(part):
-                yield _Candidate(replace_at(tree, part.path, edit.tree), edit.words, edit.cost)
-
-    def _double(self, tree: Tree) -> Iterator[_Candidate]:
-        firsts = [
-            _Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
-            for path, node in walk(tree)
-            for edit in (*alternatives(node, self._kinds), *_other_numbers(node))
-            if edit.cost <= 1.1
-        ]
-        for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
-            if self._is_worth(first.tree, self._target):
-                yield first
-                continue
-            for second in self._single(first.tree):
-                if second.tree != tree and second.cost < 2:
-                    yield _Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
-
-    def _parts(self, tree: Tree) -> Iterator[_Part]:
-        """Every part of which can be said what it would have to be worth."""
-        waiting = [_Part((), tree, None, self._target, is_all=True)]
-        while waiting:
-            part = waiting.pop()
-            yield part
-            for place, child in enumerate(children(part.node)):
-                wanted = self._screen.required(part.node, place, part.needed)
-                if wanted is not None:
-                    is_all = part.is_all and isinstance(part.node, Negation)
-                    waiting.append(_Part((*part.path, place), child, part.node, wanted, is_all))
-
-    def _replacements(self, part: _Part) -> Iterator[Alternative]:
-        for edit in alternatives(part.node, self._kinds):
-            if self._is_worth(edit.tree, part.needed):
-                yield edit
-        yield from self._number(part)
-        yield from self._zero(part)
-        ratio = self._fitter.fit(self._by(truediv, part))
-        if ratio is not None:
-            yield from self._sign_or_factor(part, ratio)
-            return
-        yield from self._piece_as_factor(part)
-        yield from self._piece_as_term(part)
-        yield from self._other_piece(part)
-        yield from self._missing_term(part)
-        yield from self._other_term(part)
-
-    def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
-        """What is needed by what is printed: the ratio or the difference."""
-        values = self._screen(part.node)
-        return values and combined(operation, part.needed, values)
-
-    def _piece_as_factor(self, part: _Part) -> Iterator[Alternative]:
-        """A part of the derived formula that is missing as a factor or a divisor."""
-        if part.is_shared:
-            return
-        ratio = self._by(truediv, part)
-        for piece, sign in self._pieces.find(ratio):
-            yield Alternative(_signed(_product(part.node, piece), sign), "a missing factor {}", 2.0, (piece,))
-        for piece, sign in self._pieces.find(ratio and combined(lambda value: 1 / value, ratio)):
-            yield Alternative(_signed(Quotient(part.node, piece), sign), "a missing divisor {}", 2.0, (piece,))
-
-    def _piece_as_term(self, part: _Part) -> Iterator[Alternative]:
-        """A part of the derived formula that is missing as a term."""
-        if isinstance(part.parent, Sum):
-            return
-        for piece, sign in self._pieces.find(self._by(sub, part)):
-            yield Alternative(Sum((*_terms(part.node), _signed(piece, sign))), "a missing term {}", 2.0, (piece,))
-
-    def _other_piece(self, part: _Part) -> Iterator[Alternative]:
-        """A part of the derived formula for which another stands; all of it for all of it would be no edit."""
-        if part.is_all or isinstance(part.node, Number | Name):
-            return
-        for piece, sign in self._pieces.find(part.needed):
-            tree = _signed(piece, sign)
-            yield Alternative(tree, "{} should be {}", 2.5, (part.node, tree))
-
-    def _zero(self, part: _Part) -> Iterator[Alternative]:
-        if close(part.needed, self._screen.constant(0)):
-            yield Alternative(Number("0"), "{} should be 0", 1.2, (part.node,))
-
-    def _number(self, part: _Part) -> Iterator[Alternative]:
-        """A number that should be another."""
-        if not _is_number(part.node) or (isinstance(part.node, Number) and isinstance(part.parent, Negation)):
-            return
-        monomial = self._fitter.fit(part.needed)
-        if monomial is not None and monomial.is_number:
-            tree = number_tree(monomial.number)
-            cost = 1.0 if monomial.number > 0 else 1.6
-            yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
-
-    def _sign_or_factor(self, part: _Part, ratio: Monomial) -> Iterator[Alternative]:
-        if part.is_shared or ratio.complexity > MOST_COMPLEX:
-            return
-        node = part.node
-        signed = node
-        if ratio.number < 0:
-            signed = node.operand if isinstance(node, Negation) else Negation(node)
-        if not ratio.is_number or abs(ratio.number) != 1:
-            kind = "a missing factor" if ratio.number > 0 else "a factor"
-            yield Alternative(_times(signed, ratio), f"{kind} {{}}", 1.5 + 0.3 * ratio.complexity, (ratio.signed(),))
-        elif ratio.number < 0 and not isinstance(part.parent, Sum):
-            cost = 1.4 if isinstance(part.parent, Call | Power) else 1.0
-            yield Alternative(signed, "the sign of {}", cost, (node,))
-
-    def _missing_term(self, part: _Part) -> Iterator[Alternative]:
-        if not isinstance(part.node, Sum) and part.parent is not None:
-            return
-        rest = self._fitter.fit(self._by(sub, part))
-        if rest is not None and rest.complexity <= 2 * MOST_COMPLEX:
-            term = rest.signed()
-            tree = Sum((*_terms(part.node), term))
-            yield Alternative(tree, "a missing term {}", 2.0 + 0.2 * rest.complexity, (term,))
-
-    def _other_term(self, part: _Part) -> Iterator[Alternative]:
-        if not isinstance(part.parent, Sum) or isinstance(part.node, Number):
-            return
-        term = self._fitter.fit(part.needed)
-        if term is not None and term.complexity <= 2 * MOST_COMPLEX:
-            cost = 2.2 + 0.2 * term.complexity
-            yield Alternative(term.signed(), "{} should be {}", cost, (part.node, term.signed()))
-
-    def _factors(self, symbols: Sequence[str], trees: Sequence[Tree]) -> list[tuple[Tree, Values]]:
-        """What a missing factor may consist of: the symbols, and functions like those that occur."""
-        nodes = [node for tree in trees for _, node in walk(tree)]
-        calls = [node for node in nodes if isinstance(node, Call) and node.function in PARTNERS]
-        partners = [Call(PARTNERS[call.function], call.arguments) for call in calls]
-        growth = [node for node in nodes if isinstance(node, Call) and node.function == "exp"]
-        factors: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
-        found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
-        return [(tree, values) for tree, values in found if values is not None][:FACTORS]
-
-
-def _terms(tree: Tree) -> tuple[Tree, ...]:
-    return tree.terms if isinstance(tree, Sum) else (tree,)
-
-
-def _is_number(tree: Tree) -> bool:
-    """Whether it is a rational number as it is written."""
-    if isinstance(tree, Negation | Quotient):
-        return all(isinstance(child, Number) for child in children(tree))
-    return isinstance(tree, Number)
-
-
-def _signed(tree: Tree, sign: int) -> Tree:
-    return tree if sign > 0 else Negation(tree)
 
 
 def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
@@ -318,33 +74,8 @@ def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequen
         return None
 
 
-def _other_numbers(node: Tree) -> Iterator[Alternative]:
-    if isinstance(node, Number):
-        for number in dict.fromkeys((node.value * 2, node.value / 2, node.value + 1, node.value - 1)):
-            tree = number_tree(number)
-            yield Alternative(tree, "{} should be {}", 1.1, (node, tree))
-
-
-def _times(node: Tree, factor: Monomial) -> Tree:
-    """The node with a factor, whose sign the node has already."""
-    if isinstance(node, Negation):
-        return Negation(_times(node.operand, factor))
-    tree = factor.tree()
-    above, below = (tree.numerator, tree.denominator) if isinstance(tree, Quotient) else (tree, None)
-    if isinstance(node, Quotient) and below is None:
-        return Quotient(_product(above, node.numerator), node.denominator)
-    product = _product(above, node)
-    return product if below is None else Quotient(product, below)
-
-
-def _product(first: Tree, second: Tree) -> Tree:
-    parts = [part for tree in (first, second) for part in (tree.factors if isinstance(tree, Product) else (tree,))]
-    kept = tuple(part for part in parts if part != Number("1")) or (Number("1"),)
-    return kept[0] if len(kept) == 1 else Product(kept)
-
-
 def _confirmed(
-    candidates: Sequence[_Candidate],
+    candidates: Sequence[Candidate],
     names: Names,
     derived: Expr,
     symbols: Sequence[Variable],

@@ -33,7 +33,7 @@ from tests.derive.checking.mutants import mutants, rewritings
 
 MUTANTS = int(os.environ.get("RADARTRACK_MUTANTS", "2"))
 THOROUGH = MUTANTS >= 100
-LONG = MAX_CHARACTERS if THOROUGH else 600  # characters of a formula
+LONG = MAX_CHARACTERS if THOROUGH else 500  # characters of a formula
 SHARE = 0.9
 FUNCTIONS = {"expm1": math.expm1, "hypot": math.hypot}
 
