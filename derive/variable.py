@@ -53,6 +53,11 @@ class Variable(Symbol):
         """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""
         return self.low > 0
 
+    @property
+    def symbol(self) -> Symbol:
+        """A plain symbol of this name; SymPy's code printers, which have a Variable of their own, ask for it."""
+        return Symbol(self.name)
+
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         kind = {"whole": self.whole, "at_most": self.at_most, "is_correlation": self.is_correlation}
         return (self.name, self.meaning, self.unit, self.low, self.high), kind

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
@@ -169,3 +170,13 @@ def test_unknown_names_are_answered_with_the_nearest(wrong: str, hint: str):
         find(wrong)
     assert repr(wrong) in str(caught.value)
     assert hint in str(caught.value)
+
+
+@pytest.mark.parametrize("printed", [sympy.pycode, sympy.ccode, sympy.fcode, sympy.julia_code, sympy.octave_code])
+def test_code_printers_take_a_variable_for_a_symbol(printed: Callable[[sympy.Expr], str]):
+    assert "sigma_r" in printed(POLAR.deviations[0] ** 2)
+
+
+def test_formulas_lambdify():
+    function = sympy.lambdify(POLAR.measured, list(POLAR.map), "numpy", cse=True)
+    assert function(2.0, 0.0) == [2.0, 0.0]
