@@ -90,6 +90,7 @@ def figure(degrees: int, trials: int = TRIALS, seed: int = 0) -> Iterator[tuple[
     for name, conversion in CONVERSIONS.items():
         yield name, tracking.track(view, conversion)
     yield "decorrelated", tracking.track_decorrelated(view)
+    yield "handed over", tracking.track_handed_over(view)
 
 
 def _runs(trials: int, seed: int, step: Step) -> Iterator[tuple[tuple[int, str], Tracked]]:
@@ -219,7 +220,7 @@ def _largest(rows: Table) -> RealArray:
 def _findings(tables: Mapping[str, Table], trials: int) -> Iterator[Finding]:
     figures = tables["figures_1_2"]
     for degrees, said in ((1, "at most 2.1 %"), (2, "up to 18 %")):
-        for name in ("printed", "reversed", "averaged", "unbiased", "posterior", "decorrelated"):
+        for name in ("printed", "reversed", "averaged", "unbiased", "posterior", "decorrelated", "handed over"):
             rows = figures.where(azimuth_std_deg=degrees, method=name)
             yield _difference(rows, degrees, name, said, trials)
     for degrees in DEGREES:
@@ -236,6 +237,7 @@ _NAMES = {
     "unbiased": "unbiased",
     "posterior": "posterior",
     "decorrelated": "decorrelated, covariance from the prediction",
+    "handed over": "posterior for five plots, then decorrelated",
 }
 
 

@@ -27,6 +27,7 @@ METHODS = {
     "printed": ("(10) as printed, (11)", RED, "-", "o"),
     "posterior": ("posterior", ORANGE, "--", "v"),
     "decorrelated": ("decorrelated", BLUE, "-.", "s"),
+    "handed over": ("5 posterior, then decorrelated", BLACK, ":", "D"),
     "reversed": ("(10), sign reversed, (11)", GREEN, "-", "^"),
     "averaged": ("averaged", SKY, "--", "x"),
     "unbiased": ("unbiased", PURPLE, ":", "+"),
@@ -72,7 +73,7 @@ def _difference(rows: Table, degrees: int) -> Picture:
         figure,
         f"Prosov, figure {degrees}: relative change of the root mean square error of x against the linear conversion, "
         f"σᵣ = 250 m, σᵦ = {degrees}°, {PERIOD:g} s from cycle to cycle, target flying away; shaded: 95 % intervals. "
-        "Every plot is weighed by a covariance computed from itself, but for “decorrelated”.",
+        "Every plot is weighed by a covariance computed from itself, but for those called decorrelated.",
         _said(rows, degrees),
     )
 

@@ -29,6 +29,8 @@ START = Belief(np.zeros(4), np.diag([1e14, 1e12, 1e14, 1e12]))
 """Nothing is known before the first plot: deviations of 10 000 km and 1000 km/s of (x, vx, y, vy)."""
 WITHOUT_PREDICTION = 2
 """The first plots are weighed by themselves: a line needs two before it predicts anything."""
+HANDED_OVER = 5
+"""How many plots `track_handed_over` weighs by themselves, as the prediction from two is poorer than a plot."""
 
 
 class Conversion(NamedTuple):
@@ -144,16 +146,31 @@ def track(
     moves = moves or motion(view.radar.period)
     position = conversion.position(view.plots)
     if weighting == "prediction":
-        return _tracked(view, _by_prediction(view, position, moves, _at_mean(conversion.covariance)))
+        noise = _converted(conversion.covariance, view.plots).covariance[:, :WITHOUT_PREDICTION]
+        return _tracked(view, _by_prediction(view, position, noise, moves, _at_mean(conversion.covariance)))
     at = view.plots if weighting == "measurement" else view.exact
     noise = _converted(conversion.covariance, at).covariance
     return _tracked(view, kalman.run(START, moves, position, kinematics.plane_observation(), noise))
 
 
 def track_decorrelated(view: Scene) -> Tracked:
-    """The same with the unbiased positions and the decorrelated covariance, averaged over each prediction."""
-    position = CONVERSIONS["unbiased"].position(view.plots)
-    return _tracked(view, _by_prediction(view, position, motion(view.radar.period), _averaged))
+    """Filter unbiased positions with the decorrelated covariance, averaged over each prediction."""
+    return _started("unbiased", WITHOUT_PREDICTION, view)
+
+
+def track_handed_over(view: Scene) -> Tracked:
+    """The same, but the first five plots are posterior positions with their own posterior covariances."""
+    return _started("posterior", HANDED_OVER, view)
+
+
+def _started(method: Method, count: int, view: Scene) -> Tracked:
+    """Begin with so many plots of one method, each weighed by itself, and go on decorrelated."""
+    own = _converted(method, view.plots)
+    later = CONVERSIONS["unbiased"].position(view.plots)[:, count:]
+    position = np.concatenate([own.mean[:, :count], later], axis=1)
+    return _tracked(
+        view, _by_prediction(view, position, own.covariance[:, :count], motion(view.radar.period), _averaged)
+    )
 
 
 Covariance: TypeAlias = Callable[[Mapping[str, float], Belief], RealArray]
@@ -176,13 +193,12 @@ def _averaged(noise: Mapping[str, float], predicted: Belief) -> RealArray:
     ).covariance
 
 
-def _by_prediction(view: Scene, position: RealArray, moves: Motion, covariance: Covariance) -> Belief:
-    """Filter with covariances that come from what is predicted."""
+def _by_prediction(view: Scene, position: RealArray, first: RealArray, moves: Motion, covariance: Covariance) -> Belief:
+    """Filter with covariances that come from what is predicted, after the first ones, which are given."""
     belief, beliefs = START, []
-    own = _converted("unbiased", view.plots).covariance
     for scan in range(position.shape[-2]):
         belief = kalman.predict(belief, moves)
-        noise = own[:, scan] if scan < WITHOUT_PREDICTION else covariance(view.radar.noise, belief)
+        noise = first[:, scan] if scan < first.shape[1] else covariance(view.radar.noise, belief)
         belief = kalman.update(belief, position[:, scan], kinematics.plane_observation(), noise)
         beliefs.append(belief)
     return Belief(*(np.stack(parts, axis=1) for parts in zip(*beliefs, strict=True)))

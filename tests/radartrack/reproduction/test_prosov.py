@@ -73,6 +73,25 @@ def test_a_consistent_filter_has_a_normalised_error_of_one() -> None:
         assert tracked.nees[:, 2:].mean() == pytest.approx(1.0, abs=0.05)
 
 
+def test_what_is_handed_over_is_posterior_first_and_then_nearer_to_the_truth_than_either(view: Scene) -> None:
+    """The error of x is less than with the unbiased start, that of y less than with posterior plots throughout."""
+    posterior, handed, decorrelated = (
+        tracked.error
+        for tracked in (
+            tracking.track(view, CONVERSIONS["posterior"]),
+            tracking.track_handed_over(view),
+            tracking.track_decorrelated(view),
+        )
+    )
+    assert handed[:, : tracking.HANDED_OVER] == pytest.approx(posterior[:, : tracking.HANDED_OVER], abs=1e-3)
+    last = {
+        name: np.sqrt((error[:, -1] ** 2).mean(axis=0))
+        for name, error in (("p", posterior), ("h", handed), ("d", decorrelated))
+    }
+    assert last["h"][0] < last["d"][0]
+    assert last["h"][1] < last["p"][1]
+
+
 def test_errors_are_the_same_after_one_plot_whatever_weighs_it(view: Scene) -> None:
     conversion = CONVERSIONS["unbiased"]
     plot = conversion.position(view.plots)[:, 0] - view.position[0]
