@@ -179,8 +179,8 @@ class FiniteSample:
         return matrix.map(lambda entry: RING.from_expr(sp.expand(entry.xreplace(unit))))
 
     def _as_covariance(self, numerators: Polynomials) -> Tensor[Expr]:
-        over = self._solution.over_determinant
-        return Tensor.build((self.size, self.size), lambda m, n: over(numerators[m, n]) * sigma_r**2 / T ** (m + n))
+        fractions = numerators.map_distinct(self._solution.over_determinant)  # a covariance is symmetric
+        return Tensor.build(fractions.shape, lambda m, n: fractions[m, n] * sigma_r**2 / T ** (m + n))
 
     def _as_weights(self, numerators: Polynomials, factor: Expr) -> Tensor[Expr]:
         over = self._solution.over_determinant
@@ -199,7 +199,7 @@ class _Inverse:
 
     def over_determinant(self, numerator: PolyElement) -> Expr:
         """A polynomial over the determinant, in lowest terms, both factored."""
-        below = sp.Integer(1)
+        below: Expr = sp.Integer(1)
         for factor in (factor for factor, power in self._factors for _ in range(power)):
             quotient, remainder = numerator.div(factor)
             numerator, below = (numerator, below * factor.as_expr()) if remainder else (quotient, below)

@@ -113,5 +113,5 @@ class Model:
 def predicted(symbol: Variable) -> Variable:
     """The symbol of a prediction's own deviation or correlation."""
     meaning = symbol.meaning.replace("the error", "the prediction").replace("the errors", "the predictions")
-    kind = {"is_correlation": symbol.is_correlation}
-    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, symbol.low, symbol.high, **kind)
+    domain = symbol.low, symbol.high
+    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, *domain, is_correlation=symbol.is_correlation)

@@ -129,10 +129,10 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
     wanted, conversions = list(quantities.values()), conversions_of(quantities)
     if quantities == catalogue():
         with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
-            written = pool.map(_named, quantities, chunksize=CHUNK)
+            done = pool.map(_named, quantities, chunksize=CHUNK)
             codes = pool.map(_named_conversion, conversions, chunksize=CHUNK)
-            return Derivation(_told(wanted, written, step), list(codes))
-    derived = _told(wanted, map(_written, wanted), step)
+            return Derivation(_told(wanted, done, step), list(codes))
+    derived = _told(wanted, map(written, wanted), step)
     return Derivation(derived, [conversion_code(quantities, *conversion) for conversion in conversions])
 
 
@@ -141,17 +141,18 @@ def _named_conversion(conversion: tuple[str, str]) -> ConversionCode:
 
 
 def _named(name: str) -> Written:
-    return _written(find(name))
+    return written(find(name))
 
 
-def _written(quantity: Quantity) -> Written:
+def written(quantity: Quantity) -> Written:
+    """The statements and the typeset formula of one quantity."""
     form = form_of(quantity)
     return body(quantity, form), formula(quantity, form)
 
 
-def _told(quantities: list[Quantity], written: Iterable[Written], step: Step) -> list[Derived]:
+def _told(quantities: list[Quantity], done: Iterable[Written], step: Step) -> list[Derived]:
     derived = []
-    for quantity, (statements, typeset) in zip(quantities, written, strict=True):
+    for quantity, (statements, typeset) in zip(quantities, done, strict=True):
         step(quantity.name)
         derived.append(Derived(Function(quantity, statements), typeset))
     return derived

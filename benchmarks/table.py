@@ -1,0 +1,102 @@
+"""Writes docs/benchmarks.md from the record of one run: python benchmarks/table.py RECORD.json > docs/benchmarks.md"""
+
+import json
+import platform
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+HEAD = """\
+# Benchmarks
+
+Every figure is a ratio of two times from one run on one machine: the least of several rounds each, divided by the plots,
+tracks or samples that each does. `make bench` repeats the run and writes this page; another machine gives other ratios.
+
+Measured with {cores} cores ({cpu}), Python {python}, NumPy {numpy}.
+
+| Work | Beside | Ratio | Aim |
+|---|---|---|---|
+"""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One comparison: `ours` and `peer` are tests; `faster` says that the peer should take the longer time."""
+
+    work: str
+    beside: str
+    ours: str
+    peer: str
+    aim: str
+    faster: bool = False
+
+
+ROWS = (
+    *(
+        row
+        for method in ("averaged", "unbiased")
+        for row in (
+            Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "a fused Numba loop, one thread",
+                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_fused[{method}]", "≤ 2.0"),
+            Row(f"`convert.polar`, {method}, 1e6 plots, with `[fast]`", "the same loop",
+                f"test_conversions.py::TestPolar::test_fast[{method}]", f"TestPolar::test_fused[{method}]", "≤ 0.7"),
+            Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "FilterPy's unscented transform, a plot at a time",
+                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_filterpy[{method}]",
+                "≥ 300 times faster", faster=True),
+            Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "Stone Soup's inverse function and Jacobian",
+                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_stone_soup[{method}]",
+                "≥ 2000 times faster", faster=True),
+        )
+    ),
+    Row("`convert.spherical`, unbiased, 1e6 plots, NumPy alone", "a fused Numba loop, one thread",
+        "TestSpherical::test_numpy", "TestSpherical::test_fused", "≤ 2.0"),
+    Row("`convert.spherical`, unbiased, 1e6 plots, with `[fast]`", "the same loop",
+        "TestSpherical::test_fast", "TestSpherical::test_fused", "≤ 0.7"),
+    Row("`convert.polar`, one plot", "Stone Soup's",
+        "TestOnePlot::test_numpy", "TestOnePlot::test_stone_soup", "≥ 10 times faster", faster=True),
+    Row("`FiniteSampleFilter.estimate`, 1e5 tracks of 20 scans", "the bare matrix product",
+        "TestEstimate::test_radartrack", "TestEstimate::test_bare_product", "≤ 1.3"),
+    Row("`FiniteSampleFilter.run` over the same", "FilterPy's LeastSquaresFilter, per update",
+        "TestRun::test_radartrack", "TestRun::test_filterpy", "≥ 500 times faster", faster=True),
+    Row("`kalman.run`, 1e4 tracks of 100 steps", "the same arithmetic in einsum and matmul",
+        "TestKalman::test_radartrack", "TestKalman::test_by_hand", "≤ 1.0"),
+    Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples", "drawing the normals alone",
+        "TestMonteCarlo::test_radartrack", "TestMonteCarlo::test_normals", "≤ 2.0"),
+    Row("deriving and writing `polar.*`", "`simplify` and `lambdify(cse=True)` of the same formulas",
+        "TestRegenerate::test_radartrack", "TestRegenerate::test_plain_sympy", "≥ 5 times faster", faster=True),
+    Row("`import radartrack`, a whole process", "`import numpy`",
+        "TestImport::test_radartrack", "TestImport::test_numpy", "≤ 1.3"),
+)  # fmt: skip
+
+
+def main(record: Path) -> None:
+    """Print the page."""
+    run = json.loads(record.read_text())
+    times = {one["fullname"]: one["stats"]["min"] / one["extra_info"]["items"] for one in run["benchmarks"]}
+    machine = run["machine_info"]
+    print(HEAD.format(
+        cores=machine["cpu"].get("count"), cpu=machine["cpu"].get("brand_raw"), python=platform.python_version(),
+        numpy=__import__("numpy").__version__,
+    ), end="")  # fmt: skip
+    for row in ROWS:
+        ours, peer = _found(times, row.ours), _found(times, row.peer)
+        ratio = f"{peer / ours:,.0f} times faster" if row.faster else f"{ours / peer:.2f}"
+        print(f"| {row.work} | {row.beside} | {ratio} | {row.aim} |")
+    _others(run)
+
+
+def _found(times: dict[str, float], name: str) -> float:
+    (time,) = (value for full, value in times.items() if full.endswith(name))
+    return time
+
+
+def _others(run: dict[str, Any]) -> None:
+    checks = [one for one in run["benchmarks"] if "TestCheck" in one["fullname"]]
+    print("\nA check of an entry in a warm process, in seconds:\n")
+    for one in checks:
+        print(f"- `{one['params']['name']}`: {one['stats']['min']:.3f}")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,86 @@
+"""A million plots at once: beside a fused loop, FilterPy's unscented transform and Stone Soup."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from filterpy.kalman import MerweScaledSigmaPoints, unscented_transform
+
+from benchmarks.conftest import PLOTS, Floats
+from benchmarks.fused_loop import fused_loop
+from benchmarks.stone_soup import stone_soup_plot
+from radartrack import compiled, convert
+
+POLAR = ("r", "azimuth", "range_std", "azimuth_std")
+SPHERICAL = ("r", "azimuth", "elevation", "range_std", "azimuth_std", "elevation_std")
+FEW = 300
+Timed = Callable[..., Any]
+
+
+@pytest.mark.parametrize("method", ["averaged", "unbiased"])
+class TestPolar:
+    """convert.polar with deviations of each plot."""
+
+    def test_numpy(self, timed: Timed, plots: dict[str, Floats], method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(compiled, "is_available", lambda: False)
+        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, goal="<= 2.0 fused")
+
+    def test_fast(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
+        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, goal="<= 0.7 fused")
+
+    def test_fused(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
+        arrays = [*(plots[n] for n in POLAR), np.zeros(PLOTS)]
+        timed(fused_loop(f"polar_{method}", 2), *arrays, items=PLOTS)
+
+    def test_filterpy(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
+        timed(unscented, *(plots[n][:FEW] for n in POLAR), items=FEW, goal=f">= 300 ({method})")
+
+    def test_stone_soup(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
+        timed(by_stone_soup, *(plots[n][:FEW] for n in POLAR), items=FEW, goal=f">= 2000 ({method})")
+
+
+class TestSpherical:
+    """convert.spherical with deviations of each plot."""
+
+    def test_numpy(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(compiled, "is_available", lambda: False)
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3, goal="<= 2.0 fused")
+
+    def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3, goal="<= 0.7 fused")
+
+    def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        arrays = [*(plots[n] for n in SPHERICAL), np.zeros(PLOTS)]
+        timed(fused_loop("spherical_unbiased", 3), *arrays, items=PLOTS, rounds=3)
+
+
+class TestOnePlot:
+    """A live tracker's call."""
+
+    def test_numpy(self, timed: Timed) -> None:
+        timed(repeated, lambda: convert.polar(5e4, 0.3, 50.0, 0.01), items=FEW)
+
+    def test_stone_soup(self, timed: Timed) -> None:
+        timed(repeated, lambda: stone_soup_plot(5e4, 0.3, 50.0, 0.01), items=FEW, goal=">= 10")
+
+
+def repeated(call: Callable[[], Any]) -> None:
+    for _ in range(FEW):
+        call()
+
+
+def to_cartesian(point: Floats) -> Floats:
+    return np.array([point[0] * np.cos(point[1]), point[0] * np.sin(point[1])])
+
+
+def unscented(ranges: Floats, azimuths: Floats, range_stds: Floats, azimuth_stds: Floats) -> None:
+    points = MerweScaledSigmaPoints(2, alpha=0.1, beta=2.0, kappa=1.0)
+    for plot in zip(ranges, azimuths, range_stds, azimuth_stds, strict=True):
+        sigmas = points.sigma_points(np.array(plot[:2]), np.diag(np.square(plot[2:])))
+        unscented_transform(np.array([to_cartesian(sigma) for sigma in sigmas]), points.Wm, points.Wc)
+
+
+def by_stone_soup(*arrays: Floats) -> None:
+    for plot in zip(*arrays, strict=True):
+        stone_soup_plot(*plot)
