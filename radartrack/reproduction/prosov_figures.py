@@ -194,7 +194,7 @@ def _errors(rows: Table) -> Picture:
             grid[1, column].set_ylim(0.8, 2.5)
             _cycles(grid[1, column])
         grid[0, 0].set_ylabel("root mean square error of x [m]")
-        grid[1, 0].set_ylabel("NEES per coordinate (1 if consistent)")
+        grid[1, 0].set_ylabel("NEES per coordinate")
         figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return Picture(
         "prosov_methods",
