@@ -53,11 +53,9 @@ def _scene(rows: Table) -> Picture:
         "gao_figure_1",
         figure,
         "One run of a scene like figure 1 of Gao et al.: four radars, two of them (2 and 4) without elevation, a "
-        "straight "
-        "flight at 8 km height, and the lines fused with weights from error propagation and from scatter.",
+        "straight flight at 8 km height, and the lines fused with weights from error propagation and from scatter.",
         "Left, a map of four radar sites about a straight flight. Right, plots scattered by some hundred metres to "
-        "both "
-        "sides of the flight, and three fused lines within 200 m of it.",
+        "both sides of the flight, and three fused lines within 200 m of it.",
     )
 
 
@@ -103,10 +101,8 @@ def _fusion(rows: Table) -> Picture:
         "gao_fusion",
         figure,
         "Error of the fused line by where the weights of the radars come from, in four situations. Bars: 95 % "
-        "intervals. "
-        "The paper finds scatter slightly better than error propagation and gives no numbers: here that holds where "
-        "radars "
-        "are aged or lack elevation, and not where they are as stated.",
+        "intervals. The paper finds scatter slightly better than error propagation and gives no numbers: here that "
+        "holds where radars are aged or lack elevation, and not where they are as stated.",
         _said(rows),
     )
 
@@ -141,9 +137,8 @@ def _deviation(rows: Table) -> Picture:
         "gao_deviation_9",
         figure,
         f"What (9) measures for σ = {TRUE_STD:g} m over the speed of the target (metres and seconds, 100 plots): "
-        f"0.603 σ for a "
-        "target that stands, and ever less the faster it flies. The 95 % intervals are smaller than the dots.",
+        "0.603 σ for a target that stands, and ever less the faster it flies. The 95 % intervals are smaller than "
+        "the dots.",
         "Log-log plot: the consistent estimate stays at 100 m; that of (9) falls from 60 m at rest to 0.3 m at 200 "
-        "m/s and "
-        "0.06 m at 1000 m/s, on the derived curve.",
+        "m/s and 0.06 m at 1000 m/s, on the derived curve.",
     )

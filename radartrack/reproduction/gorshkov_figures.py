@@ -49,9 +49,8 @@ def _figure(found: Reproduction, number: int, component: str) -> Picture:
         f"gorshkov_figure_{number}",
         figure,
         f"Gorshkov and Zavizhenets, figure {number}: a, root mean square error of {component} of radar {SHOWN}; b, "
-        f"what the "
-        "range rate gains for six radars. Lines: closed forms; markers: simulation; stars and shading: the paper’s "
-        "numbers.",
+        "what the range rate gains for six radars. Lines: closed forms; markers: simulation; stars and shading: the "
+        "paper’s numbers.",
         _said(gains, component),
     )
 

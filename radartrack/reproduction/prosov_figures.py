@@ -123,13 +123,11 @@ def _two_biases(rows: Table) -> Picture:
     return Picture(
         "prosov_two_biases",
         figure,
-        f"Two biases after {CYCLES} cycles. The conversion’s own is what one plot and a filter with the covariance "
-        f"at the "
-        "truth show: −½, −1 or 0 times r σᵦ². A covariance computed from the plot that it weighs adds about 0.9 r σᵦ² "
-        "(1 in the limit) whatever the conversion; one at the prediction takes 0.2 away. Bars: 95 % intervals.",
+        f"Two biases after {CYCLES} cycles. The conversion’s own is what one plot and a filter with the covariance at "
+        "the truth show: −½, −1 or 0 times r σᵦ². A covariance computed from the plot that it weighs adds about 0.9 "
+        "r σᵦ² (1 in the limit) whatever the conversion; one at the prediction takes 0.2 away. Bars: 95 % intervals.",
         "Points for five conversions and four ways of weighing. At the truth the biases are −0.5 for linear, −1 for "
-        "(10) as "
-        "printed and posterior, 0 for the others; weighed at the plot itself all are higher by 0.9.",
+        "(10) as printed and posterior, 0 for the others; weighed at the plot itself all are higher by 0.9.",
     )
 
 
@@ -153,12 +151,11 @@ def _map(rows: Table) -> Picture:
         "prosov_map",
         figure,
         "Which settings give the paper’s two numbers: each curve is one period and one direction, followed over the "
-        "cycles; "
-        "dots at cycles 5, 10, 20 and 40. A curve through the star gives both numbers with the number of cycles there.",
+        "cycles; dots at cycles 5, 10, 20 and 40. A curve through the star gives both numbers with the number of "
+        "cycles there.",
         "Six panels of curves of the largest change at 2° over that at 1°. With (10) as printed and covariances from "
-        "the plots "
-        "the curves run through the paper’s point (2.1, 18); so they do with the sign reversed and covariances at "
-        "the truth.",
+        "the plots the curves run through the paper’s point (2.1, 18); so they do with the sign reversed and "
+        "covariances at the truth.",
     )
 
 
@@ -200,11 +197,9 @@ def _errors(rows: Table) -> Picture:
         "prosov_methods",
         figure,
         "Errors of x, and how well the filter knows its own errors (average normalised error squared per "
-        "coordinate), in the "
-        "setting of figures 1 and 2. Averaged and sign reversed lie on unbiased. Shaded: 95 % intervals.",
+        "coordinate, 1 if right), in the setting of figures 1 and 2. Averaged and sign reversed lie on unbiased. Shaded: 95 % "
+        "intervals.",
         "Four panels. At 2° the error of x after 20 cycles is least for (10) as printed and posterior, then "
-        "decorrelated, "
-        "then linear, and largest for unbiased; the normalised error stays near 1 for decorrelated and (10) as "
-        "printed, "
-        "and grows above 2 for linear and unbiased.",
+        "decorrelated, then linear, and largest for unbiased; the normalised error stays near 1 for decorrelated and "
+        "(10) as printed, and grows above 2 for linear and unbiased.",
     )
