@@ -196,8 +196,8 @@ def _errors(rows: Table) -> Picture:
     return Picture(
         "prosov_methods",
         figure,
-        "Errors of x, and how well the filter knows its own errors (average normalised error squared per "
-        "coordinate, 1 if right), in the setting of figures 1 and 2. Averaged and sign reversed lie on unbiased. Shaded: 95 % "
+        "Errors of x, and how well the filter knows its own errors (average normalised error squared per coordinate, "
+        "1 if right), in the setting of figures 1 and 2. Averaged and sign reversed lie on unbiased. Shaded: 95 % "
         "intervals.",
         "Four panels. At 2° the error of x after 20 cycles is least for (10) as printed and posterior, then "
         "decorrelated, then linear, and largest for unbiased; the normalised error stays near 1 for decorrelated and "
