@@ -39,7 +39,11 @@ notebooks: $(VENV)/.group-notebooks $(VENV)/.extra-plots
 	$(BIN)/python -m pytest -n auto --nbmake --overwrite notebooks
 
 bench: $(VENV)/.extra-peers
-	for script in benchmarks/*.py; do $(BIN)/python "$$script" || exit 1; done
+	@mkdir -p build
+	$(BIN)/python -m pytest benchmarks --benchmark-json build/benchmarks.json --benchmark-columns min --override-ini filterwarnings=default
+	$(BIN)/python benchmarks/table.py build/benchmarks.json >build/benchmarks.md
+	$(BIN)/python benchmarks/growth.py >>build/benchmarks.md
+	mv build/benchmarks.md docs/benchmarks.md
 
 verify: $(VENV)/.group-test
 	$(BIN)/radartrack verify

@@ -10,8 +10,9 @@ from typing import Any
 HEAD = """\
 # Benchmarks
 
-Every figure is a ratio of two times from one run on one machine: the least of several rounds each, divided by the plots,
-tracks or samples that each does. `make bench` repeats the run and writes this page; another machine gives other ratios.
+Every figure is a ratio of two times from one run on one machine: the least of several rounds each, divided by the
+plots, tracks or samples that each does. `make bench` repeats the run and writes this page; another machine gives other
+ratios.
 
 Measured with {cores} cores ({cpu}), Python {python}, NumPy {numpy}.
 
@@ -41,7 +42,7 @@ ROWS = (
                 f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_fused[{method}]", "≤ 2.0"),
             Row(f"`convert.polar`, {method}, 1e6 plots, with `[fast]`", "the same loop",
                 f"test_conversions.py::TestPolar::test_fast[{method}]", f"TestPolar::test_fused[{method}]", "≤ 0.7"),
-            Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "FilterPy's unscented transform, a plot at a time",
+            Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "FilterPy's unscented transform, plot by plot",
                 f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_filterpy[{method}]",
                 "≥ 300 times faster", faster=True),
             Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "Stone Soup's inverse function and Jacobian",

@@ -49,12 +49,14 @@ class ConversionCode:
         name: of the functions: model and method.
         symbols: names of the arguments.
         statements: which fill `mean` and `covariance`, for arrays.
-        meaning: one line.
+        title: what it converts how.
+        meaning: of mean and covariance.
     """
 
     name: str
     symbols: tuple[str, ...]
     statements: str
+    title: str
     meaning: str
 
     def over_arrays(self) -> str:
@@ -70,7 +72,7 @@ class ConversionCode:
 
     def _function(self, arguments: Sequence[str], body: str) -> str:
         signature = "".join(f"{INDENT}{name}: Floats,\n" for name in (*arguments, "mean", "covariance"))
-        said = "\n".join(textwrap.wrap(f'"""{self.meaning}."""', WIDTH))
+        said = "\n".join([f'"""{self.title}.\n', *textwrap.wrap(f"{self.meaning}.", WIDTH - 4), '"""'])
         inside = textwrap.indent(f"{said}\n{body}", INDENT)
         return f"def {self.name}(\n{signature}) -> None:\n{inside}\n"
 
@@ -94,17 +96,17 @@ def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str)
     """
     words = METHODS[method]
     estimate, covariance = (quantities[_find(quantities, model, word)] for word in (words.estimate, words.covariance))
-    mean = form_of(estimate)
-    if words.bias:
-        mean = _less(mean, form_of(quantities[_find(quantities, model, words.bias)]))
+    bias = quantities[_find(quantities, model, words.bias)] if words.bias else None
+    mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
     form = _together(mean, form_of(covariance))
     definitions, results = with_common_parts(form.definitions, form.entries)
     places = [*_places("mean", estimate.shape), *_places("covariance", covariance.shape)]
     lines = assignments((symbol.name, value) for symbol, value in definitions.items())
     lines += assignments(zip(places, results, strict=True))
     symbols = tuple(symbol.name for symbol in covariance.symbols)
-    meaning = f"The {method} conversion of {model}: {estimate.meaning}, with the {covariance.meaning}"
-    return ConversionCode(f"{model}_{method}", symbols, "\n".join(lines), meaning)
+    less = f" less the {bias.meaning}" if bias else ""
+    meaning = f"Mean: {estimate.meaning}{less}. Covariance: {covariance.meaning}"
+    return ConversionCode(f"{model}_{method}", symbols, "\n".join(lines), f"Conversion {model}, {method}", meaning)
 
 
 def module_text(codes: Sequence[ConversionCode], kind: str) -> str:

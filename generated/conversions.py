@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation 3b3f1c4b264463f6; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 36e022ba116239c7; not to be edited.
 """
 
 import numpy as np
@@ -18,8 +18,11 @@ def polar_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of polar: map from the measured quantities to coordinates, with the covariance of the
-    linearised conversion."""
+    """Conversion polar, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     part_00_cos_beta_sin_beta = -2.0 * r * rho * sigma_beta * sigma_r
@@ -60,8 +63,11 @@ def polar_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of polar: map from the measured quantities to coordinates, with the covariance
-    of the conversion's quadratic Taylor polynomial."""
+    """Conversion polar, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
@@ -118,8 +124,11 @@ def polar_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of polar: map from the measured quantities to coordinates, with the exact
-    covariance of the plain conversion, averaged over the truth."""
+    """Conversion polar, averaged.
+
+    Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
+    averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
@@ -210,8 +219,10 @@ def polar_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of polar: exactly unbiased estimate of the position, with the error covariance of
-    the unbiased estimate u."""
+    """Conversion polar, unbiased.
+
+    Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
@@ -292,8 +303,11 @@ def polar_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of polar: posterior mean of the position under a flat prior, with the posterior
-    covariance of the position under a flat prior."""
+    """Conversion polar, posterior.
+
+    Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
+    under a flat prior.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
@@ -359,8 +373,11 @@ def polar_doppler_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of polar_doppler: map from the measured quantities to coordinates, with the
-    covariance of the linearised conversion."""
+    """Conversion polar_doppler, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     r_squared = r**2
@@ -400,8 +417,11 @@ def polar_doppler_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of polar_doppler: map from the measured quantities to coordinates, with the
-    covariance of the conversion's quadratic Taylor polynomial."""
+    """Conversion polar_doppler, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
@@ -452,8 +472,11 @@ def polar_doppler_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of polar_doppler: map from the measured quantities to coordinates, with the exact
-    covariance of the plain conversion, averaged over the truth."""
+    """Conversion polar_doppler, averaged.
+
+    Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
+    averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
@@ -514,8 +537,10 @@ def polar_doppler_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of polar_doppler: exactly unbiased estimate of the position, with the error
-    covariance of the unbiased estimate u."""
+    """Conversion polar_doppler, unbiased.
+
+    Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     attenuation_beta = np.exp(-0.5 * sigma_beta**2)
@@ -594,8 +619,11 @@ def polar_doppler_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of polar_doppler: posterior mean of the position under a flat prior, with the
-    posterior covariance of the position under a flat prior."""
+    """Conversion polar_doppler, posterior.
+
+    Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
+    under a flat prior.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     attenuation_beta = np.exp(-0.5 * sigma_beta**2)
@@ -655,8 +683,11 @@ def ruv_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of ruv: map from the measured quantities to coordinates, with the covariance of the
-    linearised conversion."""
+    """Conversion ruv, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     u_squared = u**2
     v_squared = v**2
     root_1 = np.sqrt(1.0 - u_squared - v_squared)
@@ -707,8 +738,11 @@ def ruv_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of ruv: map from the measured quantities to coordinates, with the covariance of
-    the conversion's quadratic Taylor polynomial."""
+    """Conversion ruv, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     u_squared = u**2
     v_squared = v**2
     root_1 = np.sqrt(1.0 - u_squared - v_squared)
@@ -795,8 +829,12 @@ def ruv_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of ruv: map from the measured quantities to coordinates, with the covariance of the
-    plain conversion, averaged over the truth, to fourth order."""
+    """Conversion ruv, averaged.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion, averaged over
+    the truth, to fourth order. Covariance: covariance of the plain conversion, averaged over the truth, to
+    fourth order.
+    """
     u_squared = u**2
     v_squared = v**2
     root_1 = np.sqrt(1.0 - u_squared - v_squared)
@@ -943,8 +981,11 @@ def ruv_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of ruv: unbiased estimate of the position, to fourth order, with the error
-    covariance of the unbiased estimate u, to fourth order."""
+    """Conversion ruv, unbiased.
+
+    Mean: unbiased estimate of the position, to fourth order. Covariance: error covariance of the unbiased
+    estimate u, to fourth order.
+    """
     u_squared = u**2
     v_squared = v**2
     root_1 = np.sqrt(1.0 - u_squared - v_squared)
@@ -1084,8 +1125,11 @@ def ruv_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of ruv: posterior mean of the position under a flat prior, to fourth order, with
-    the posterior covariance of the position under a flat prior, to fourth order."""
+    """Conversion ruv, posterior.
+
+    Mean: posterior mean of the position under a flat prior, to fourth order. Covariance: posterior covariance
+    of the position under a flat prior, to fourth order.
+    """
     u_squared = u**2
     v_squared = v**2
     root_1 = np.sqrt(1.0 - u_squared - v_squared)
@@ -1227,8 +1271,11 @@ def spherical_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of spherical: map from the measured quantities to coordinates, with the covariance of
-    the linearised conversion."""
+    """Conversion spherical, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
@@ -1296,8 +1343,11 @@ def spherical_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of spherical: map from the measured quantities to coordinates, with the
-    covariance of the conversion's quadratic Taylor polynomial."""
+    """Conversion spherical, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
@@ -1421,8 +1471,11 @@ def spherical_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of spherical: map from the measured quantities to coordinates, with the exact
-    covariance of the plain conversion, averaged over the truth."""
+    """Conversion spherical, averaged.
+
+    Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
+    averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
@@ -1888,8 +1941,10 @@ def spherical_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of spherical: exactly unbiased estimate of the position, with the error covariance
-    of the unbiased estimate u."""
+    """Conversion spherical, unbiased.
+
+    Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
@@ -2232,8 +2287,11 @@ def spherical_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of spherical: posterior mean of the position under a flat prior, with the
-    posterior covariance of the position under a flat prior."""
+    """Conversion spherical, posterior.
+
+    Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
+    under a flat prior.
+    """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)

@@ -1,6 +1,6 @@
 """Conversions as loops over plots, for a compiler; arguments have shape (plots,), mean (plots, n), covariance (plots, n, n).
 
-Written by radartrack regenerate, generator 1, derivation 991ffcd789061468; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 653e2ce4796b7c7d; not to be edited.
 """
 
 import numpy as np
@@ -18,8 +18,11 @@ def polar_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of polar: map from the measured quantities to coordinates, with the covariance of the
-    linearised conversion."""
+    """Conversion polar, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -66,8 +69,11 @@ def polar_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of polar: map from the measured quantities to coordinates, with the covariance
-    of the conversion's quadratic Taylor polynomial."""
+    """Conversion polar, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -130,8 +136,11 @@ def polar_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of polar: map from the measured quantities to coordinates, with the exact
-    covariance of the plain conversion, averaged over the truth."""
+    """Conversion polar, averaged.
+
+    Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
+    averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -228,8 +237,10 @@ def polar_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of polar: exactly unbiased estimate of the position, with the error covariance of
-    the unbiased estimate u."""
+    """Conversion polar, unbiased.
+
+    Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -316,8 +327,11 @@ def polar_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of polar: posterior mean of the position under a flat prior, with the posterior
-    covariance of the position under a flat prior."""
+    """Conversion polar, posterior.
+
+    Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
+    under a flat prior.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -389,8 +403,11 @@ def polar_doppler_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of polar_doppler: map from the measured quantities to coordinates, with the
-    covariance of the linearised conversion."""
+    """Conversion polar_doppler, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -438,8 +455,11 @@ def polar_doppler_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of polar_doppler: map from the measured quantities to coordinates, with the
-    covariance of the conversion's quadratic Taylor polynomial."""
+    """Conversion polar_doppler, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -498,8 +518,11 @@ def polar_doppler_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of polar_doppler: map from the measured quantities to coordinates, with the exact
-    covariance of the plain conversion, averaged over the truth."""
+    """Conversion polar_doppler, averaged.
+
+    Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
+    averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -568,8 +591,10 @@ def polar_doppler_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of polar_doppler: exactly unbiased estimate of the position, with the error
-    covariance of the unbiased estimate u."""
+    """Conversion polar_doppler, unbiased.
+
+    Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -656,8 +681,11 @@ def polar_doppler_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of polar_doppler: posterior mean of the position under a flat prior, with the
-    posterior covariance of the position under a flat prior."""
+    """Conversion polar_doppler, posterior.
+
+    Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
+    under a flat prior.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -725,8 +753,11 @@ def ruv_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of ruv: map from the measured quantities to coordinates, with the covariance of the
-    linearised conversion."""
+    """Conversion ruv, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         u = all_u[i]
@@ -785,8 +816,11 @@ def ruv_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of ruv: map from the measured quantities to coordinates, with the covariance of
-    the conversion's quadratic Taylor polynomial."""
+    """Conversion ruv, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         u = all_u[i]
@@ -881,8 +915,12 @@ def ruv_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of ruv: map from the measured quantities to coordinates, with the covariance of the
-    plain conversion, averaged over the truth, to fourth order."""
+    """Conversion ruv, averaged.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion, averaged over
+    the truth, to fourth order. Covariance: covariance of the plain conversion, averaged over the truth, to
+    fourth order.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         u = all_u[i]
@@ -1037,8 +1075,11 @@ def ruv_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of ruv: unbiased estimate of the position, to fourth order, with the error
-    covariance of the unbiased estimate u, to fourth order."""
+    """Conversion ruv, unbiased.
+
+    Mean: unbiased estimate of the position, to fourth order. Covariance: error covariance of the unbiased
+    estimate u, to fourth order.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         u = all_u[i]
@@ -1186,8 +1227,11 @@ def ruv_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of ruv: posterior mean of the position under a flat prior, to fourth order, with
-    the posterior covariance of the position under a flat prior, to fourth order."""
+    """Conversion ruv, posterior.
+
+    Mean: posterior mean of the position under a flat prior, to fourth order. Covariance: posterior covariance
+    of the position under a flat prior, to fourth order.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         u = all_u[i]
@@ -1337,8 +1381,11 @@ def spherical_linear(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The linear conversion of spherical: map from the measured quantities to coordinates, with the covariance of
-    the linearised conversion."""
+    """Conversion spherical, linear.
+
+    Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
+    conversion.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -1414,8 +1461,11 @@ def spherical_second_order(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The second_order conversion of spherical: map from the measured quantities to coordinates, with the
-    covariance of the conversion's quadratic Taylor polynomial."""
+    """Conversion spherical, second_order.
+
+    Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
+    order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -1547,8 +1597,11 @@ def spherical_averaged(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The averaged conversion of spherical: map from the measured quantities to coordinates, with the exact
-    covariance of the plain conversion, averaged over the truth."""
+    """Conversion spherical, averaged.
+
+    Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
+    averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -2022,8 +2075,10 @@ def spherical_unbiased(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The unbiased conversion of spherical: exactly unbiased estimate of the position, with the error covariance
-    of the unbiased estimate u."""
+    """Conversion spherical, unbiased.
+
+    Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
@@ -2374,8 +2429,11 @@ def spherical_posterior(
     mean: Floats,
     covariance: Floats,
 ) -> None:
-    """The posterior conversion of spherical: posterior mean of the position under a flat prior, with the
-    posterior covariance of the position under a flat prior."""
+    """Conversion spherical, posterior.
+
+    Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
+    under a flat prior.
+    """
     for i in range(len(mean)):
         r = all_r[i]
         beta = all_beta[i]
