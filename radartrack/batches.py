@@ -7,7 +7,6 @@ Every entry is computed alone: how the entries are divided changes no bit.
 
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 
 from radartrack.validation import RealArray
 
@@ -37,6 +36,8 @@ def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArra
         for start in starts:
             fill_block(start)
     else:
+        from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415 - it costs more to load than small arrays do
+
         with ThreadPoolExecutor(_cores()) as pool:
             list(pool.map(fill_block, starts))
 

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from radartrack.generated import loops
 from radartrack.validation import RealArray
 
 COMPILED_FROM = 4096  # plots; for fewer NumPy needs less time than loading the compiler
@@ -32,7 +31,7 @@ def _has_numba() -> bool:
 def conversion(name: str) -> Callable[..., None]:
     """The compiled conversion of this name, for float64 arrays: inputs of shape (plots,) or (), then outputs."""
     numba: Any = importlib.import_module("numba")
-    loop = getattr(loops, name)
+    loop = getattr(importlib.import_module("radartrack.generated.loops"), name)
     count = loop.__code__.co_argcount - 2
     outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
     readable = numba.types.Array(numba.float64, 1, "A", readonly=True)

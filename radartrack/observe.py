@@ -233,11 +233,24 @@ def _require_derivatives(sensor: SensorName, mean: RealArray) -> None:
 
 
 def _moments(observed: Observed, covariance: RealArray, *, second: bool) -> Projected:
+    """Both products are taken of a root of the covariance, so that no variance comes out negative."""
     measurement, jacobian, hessian = observed
-    projected = jacobian @ covariance @ np.swapaxes(jacobian, -1, -2)
+    root = _root(covariance)
+    linear = jacobian @ root
+    projected = linear @ np.swapaxes(linear, -1, -2)
     if second:
-        curved = hessian @ covariance[..., np.newaxis, :, :]
+        curved = np.swapaxes(root, -1, -2)[..., np.newaxis, :, :] @ hessian @ root[..., np.newaxis, :, :]
         measurement = measurement + np.trace(curved, axis1=-2, axis2=-1) / 2
-        projected = projected + np.einsum("...iab,...jba->...ij", curved, curved) / 2
+        flat = curved.reshape(*curved.shape[:-2], -1)
+        projected = projected + flat @ np.swapaxes(flat, -1, -2) / 2
     symmetric = (projected + np.swapaxes(projected, -1, -2)) / 2
     return Projected(np.broadcast_to(measurement, symmetric.shape[:-1]).copy(), symmetric)
+
+
+def _root(covariance: RealArray) -> RealArray:
+    """R with R Rᵀ the covariance, from its correlations, as its units differ; rounding may leave one singular."""
+    deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
+    scale = deviations[..., :, np.newaxis] * deviations[..., np.newaxis, :]
+    correlations = np.divide(covariance, scale, out=np.zeros_like(covariance), where=scale > 0)
+    eigenvalues, vectors = np.linalg.eigh(correlations)
+    return deviations[..., np.newaxis] * vectors * np.sqrt(np.maximum(eigenvalues, 0))[..., np.newaxis, :]
