@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.counted import counted_from
 from radartrack.derive.finite_sample import (
     RATIO,
     C,
@@ -130,6 +131,7 @@ class Family:
             "R_mn / sqrt(R_mm R_nn)", "(10)-(12)",
             ((ONE,) * self.filter.size,) * 2, (self.scans, *self.ratio),
             lambda: correlation(self.filter.covariance),
+            lambda: counted_from(correlation(self.filter.covariance), k, self.filter.size),
         )  # fmt: skip
 
     def _weights(self, prefix: str, when: str, lag: tuple[Variable, ...]) -> Iterator[Quantity]:
@@ -146,6 +148,7 @@ class Family:
             lambda: getattr(self.filter, attribute),
             lambda: getattr(self.form, attribute),
             lambda: weight_scale(self.filter, kind, lagged=bool(lag)),
+            "the weights of this, the first and the last scan and the root mean square of all",
         )  # fmt: skip
 
     def _quantity(
@@ -159,6 +162,7 @@ class Family:
         derivation: Callable[[], Tensor[Expr]],
         rewriting: Callable[[], StableForm] | None = None,
         scale: Callable[[], Tensor[Expr]] | None = None,
+        measured_against: str = "",
     ) -> Quantity:
         return Quantity(
             name=f"finite_sample.degree{self.filter.degree}.{OBSERVED[self.filter.with_rate][0]}.{name}",
@@ -171,6 +175,7 @@ class Family:
             derivation=derivation,
             rewriting=rewriting or as_derived(derivation),
             scale=scale,
+            measured_against=measured_against,
         )
 
 
@@ -188,11 +193,12 @@ def correlation(covariance: Tensor[Expr]) -> Tensor[Expr]:
 
 
 def weight_scale(of: FiniteSample, kind: str, *, lagged: bool) -> Tensor[Expr]:
-    """The root mean square over the scans of the weights of each component, against which a weight is measured.
+    """What a weight is measured against: itself, that of the first and last scan, and the root mean square of all.
 
     A weight crosses zero on its way from scan to scan. What counts is its error beside the other weights: the
     sum of their squares is an entry of W Wᵀ = R (H Q_θ Hᵀ) R Q_θ, a closed form.
     """
+    own = getattr(of, f"{'lagged_' * lagged}{kind}_weights")
     is_rate = kind == "rate"
     information = of.information_of_rates if is_rate else of.information_of_ranges
     precision = of.weight_of_rate * T**2 if is_rate else sp.Integer(1)
@@ -200,7 +206,11 @@ def weight_scale(of: FiniteSample, kind: str, *, lagged: bool) -> Tensor[Expr]:
     if lagged:
         squares = product(of.transition, product(squares, transposed(of.transition)))
     unit = {sigma_r: sp.Integer(1)}
-    return Tensor.build((of.size,), lambda m: sp.sqrt(squares[m, m].xreplace(unit) * precision / k))
+    ends = [own.map(lambda entry, at=at: entry.xreplace({j: at})) for at in (j, sp.Integer(1), k)]
+    return Tensor.build(
+        (of.size,),
+        lambda m: sp.sqrt(squares[m, m].xreplace(unit) * precision / k + sp.Add(*(some[m,] ** 2 for some in ends))),
+    )
 
 
 def _ratio() -> Quantity:
@@ -229,8 +239,9 @@ def _gains(gain: Gain) -> Iterator[Quantity]:
         source=source("(22)"),
         word="K_x = 1 - sqrt(R_xx with range rate / R_xx without)",
         derivation=lambda: gain.gain,
-        rewriting=as_derived(lambda: gain.gain),
+        rewriting=lambda: counted_from(gain.gain, k, size),
         scale=lambda: gain.gain,
+        measured_against="itself",
     )
     yield Quantity(
         name=f"finite_sample.degree{degree}.range_gain_of_perfect_rate",

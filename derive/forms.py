@@ -6,6 +6,7 @@ from functools import cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.collected import vanishes
+from radartrack.derive.counted import with_sums_expanded
 from radartrack.derive.differential_ring import NotDifferentiable
 from radartrack.derive.general_form import general_form
 from radartrack.derive.quantity import Quantity
@@ -45,6 +46,8 @@ def without_expm1(expression: Expr) -> Expr:
 
 def _prove(form: StableForm, derived: Tensor[Expr]) -> None:
     for rewritten, expected in zip(form.expanded(), derived, strict=True):
+        if with_sums_expanded(rewritten) == with_sums_expanded(expected):
+            continue
         if not _vanishes(sp.unguarded(rewritten) - expected):
             raise NotProved(f"{rewritten} is not equal to {expected}")
 

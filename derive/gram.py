@@ -12,9 +12,9 @@ With polynomials p_l that are orthogonal under this product,
 the derivatives taken where the estimate is wanted. The variances are sums of squares, and by Cauchy and
 Schwarz no covariance is less accurate than they are. The polynomials are those of Gram, except that C shifts
 the third one: its coefficients lie between those for range alone and those for range rate alone, as the
-information on the slope is shared by the two. At the ends of the sample they are written for the ends, and the cubic
-everywhere through `reach`, the product of the distances to the first and the last scan; so they keep their accuracy
-where few scans barely determine the state. Within the sample powers of s cancel less.
+information on the slope is shared by the two. At the ends of the sample they are counted from the ends, through
+`reach`, the product of the distances to the first and the last scan; so they keep their accuracy where few scans barely
+determine the state. Elsewhere powers of s cancel less; at a lag both are taken, weighed by the nearness to an end.
 
 This table is short because it is written by hand. It is proved equal to the normal equations wherever it is
 used.
@@ -46,6 +46,7 @@ RANGE_SHARE = _name("range_share")
 RATE_SHARE = _name("rate_share")
 POSITION = _name("position")
 REACH = _name("reach")
+NEARNESS = _name("nearness")
 SCAN_POSITION = _name("scan_position")
 SCAN_REACH = _name("scan_reach")
 PER_NORM = tuple(map(_name, ("per_constant", "per_slope", "per_curvature", "per_cubic")))
@@ -67,6 +68,11 @@ class Place:
 NEWEST = Place(MIDDLE, sp.Integer(0))
 LAGGED = Place(POSITION, REACH)
 AT_SCAN = Place(SCAN_POSITION, SCAN_REACH)
+
+
+def _between(at_ends: Expr, elsewhere: Expr) -> Expr:
+    """Two ways to write one thing, the first near the ends of the sample."""
+    return NEARNESS * at_ends + (1 - NEARNESS) * elsewhere
 
 
 @dataclass(frozen=True)
@@ -138,8 +144,11 @@ class GramForm:
         """One row a polynomial: its value and its derivatives."""
         s, zero, one = place.position, sp.Integer(0), sp.Integer(1)
         value, slope = self._cubic_at_ends
-        square = (k - 1) * (k - 2) / 6 if place == NEWEST else s**2 - SPAN / 12
-        steepness = slope if place == NEWEST else 3 * s**2 - self._shared((3 * k**2 - 7) / 20, SPAN / 4)
+        square = (k - 1) * (k - 2) / 6 - place.reach
+        steepness = slope - 3 * place.reach
+        if place == LAGGED:
+            square = _between(square, s**2 - SPAN / 12)
+            steepness = _between(steepness, 3 * s**2 - self._shared((3 * k**2 - 7) / 20, SPAN / 4))
         table: list[list[Expr]] = [
             [one, zero, zero, zero],
             [s, one, zero, zero],
@@ -173,6 +182,7 @@ class GramForm:
             MIDDLE: (k - 1) / 2,
             POSITION: MIDDLE + tau,
             REACH: -tau * (k - 1 + tau),
+            NEARNESS: MIDDLE**4 / (MIDDLE**4 + 4 * REACH**2),
             SCAN_POSITION: j - (k + 1) / 2,
             SCAN_REACH: (j - 1) * (k - j),
             PER_NORM[0]: 1 / k,

@@ -51,6 +51,7 @@ class Quantity:
         word: the definition as a word in the operator, or in plain terms.
         rewriting: how it is written for floating point where the general rewriting does not serve.
         scale: what the error of each entry is measured against, where its kind does not say that.
+        measured_against: the scale in words.
         common_unit: a factor of the unit of every entry; the unit of a scalar.
         is_difference: whether it vanishes where it is of use, as a residual does; its errors are then
             measured against the sizes of its terms.
@@ -66,6 +67,7 @@ class Quantity:
     derivation: Callable[[], Tensor[Expr]] = field(repr=False, compare=False)
     rewriting: Callable[[], StableForm] | None = field(default=None, repr=False, compare=False)
     scale: Callable[[], Tensor[Expr]] | None = field(default=None, repr=False, compare=False)
+    measured_against: str = ""
     common_unit: Unit = ONE
     is_difference: bool = False
 

@@ -8,6 +8,7 @@ c t and x the slope is v/c, and all that the method gives depends on c.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from radartrack.derive import line
 from radartrack.derive import symbolic as sp
@@ -92,6 +93,12 @@ def slope_limit_form() -> StableForm:
     excess = (c - speed) * (c + speed) * std_t**2 - sigma_x**2
     form = stable_slope(excess, population()[line.S_xy])
     return StableForm(form.definitions, form.entries.map(lambda entry: c * entry))
+
+
+def slope_limit_scale() -> Expr:
+    """The slope times what rounding of the population's sums can do to it: it is ill-conditioned where they cancel."""
+    a, b, s = (population()[symbol] for symbol in (line.S_xx, line.S_yy, line.S_xy))
+    return slope_limit() * (1 + (a + b) / sp.sqrt((a - b) ** 2 + 4 * s**2))
 
 
 def variance_limit() -> Expr:
@@ -188,16 +195,20 @@ def quantities() -> Iterator[Quantity]:
         printed_position_std,
         conditioning=Conditioning.TRUTH,
     )
-    yield scalar(
-        "line.motion.slope_limit",
-        "speed to which the perpendicular fit of a coordinate on time tends",
-        METRE_PER_SECOND,
-        (speed, sigma_x, std_t, c),
-        Source(GAO, 2020, "(4) as used in 2.2"),
-        "c times the slope of the population",
-        slope_limit,
-        slope_limit_form,
-        conditioning=Conditioning.TRUTH,
+    yield replace(
+        scalar(
+            "line.motion.slope_limit",
+            "speed to which the perpendicular fit of a coordinate on time tends",
+            METRE_PER_SECOND,
+            (speed, sigma_x, std_t, c),
+            Source(GAO, 2020, "(4) as used in 2.2"),
+            "c times the slope of the population",
+            slope_limit,
+            slope_limit_form,
+            conditioning=Conditioning.TRUTH,
+        ),
+        scale=lambda: Tensor((), (slope_limit_scale(),)),
+        measured_against="itself times the condition of the sums of squares that it is made of",
     )
     yield scalar(
         "line.motion.variance_limit",

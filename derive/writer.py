@@ -135,7 +135,8 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
     arguments = [f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols]
     shape = ", ".join(map(str, quantity.shape))
     returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
-    against = " Errors are measured against the sizes of the terms." if quantity.is_difference else ""
+    scale = "the sizes of the terms" if quantity.is_difference else quantity.measured_against
+    against = f" Errors are measured against {scale}." if scale else ""
     sections = [
         f"{meaning}.",
         "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),

@@ -119,7 +119,7 @@ def rewritings(expression: Expr) -> dict[str, Expr]:
     expanded = sp.expand(expression)
     return {
         "expanded": expanded,
-        "factored": sp.factor(expression) if _is_short(expression) else sp.factor_terms(expression),
+        "factored": expression if _has_roots(expression) else _factored(expression),
         "in exponentials": _replaced(expression, (sp.sinh, _sinh), (sp.cosh, _cosh), (sp.tanh, _tanh)),
         "over double angles": _replaced(expanded, (sp.Pow, _double_angle)),
         "half angles": _replaced(expression, (sp.sin, _half_sine), (sp.cos, _half_cosine)),
@@ -127,8 +127,8 @@ def rewritings(expression: Expr) -> dict[str, Expr]:
     }
 
 
-def _is_short(expression: Expr) -> bool:
-    return len(str(expression)) <= SHORT and not _has_roots(expression)
+def _factored(expression: Expr) -> Expr:
+    return sp.factor(expression) if len(str(expression)) <= SHORT else sp.factor_terms(expression)
 
 
 def _has_roots(expression: Expr) -> bool:
