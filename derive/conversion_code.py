@@ -88,6 +88,11 @@ def conversions_of(quantities: Mapping[str, Quantity]) -> list[tuple[str, str]]:
     ]
 
 
+def covariance_of(quantities: Mapping[str, Quantity], model: str, method: str) -> str:
+    """The name of the covariance of a conversion."""
+    return _find(quantities, model, METHODS[method].covariance)
+
+
 def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str) -> ConversionCode:
     """Derive one conversion.
 

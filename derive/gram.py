@@ -138,7 +138,7 @@ class GramForm:
             if symbol in needed:
                 needed |= definition.free_symbols
                 kept[symbol] = definition
-        return StableForm(dict(reversed(kept.items())), entries)
+        return StableForm(dict(reversed(kept.items())), entries, frozenset({NEARNESS}))
 
     def _table(self, place: Place) -> list[list[Expr]]:
         """One row a polynomial: its value and its derivatives."""

@@ -44,15 +44,24 @@ class StableForm:
     Attributes:
         definitions: intermediate symbol → its definition in the quantity's own symbols, in order of use.
         entries: the rewritten entries.
+        arbitrary: intermediates whose value makes no difference, such as a weight between equal expressions.
     """
 
     definitions: Mapping[Symbol, Expr]
     entries: Tensor[Expr]
+    arbitrary: frozenset[Symbol] = frozenset()
 
     def expanded(self) -> Tensor[Expr]:
         """The entries with every intermediate replaced by its definition."""
+        return self._expanded(self.definitions)
+
+    def proposition(self) -> Tensor[Expr]:
+        """The same with what is arbitrary left as symbols: what is proved of these holds for their definitions."""
+        return self._expanded({s: value for s, value in self.definitions.items() if s not in self.arbitrary})
+
+    def _expanded(self, definitions: Mapping[Symbol, Expr]) -> Tensor[Expr]:
         known: dict[Symbol, Expr] = {}
-        for symbol, definition in self.definitions.items():
+        for symbol, definition in definitions.items():
             known[symbol] = definition.xreplace(known)
         return self.entries.map(lambda entry: entry.xreplace(known))
 

@@ -253,4 +253,5 @@ def _root(covariance: RealArray) -> RealArray:
     scale = deviations[..., :, np.newaxis] * deviations[..., np.newaxis, :]
     correlations = np.divide(covariance, scale, out=np.zeros_like(covariance), where=scale > 0)
     eigenvalues, vectors = np.linalg.eigh(correlations)
-    return deviations[..., np.newaxis] * vectors * np.sqrt(np.maximum(eigenvalues, 0))[..., np.newaxis, :]
+    root: RealArray = deviations[..., np.newaxis] * vectors * np.sqrt(np.maximum(eigenvalues, 0))[..., np.newaxis, :]
+    return root

@@ -7,7 +7,7 @@ import importlib.util
 import json
 import math
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -15,8 +15,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from radartrack.derive.catalogue import catalogue, find
-from radartrack.derive.conversion_code import ARRAYS, LOOPS, ConversionCode, conversion_code, conversions_of
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.conversion_code import (
+    ARRAYS,
+    LOOPS,
+    ConversionCode,
+    conversion_code,
+    conversions_of,
+    covariance_of,
+)
 from radartrack.derive.conversion_code import module_text as conversion_code_text
 from radartrack.derive.forms import form_of
 from radartrack.derive.formula_book import Page, book, formula
@@ -28,13 +35,15 @@ from radartrack.verification.sampling import sample
 from radartrack.verification.ulp import errors
 
 RECORD = "accuracy.json"
-CHUNK = 4  # neighbours in the catalogue share what they are derived from
+CHUNK = 20  # neighbours in the catalogue share what they are derived from
 POINTS = 500
 PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
 
 BOOK = "formulas.md"
 Files = dict[str, str]
 Written = tuple[str, str]  # statements and formula
+Task = str | tuple[str, str]  # a quantity's name, or model and method of a conversion
+Done = Written | ConversionCode
 Step = Callable[[str], None]
 
 
@@ -126,36 +135,48 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
 
     Those of the catalogue are derived in one process a core, a model of a user's own in this one.
     """
-    wanted, conversions = list(quantities.values()), conversions_of(quantities)
+    tasks = _tasks(quantities)
     if quantities == catalogue():
         with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
-            done = pool.map(_named, quantities, chunksize=CHUNK)
-            codes = pool.map(_named_conversion, conversions, chunksize=CHUNK)
-            return Derivation(_told(wanted, done, step), list(codes))
-    derived = _told(wanted, map(written, wanted), step)
-    return Derivation(derived, [conversion_code(quantities, *conversion) for conversion in conversions])
+            done = _told(tasks, pool.map(_of_catalogue, tasks, chunksize=CHUNK), step)
+    else:
+        done = _told(tasks, (_done(task, quantities) for task in tasks), step)
+    derived = []
+    for name, quantity in quantities.items():
+        statements, typeset = done[name]
+        derived.append(Derived(Function(quantity, statements), typeset))
+    return Derivation(derived, [code for code in done.values() if isinstance(code, ConversionCode)])
 
 
-def _named_conversion(conversion: tuple[str, str]) -> ConversionCode:
-    return conversion_code(catalogue(), *conversion)
+def _tasks(quantities: Mapping[str, Quantity]) -> list[Task]:
+    """Names of quantities, and each conversion behind the covariance that it shares most with."""
+    tasks: list[Task] = list(quantities)
+    for conversion in reversed(conversions_of(quantities)):
+        tasks.insert(tasks.index(covariance_of(quantities, *conversion)) + 1, conversion)
+    return tasks
 
 
-def _named(name: str) -> Written:
-    return written(find(name))
+def _of_catalogue(task: Task) -> Done:
+    return _done(task, catalogue())
+
+
+def _done(task: Task, quantities: Mapping[str, Quantity]) -> Done:
+    return written(quantities[task]) if isinstance(task, str) else conversion_code(quantities, *task)
+
+
+def _told(tasks: Sequence[Task], done: Iterable[Done], step: Step) -> dict[Task, Any]:
+    found = {}
+    for task, result in zip(tasks, done, strict=True):
+        if isinstance(task, str):
+            step(task)
+        found[task] = result
+    return found
 
 
 def written(quantity: Quantity) -> Written:
     """The statements and the typeset formula of one quantity."""
     form = form_of(quantity)
     return body(quantity, form), formula(quantity, form)
-
-
-def _told(quantities: list[Quantity], done: Iterable[Written], step: Step) -> list[Derived]:
-    derived = []
-    for quantity, (statements, typeset) in zip(quantities, done, strict=True):
-        step(quantity.name)
-        derived.append(Derived(Function(quantity, statements), typeset))
-    return derived
 
 
 def read_record(directory: Path) -> dict[str, Accuracy]:
