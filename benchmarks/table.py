@@ -62,11 +62,11 @@ ROWS = (
         "TestRun::test_radartrack", "TestRun::test_filterpy", "≥ 500 times faster", faster=True),
     Row("`kalman.run`, 1e4 tracks of 100 steps", "the same arithmetic in einsum and matmul",
         "TestKalman::test_radartrack", "TestKalman::test_by_hand", "≤ 1.0"),
-    Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples", "drawing the normals alone",
+    Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process", "drawing the normals alone",
         "TestMonteCarlo::test_radartrack", "TestMonteCarlo::test_normals", "≤ 2.0"),
     Row("deriving and writing `polar.*`", "`simplify` and `lambdify(cse=True)` of the same formulas",
         "TestRegenerate::test_radartrack", "TestRegenerate::test_plain_sympy", "≥ 5 times faster", faster=True),
-    Row("`import radartrack`, a whole process", "`import numpy`",
+    Row("`import radartrack` and all that it loads on use, a whole process", "`import numpy`",
         "TestImport::test_radartrack", "TestImport::test_numpy", "≤ 1.3"),
 )  # fmt: skip
 
