@@ -132,13 +132,7 @@ class GramForm:
         return self._form(Tensor.build((size,), entry))
 
     def _form(self, entries: Tensor[Expr]) -> StableForm:
-        needed = {symbol for entry in entries for symbol in entry.free_symbols}
-        kept: Definitions = {}
-        for symbol, definition in reversed(self._definitions.items()):
-            if symbol in needed:
-                needed |= definition.free_symbols
-                kept[symbol] = definition
-        return StableForm(dict(reversed(kept.items())), entries, frozenset({NEARNESS}))
+        return StableForm(self._definitions, entries, frozenset({NEARNESS})).only(entries)
 
     def _table(self, place: Place) -> list[list[Expr]]:
         """One row a polynomial: its value and its derivatives."""

@@ -68,7 +68,8 @@ class StableForm:
     def renamed(self, names: Mapping[Symbol, Symbol]) -> StableForm:
         """The same with other names for intermediates."""
         definitions = {names.get(symbol, symbol): value.xreplace(names) for symbol, value in self.definitions.items()}
-        return StableForm(definitions, self.entries.map(lambda entry: entry.xreplace(names)))
+        arbitrary = frozenset(names.get(symbol, symbol) for symbol in self.arbitrary)
+        return StableForm(definitions, self.entries.map(lambda entry: entry.xreplace(names)), arbitrary)
 
     def only(self, entries: Tensor[Expr]) -> StableForm:
         """These entries with the intermediates that they need and no others."""
@@ -78,7 +79,7 @@ class StableForm:
             if symbol in needed:
                 needed |= definition.free_symbols
                 kept[symbol] = definition
-        return StableForm(dict(reversed(kept.items())), entries)
+        return StableForm(dict(reversed(kept.items())), entries, self.arbitrary)
 
 
 @dataclass(frozen=True)

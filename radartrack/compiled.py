@@ -17,13 +17,9 @@ from radartrack.validation import RealArray
 COMPILED_FROM = 4096  # plots; for fewer NumPy needs less time than loading the compiler
 
 
+@cache
 def is_available() -> bool:
     """Whether Numba is installed."""
-    return _has_numba()
-
-
-@cache
-def _has_numba() -> bool:
     return importlib.util.find_spec("numba") is not None
 
 
