@@ -30,8 +30,8 @@ def plots() -> dict[str, Floats]:
 def timed(benchmark: Any) -> Callable[..., Any]:
     """Time a call; `items` is how many plots, tracks or samples it does, by which tables divide."""
 
-    def run(function: Run, *arguments: Any, items: int, rounds: int = 5, goal: str = "", **options: Any) -> Any:
-        benchmark.extra_info.update(items=items, goal=goal)
+    def run(function: Run, *arguments: Any, items: int, rounds: int = 5, **options: Any) -> Any:
+        benchmark.extra_info["items"] = items
         return benchmark.pedantic(function, arguments, options, rounds=rounds, warmup_rounds=1)
 
     return run

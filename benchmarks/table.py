@@ -43,10 +43,10 @@ ROWS = (
             Row(f"`convert.polar`, {method}, 1e6 plots, with `[fast]`", "the same loop",
                 f"test_conversions.py::TestPolar::test_fast[{method}]", f"TestPolar::test_fused[{method}]", "≤ 0.7"),
             Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "FilterPy's unscented transform, plot by plot",
-                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_filterpy[{method}]",
+                f"test_conversions.py::TestPolar::test_numpy[{method}]", "TestPolarPeers::test_filterpy",
                 "≥ 300 times faster", faster=True),
             Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "Stone Soup's inverse function and Jacobian",
-                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_stone_soup[{method}]",
+                f"test_conversions.py::TestPolar::test_numpy[{method}]", "TestPolarPeers::test_stone_soup",
                 "≥ 2000 times faster", faster=True),
         )
     ),

@@ -24,20 +24,24 @@ class TestPolar:
 
     def test_numpy(self, timed: Timed, plots: dict[str, Floats], method: str, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(compiled, "is_available", lambda: False)
-        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, goal="<= 2.0 fused")
+        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
-        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, goal="<= 0.7 fused")
+        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS)
 
     def test_fused(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
         arrays = [*(plots[n] for n in POLAR), np.zeros(PLOTS)]
         timed(fused_loop(f"polar_{method}", 2), *arrays, items=PLOTS)
 
-    def test_filterpy(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
-        timed(unscented, *(plots[n][:FEW] for n in POLAR), items=FEW, goal=f">= 300 ({method})")
 
-    def test_stone_soup(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
-        timed(by_stone_soup, *(plots[n][:FEW] for n in POLAR), items=FEW, goal=f">= 2000 ({method})")
+class TestPolarPeers:
+    """Plot by plot; they know no methods."""
+
+    def test_filterpy(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        timed(unscented, *(plots[n][:FEW] for n in POLAR), items=FEW)
+
+    def test_stone_soup(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        timed(by_stone_soup, *(plots[n][:FEW] for n in POLAR), items=FEW)
 
 
 class TestSpherical:
@@ -45,10 +49,10 @@ class TestSpherical:
 
     def test_numpy(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(compiled, "is_available", lambda: False)
-        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3, goal="<= 2.0 fused")
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:
-        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3, goal="<= 0.7 fused")
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3)
 
     def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
         arrays = [*(plots[n] for n in SPHERICAL), np.zeros(PLOTS)]
@@ -62,7 +66,7 @@ class TestOnePlot:
         timed(repeated, lambda: convert.polar(5e4, 0.3, 50.0, 0.01), items=FEW)
 
     def test_stone_soup(self, timed: Timed) -> None:
-        timed(repeated, lambda: stone_soup_plot(5e4, 0.3, 50.0, 0.01), items=FEW, goal=">= 10")
+        timed(repeated, lambda: stone_soup_plot(5e4, 0.3, 50.0, 0.01), items=FEW)
 
 
 def repeated(call: Callable[[], Any]) -> None:
