@@ -8,11 +8,11 @@ import numpy as np
 from radartrack.derive.catalogue import catalogue
 from radartrack.generated import polar
 from radartrack.verification.experiments import trials
-from radartrack.verification.simulation import CHUNK, Sums, simulate
+from radartrack.verification.simulation import BLOCK, CHUNK, Sums, simulate
 
 Timed = Callable[..., Any]
 NAME = "polar.covariance.truth"
-SAMPLES = 1000 * CHUNK
+SAMPLES = 128 * CHUNK
 
 
 class TestMonteCarlo:
@@ -32,4 +32,6 @@ def by_radartrack(experiment: Any) -> Sums:
 
 def normals() -> None:
     for number in range(SAMPLES // CHUNK):
-        np.random.Generator(np.random.Philox(number)).standard_normal((2, CHUNK))
+        generator = np.random.Generator(np.random.Philox(number))
+        for _ in range(CHUNK // BLOCK):
+            generator.standard_normal((4, BLOCK))  # a sample is two plots

@@ -18,7 +18,7 @@ from radartrack.verification.outcome import Function, Layer, Outcome, Verdict, e
 from radartrack.verification.quadrature import Quadrature
 
 NAME = "mutants"
-DRAWS = 1 << 14
+DRAWS = 1 << 16
 SIMULATED = 12  # mutants of a function that are simulated too
 POINTS = 200
 

@@ -25,8 +25,9 @@ from radartrack.verification.programs import Program
 
 Array = npt.NDArray[np.float64]
 Function = Callable[..., Any]
-CHUNK = 1 << 13  # times that all errors are drawn
-CHUNKS_OF_A_TASK = 128
+BLOCK = 1 << 13  # times that all errors are drawn at once; what is computed from them stays in the cache
+CHUNK = 1 << 16  # times that they are drawn from one stream
+CHUNKS_OF_A_TASK = 16
 
 
 @dataclass(frozen=True)
@@ -118,9 +119,14 @@ class Sums:
         return cls(record["draws"], tuple(tuple(map(ExactSum.read, row)) for row in record["powers"]))
 
 
-def simulate(experiment: Experiment, chunks: Sequence[int], chunk: int = CHUNK) -> Sums:
-    """The sums over some chunks."""
-    return reduce(add, (_sums(_residuals(experiment, number, chunk)) for number in chunks))
+def simulate(experiment: Experiment, chunks: Sequence[int]) -> Sums:
+    """The sums over some chunks.
+
+    Raises:
+        ValueError: when what was drawn is no number.
+
+    """
+    return reduce(add, (_chunk(experiment, number) for number in chunks))
 
 
 @dataclass(frozen=True)
@@ -150,26 +156,25 @@ def tasks_for(experiment: Experiment, draws: int) -> list[Draws]:
     return [Draws(experiment, range(start, min(start + CHUNKS_OF_A_TASK, chunks))) for start in starts]
 
 
-def _sums(residuals: list[Array]) -> Sums:
-    return Sums(len(residuals[0]), tuple(tuple(map(_exact, _powers(residual))) for residual in residuals))
+def _chunk(experiment: Experiment, number: int) -> Sums:
+    key = int.from_bytes(blake2b(experiment.key.encode(), digest_size=16).digest(), "little")
+    generator = np.random.Generator(np.random.Philox(key=key, counter=number << 128))
+    powers = reduce(add, (_powers(_residuals(experiment, generator)) for _ in range(CHUNK // BLOCK)))
+    return Sums(CHUNK, tuple(tuple(ExactSum.of([float(total)]) for total in row) for row in powers))
 
 
-def _powers(residual: Array) -> Iterator[Array]:
-    """The sums of the first four powers."""
-    square = residual * residual
-    yield from (residual.sum(), square.sum())
-    yield from ((residual * square).sum(), (square * square).sum())
+def _powers(residuals: Array) -> Array:
+    """The sums of the first four powers, [mean, power]."""
+    squares = residuals * residuals
+    powers = (residuals, squares, residuals * squares, squares * squares)
+    return np.stack([power.sum(axis=-1) for power in powers], axis=-1)
 
 
-def _exact(total: Array) -> ExactSum:
-    return ExactSum.of([float(total)])
-
-
-def _residuals(experiment: Experiment, number: int, chunk: int) -> list[Array]:
-    """g − c, or products of them, less what the mean should be: one array for every mean."""
-    errors = _errors(experiment, number, chunk)
+def _residuals(experiment: Experiment, generator: np.random.Generator) -> Array:
+    """g − c, or products of them, less what the mean should be, [mean, draw]."""
+    errors = [_correlated(generator.standard_normal((len(f), BLOCK)), f) for f in experiment.factors]
     left = _of_products(experiment, errors) if experiment.pairs else _of_values(experiment, errors)
-    return [residual - shift for residual, shift in zip(left, experiment.shift, strict=True)]
+    return np.stack([residual - shift for residual, shift in zip(left, experiment.shift, strict=True)])
 
 
 def _of_products(experiment: Experiment, errors: list[list[Array]]) -> list[Array]:
@@ -186,13 +191,6 @@ def _of_values(experiment: Experiment, errors: list[list[Array]]) -> list[Array]
     both = zip(_values(experiment, forth), _values(experiment, back), strict=True)
     control = _control(experiment, forth, both_ways=True)
     return [(one + other) * 0.5 - known for (one, other), known in zip(both, control, strict=True)]
-
-
-def _errors(experiment: Experiment, number: int, chunk: int) -> list[list[Array]]:
-    """For each error that is drawn, one array a measured quantity."""
-    key = int.from_bytes(blake2b(experiment.key.encode(), digest_size=16).digest(), "little")
-    generator = np.random.Generator(np.random.Philox(key=key, counter=number << 128))
-    return [_correlated(generator.standard_normal((len(f), chunk)), f) for f in experiment.factors]
 
 
 def _correlated(normal: Array, factor: Array) -> list[Array]:
@@ -253,8 +251,8 @@ def _control(experiment: Experiment, displacements: list[list[Array]], *, both_w
     slopes = experiment.slopes
     for term, displacement in zip(experiment.terms, displacements, strict=True):
         for place, feature in _features(slopes, displacement, both_ways=both_ways):
-            signed = _scaled(term.sign, feature)
-            totals[place] = totals[place] + signed if place in totals else signed
+            combine = np.add if term.sign > 0 else np.subtract
+            totals[place] = combine(totals[place], feature) if place in totals else _scaled(term.sign, feature)
     weights = slopes.weights
     return [
         reduce(add, (weights[a, place] * total for place, total in totals.items() if weights[a, place]), start)
