@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.numpy_code import code
+from radartrack.derive.ordering import by_name
 from radartrack.derive.symbolic import Expr, Symbol
 
 POWERS = {2: "squared", 3: "cubed"}
@@ -71,7 +72,7 @@ class _Extraction:
             square = self._rewrite(base**2)
             odd = self._rewrite(base) if exponent % 2 else sp.Integer(1)
             return odd * square ** (exponent // 2)
-        arguments = [self._rewrite(argument) for argument in _ordered(expression)]
+        arguments = [self._rewrite(argument) for argument in _arguments(expression)]
         if isinstance(expression, sp.Mul):
             arguments = [self._short(argument) for argument in arguments]
         return expression.func(*arguments)
@@ -121,8 +122,6 @@ def _parts(expression: Expr) -> tuple[Expr, ...]:
     return expression.args
 
 
-def _ordered(expression: Expr) -> tuple[Expr, ...]:
-    """Arguments in an order that depends on names alone; functions keep theirs."""
-    if isinstance(expression, sp.Add | sp.Mul):
-        return tuple(sorted(expression.args, key=str))
-    return expression.args
+def _arguments(expression: Expr) -> Iterable[Expr]:
+    """In an order that depends on names alone; functions keep theirs."""
+    return by_name(expression.args) if isinstance(expression, sp.Add | sp.Mul) else expression.args

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.ordering import by_name
 from radartrack.derive.symbolic import Expr
 
 FUNCTIONS: dict[type[Expr], str] = {
@@ -41,7 +42,7 @@ def code(expression: Expr) -> str:
 
 def terms(expression: Expr) -> list[str]:
     """The terms of a sum as code, each after the first with its sign and a space in front."""
-    pieces = [_signed(term) for term in _ordered(expression.args)]
+    pieces = [_signed(term) for term in by_name(expression.args)]
     first = min((i for i, (sign, _) in enumerate(pieces) if sign == "+"), default=0)
     pieces.insert(0, pieces.pop(first))
     (sign, text), *rest = pieces
@@ -66,10 +67,6 @@ def _code(expression: Expr) -> tuple[str, int]:
     raise NotWritable(f"{type(expression).__name__} in {expression} has no NumPy code")
 
 
-def _ordered(arguments: tuple[Expr, ...]) -> list[Expr]:
-    return sorted(arguments, key=lambda argument: (not argument.is_Number, str(argument)))
-
-
 def _signed(expression: Expr) -> tuple[str, str]:
     """Sign and magnitude of a term."""
     number, rest = expression.as_coeff_Mul(rational=True)
@@ -82,7 +79,7 @@ def _signed(expression: Expr) -> tuple[str, str]:
         above.append(repr(numerator / denominator))
     elif numerator != 1:
         above.append(f"{numerator}.0")
-    for factor in _ordered(sp.Mul.make_args(rest)) if rest != 1 else []:
+    for factor in by_name(sp.Mul.make_args(rest)) if rest != 1 else []:
         base, exponent = factor.as_base_exp()
         if isinstance(exponent, sp.Rational) and exponent < 0 and not isinstance(factor, sp.exp):
             below.append(_wrapped(base**-exponent, POWER))
