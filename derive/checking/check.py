@@ -9,6 +9,7 @@ from functools import cached_property
 from radartrack.derive.checking.comparison import Comparison, Values
 from radartrack.derive.checking.counterexample import (
     MATTERS,
+    Relative,
     counterexample,
     find_difference,
     worst_over_domain,
@@ -21,7 +22,7 @@ from radartrack.derive.checking.points import domain_points, generic_points, rou
 from radartrack.derive.checking.printed import Printed, conditions_for, names_for, read_printed
 from radartrack.derive.checking.reference import Reference, refer
 from radartrack.derive.checking.relatives import Asked, conditions_that_help, other_quantities
-from radartrack.derive.checking.scale import scale_of
+from radartrack.derive.checking.scale import squared_scale
 from radartrack.derive.checking.suggestions import suggest
 from radartrack.derive.checking.verdict import Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.symbolic import Expr, Symbol
@@ -138,7 +139,7 @@ class Question:
     def _explained(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
         edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
-        asked = Asked(self.reference, self.printed.expressions, self.conditions)
+        asked = Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions)
         order = orders(
             self.printed_entry(first.entry) - self.derived_entry(first.entry),
             self.derived_entry(first.entry),
@@ -163,9 +164,10 @@ class Question:
         if finding.values is None:
             return None
         entry = finding.entry
-        comparison = Comparison(self.printed_entry(entry), self.derived_entry(entry), self.symbols)
-        scale = scale_of(self.reference, entry, self.symbols, dict(self.conditions))
-        worst = worst_over_domain(comparison, self.symbols, scale, finding.values.point)
+        pair = self.printed_entry(entry), self.derived_entry(entry)
+        comparison = Comparison(*pair, self.symbols)
+        scale = squared_scale(self.reference, entry).xreplace(self.conditions)
+        worst = worst_over_domain(Relative(*pair, scale, self.symbols), self.symbols, finding.values.point)
         elsewhere = comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
         return counterexample(elsewhere or finding.values, entry, worst, self.symbols)
 

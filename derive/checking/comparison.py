@@ -53,7 +53,7 @@ class Comparison:
     def is_imaginary_at(self, point: Point) -> bool:
         """Whether what is printed is no real number there, while what was derived is."""
         pair, fine = (_evaluated(one, self._names, point) for one in (self._evaluator, self._fine))
-        if pair is None or fine is None or not _is_real(pair[1]):
+        if pair is None or fine is None or not is_real(pair[1]):
             return False
         rough, exact = (abs(mpmath.im(printed)) for printed, _ in (pair, fine))
         return bool(exact > NOISE * abs(fine[0]) and exact > rough / 2)
@@ -74,7 +74,7 @@ class Comparison:
 
 def _values(evaluator: Evaluator, names: Sequence[str], point: Point) -> Values | None:
     pair = _evaluated(evaluator, names, point)
-    return Values(point, *pair) if pair is not None and all(map(_is_real, pair)) else None
+    return Values(point, *pair) if pair is not None and all(map(is_real, pair)) else None
 
 
 def _evaluated(evaluator: Evaluator, names: Sequence[str], point: Point) -> tuple[Number, Number] | None:
@@ -85,5 +85,6 @@ def _evaluated(evaluator: Evaluator, names: Sequence[str], point: Point) -> tupl
     return printed, derived
 
 
-def _is_real(value: Number) -> bool:
+def is_real(value: Number) -> bool:
+    """Whether it is a real number of any size that a float may have."""
     return not isinstance(value, mpmath.mpc) and bool(abs(value) < LARGEST)

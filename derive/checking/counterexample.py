@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 
-from radartrack.derive.checking.comparison import Comparison, Values
+import mpmath
+
+from radartrack.derive.checking.comparison import Comparison, Values, is_real
 from radartrack.derive.checking.points import Point, domain_points, generic_points, round_points
+from radartrack.derive.checking.rough import RoughEvaluator
 from radartrack.derive.checking.verdict import Counterexample
-from radartrack.derive.evaluation import Number
-from radartrack.derive.tensor import Index
+from radartrack.derive.evaluation import Evaluator
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.tensor import Index, Tensor
 from radartrack.derive.variable import Variable
 
 MATTERS = 0.01  # a relative difference that nobody overlooks
 DOMAIN_POINTS = 40
 STEP = 0.5
-Scale = Callable[[Point], Number]
+SAME = 1e-6  # relative differences that are one but for rounding
 
 
 def find_difference(comparison: Comparison, symbols: Sequence[Variable]) -> Values | None:
@@ -43,21 +49,56 @@ class Worst:
     point: Point
 
 
-def worst_over_domain(comparison: Comparison, symbols: Sequence[Variable], scale: Scale, start: Point) -> Worst:
-    """The largest difference relative to the scale among points of the domain, improved along each symbol."""
+class Relative:
+    """The difference of two formulas relative to a scale, ready to be evaluated.
 
-    def measured(point: Point) -> Worst:
-        values = comparison.at(point)
-        if values is None:
+    Args:
+        printed, derived: the formulas.
+        squared_scale: its square, up to its sign; where that is zero, the printed formula is the scale.
+        symbols: of them all.
+    """
+
+    def __init__(self, printed: Expr, derived: Expr, squared_scale: Expr, symbols: Sequence[Variable]) -> None:
+        expressions = (printed - derived, printed, squared_scale)
+        self._names = [symbol.name for symbol in symbols]
+        self._exact = Evaluator(Tensor((3,), expressions), symbols)
+        self._rough = RoughEvaluator(expressions, symbols)
+
+    def at(self, point: Point) -> Worst:
+        """What it is at a point; nothing where a formula has no real value."""
+        try:
+            difference, printed, square = self._exact([point[name] for name in self._names])
+        except (ArithmeticError, ValueError):
             return Worst(0.0, point)
-        size = scale(point) or abs(values.printed)
-        return Worst(float(abs(values.difference) / size) if size else 0.0, point)
+        size = mpmath.sqrt(abs(square)) or abs(printed)
+        compared = size and is_real(difference) and is_real(printed)
+        return Worst(float(abs(difference) / size) if compared else 0.0, point)
 
-    points = (start, *domain_points(symbols, DOMAIN_POINTS))
-    best = max(map(measured, points), key=lambda worst: worst.relative)
+    def at_most(self, point: Point) -> float:
+        """A bound on what it is, found in floating point."""
+        values = self._rough([point[name] for name in self._names])
+        if values is None:
+            return math.inf
+        (difference, error), _, (square, wrong) = values
+        return (abs(difference) + error) / math.sqrt(abs(square) - wrong) if abs(square) > wrong else math.inf
+
+
+def worst_over_domain(relative: Relative, symbols: Sequence[Variable], start: Point) -> Worst:
+    """The largest relative difference among points of the domain, improved along each symbol."""
+    best = _largest(relative.at(start), domain_points(symbols, DOMAIN_POINTS), relative)
     for symbol in symbols:
-        moved = (best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP))
-        best = max([best, *map(measured, moved)], key=lambda worst: worst.relative)
+        moved = [best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP)]
+        best = _largest(best, moved, relative)
+    return best
+
+
+def _largest(best: Worst, points: Sequence[Point], relative: Relative) -> Worst:
+    """The largest of all; only what may exceed the best by more than rounding is evaluated exactly."""
+    bounds = sorted(((relative.at_most(point), point) for point in points), key=itemgetter(0), reverse=True)
+    for bound, point in bounds:
+        enough = best.relative * (1 + SAME)
+        if bound > enough and (found := relative.at(point)).relative > enough:
+            best = found
     return best
 
 

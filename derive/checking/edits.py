@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from radartrack.derive.checking.numeric import Values
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
     Call,
@@ -17,6 +16,8 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
+    children,
+    with_children,
 )
 
 FAMILIES = (
@@ -53,6 +54,32 @@ class Alternative:
         return self.kind.format(*map(_shown, self.about))
 
 
+@dataclass(frozen=True)
+class Exchange:
+    """Neighbouring terms or factors for which others may stand.
+
+    Attributes:
+        place: of the first.
+        end: one past the place of the last.
+        new: what stands there instead.
+        kind, cost, about: as in `Alternative`.
+    """
+
+    place: int
+    end: int
+    new: tuple[Tree, ...]
+    kind: str
+    cost: float
+    about: tuple[Tree, ...]
+
+    def of(self, node: Sum | Product) -> Alternative:
+        """The sum or product after the exchange."""
+        parts = children(node)
+        left = (*parts[: self.place], *self.new, *parts[self.end :])
+        tree = left[0] if len(left) == 1 else with_children(node, left)
+        return Alternative(tree, self.kind, self.cost, self.about or (tree,))
+
+
 def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
     """What may have been meant by this part alone.
 
@@ -71,24 +98,29 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
         case Negation(operand):
             yield Alternative(operand, "the sign of {}", 1.0, (operand,))
             yield from _sign_of_sum(operand)
-        case Power() | Sum() | Product() | Quotient():
+        case Power() | Product() | Quotient():
             yield from _of_an_operation(tree)
         case _:
             return
 
 
-def _of_an_operation(tree: Power | Sum | Product | Quotient) -> Iterator[Alternative]:
+def exchanges(node: Sum | Product) -> Iterator[Exchange]:
+    """What may have been meant by neighbouring terms or factors."""
+    if isinstance(node, Product):
+        yield from _fewer(node.factors, "an extra factor: {}")
+        return
+    yield from _fewer(node.terms, "an extra term: {}")
+    yield from _signs(node.terms)
+    yield from _brackets_around(node.terms)
+
+
+def _of_an_operation(tree: Power | Product | Quotient) -> Iterator[Alternative]:
     match tree:
         case Power(base, exponent):
             yield Alternative(base, "{} without its exponent", 1.1, (tree,))
             yield from _into_call(base, exponent)
             yield from _power_of_part(base, exponent)
-        case Sum(terms):
-            yield from _fewer(tree, terms, "an extra term")
-            yield from _signs(terms)
-            yield from _brackets_around(terms)
         case Product(factors):
-            yield from _fewer(tree, factors, "an extra factor")
             yield from _brackets_removed(factors)
         case Quotient(numerator, denominator):
             yield from _fractions(numerator, denominator)
@@ -102,13 +134,13 @@ class Everywhere:
         change: what it does to every part.
         words: the edit.
         cost: the less likely the slip, the more.
-        values: what each changed symbol is worth instead, when symbols are all that changes.
+        values: what each changed symbol is worth instead at a point, when symbols are all that changes.
     """
 
     change: Callable[[Tree], Tree]
     words: str
     cost: float
-    values: Mapping[str, Callable[[Mapping[str, Values]], Values]] | None = None
+    values: Mapping[str, Callable[[Mapping[str, float]], float]] | None = None
 
 
 def everywhere(used: Sequence[str], kinds: Mapping[str, object]) -> Iterator[Everywhere]:
@@ -131,13 +163,13 @@ def everywhere(used: Sequence[str], kinds: Mapping[str, object]) -> Iterator[Eve
         yield Everywhere(_root_of(name), f"{name}**2 should be {name} everywhere", 2.0)
 
 
-def _like(other: str) -> Callable[[Mapping[str, Values]], Values]:
+def _like(other: str) -> Callable[[Mapping[str, float]], float]:
     return lambda values: values[other]
 
 
-def _power(name: str, power: int) -> Callable[[Mapping[str, Values]], Values]:
+def _power(name: str, power: int) -> Callable[[Mapping[str, float]], float]:
     """The square for 2, the negative for -1."""
-    return lambda values: tuple(-value if power < 0 else value**power for value in values[name])
+    return lambda values: -values[name] if power < 0 else values[name] ** power
 
 
 def _other_names(name: str, kinds: Mapping[str, object]) -> Iterator[Alternative]:
@@ -200,27 +232,24 @@ def _bracket(tree: Tree) -> Alternative:
     return Alternative(tree, "a bracket: {}", 1.4, (tree,))
 
 
-def _fewer(tree: Sum | Product, parts: tuple[Tree, ...], kind: str) -> Iterator[Alternative]:
+def _fewer(parts: tuple[Tree, ...], kind: str) -> Iterator[Exchange]:
     for place, part in enumerate(parts):
-        rest = (*parts[:place], *parts[place + 1 :])
-        yield Alternative(rest[0] if len(rest) == 1 else type(tree)(rest), f"{kind}: {{}}", 1.1, (part,))
+        yield Exchange(place, place + 1, (), kind, 1.1, (part,))
 
 
-def _signs(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
+def _signs(terms: tuple[Tree, ...]) -> Iterator[Exchange]:
     for place, term in enumerate(terms):
         bare = term.operand if isinstance(term, Negation) else term
         other = bare if isinstance(term, Negation) else Negation(term)
-        yield Alternative(Sum((*terms[:place], other, *terms[place + 1 :])), "the sign of {}", 1.0, (bare,))
+        yield Exchange(place, place + 1, (other,), "the sign of {}", 1.0, (bare,))
 
 
-def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
+def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Exchange]:
     """a*b + c may have been a*(b + c), and a/b + c may have been a/(b + c) or (a + c)/b."""
     for place, term in enumerate(terms[:-1]):
         for end in _ends(place + 2, len(terms)):
-            rest = terms[place + 1 : end]
-            for inner in _swallowed(term, rest):
-                others = (*terms[:place], inner, *terms[end:])
-                yield _bracket(others[0] if len(others) == 1 else Sum(others))
+            for inner in _swallowed(term, terms[place + 1 : end]):
+                yield Exchange(place, end, (inner,), "a bracket: {}", 1.4, ())
 
 
 def _swallowed(term: Tree, rest: tuple[Tree, ...]) -> Iterator[Tree]:

@@ -11,8 +11,9 @@ def proved_equal(first: Expr, second: Expr) -> bool:
 
     Symbols are real, and positive where their assumptions say so.
     """
-    field = Field([first, second])
+    difference = first - second  # terms that both have are gone
+    field = Field([difference])
     try:
-        return field.vanishes(field.read(first) - field.read(second))
+        return field.vanishes(field.read(difference))
     except NotCanonical:
         return False

@@ -73,12 +73,16 @@ class Fitter:
         for tree, values in factors:
             if len(self._columns) + SPARE < size and all(value > 0 for value in values):
                 self._add_factor(tree, values)
+        axes = [tuple(float(place == axis) for place in range(size)) for axis in range(size)]
+        self._normal = max(map(self._beside, axes), key=lambda rest: _dot(rest, rest))
 
     def fit(self, values: Values | None) -> Monomial | None:
         """The monomial with these values, if there is one."""
         if values is None or not all(values) or len({value > 0 for value in values}) > 1:
             return None
         logarithms = tuple(math.log(abs(value)) for value in values)
+        if abs(_dot(self._normal, logarithms)) > EXACT:
+            return None
         solution = self._solve(logarithms)
         powers = [round(power) for power in solution[1:]]
         if any(abs(p - q) > EXACT or abs(q) > LARGEST_POWER for p, q in zip(solution[1:], powers, strict=True)):
@@ -102,16 +106,20 @@ class Fitter:
             self._factors.append((tree, values))
 
     def _add(self, column: Values) -> bool:
-        rest = column
-        for _ in range(2):
-            for direction in self._directions:
-                rest = _less(rest, direction, _dot(rest, direction))
+        rest = self._beside(column)
         length = math.sqrt(_dot(rest, rest))
         if length < INDEPENDENT * (math.sqrt(_dot(column, column)) or 1.0):
             return False
         self._columns.append(column)
         self._directions.append(tuple(value / length for value in rest))
         return True
+
+    def _beside(self, column: Values) -> Values:
+        """What is left of a column beside the known ones; projected twice, as rounding spoils the first."""
+        rest = column
+        for direction in 2 * self._directions:
+            rest = _less(rest, direction, _dot(rest, direction))
+        return rest
 
     def _solve(self, values: Values) -> list[float]:
         """Least squares through the orthonormal directions, by back substitution."""
@@ -157,7 +165,7 @@ def _power(base: Tree, power: int) -> Tree:
 
 
 def _dot(first: Values, second: Values) -> float:
-    return sum(a * b for a, b in zip(first, second, strict=True))
+    return sum(map(float.__mul__, first, second))
 
 
 def _less(first: Values, second: Values, factor: float) -> Values:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from operator import add, mul, sub, truediv
+from operator import itemgetter, mul, neg, sub, truediv
 
 from radartrack.derive.formula.tree import (
     Array,
@@ -18,6 +18,7 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
+    children,
 )
 
 Values = tuple[float, ...]
@@ -62,22 +63,45 @@ INVERSES: Mapping[str, Callable[[float], float]] = {
 }
 
 
-def combined(operation: Callable[..., float], *operands: Values) -> Values | None:
-    """An operation at every point; None where it is not defined at one of them."""
-    try:
-        values = tuple(map(operation, *operands))
-    except (ArithmeticError, ValueError):
+def combined(operation: Callable[..., float], *operands: Values | None) -> Values | None:
+    """An operation at every point; None where it is not defined at one of them, or an operand is not."""
+    if None in operands:
         return None
-    return values if not any(isinstance(v, complex) or not math.isfinite(v) for v in values) else None
+    try:
+        values = tuple(map(operation, *operands))  # type: ignore[arg-type]  # none of them is None
+        return values if all(map(math.isfinite, values)) else None
+    except (ArithmeticError, TypeError, ValueError):  # a complex number is neither finite nor infinite
+        return None
 
 
-def total(parts: Sequence[Values], operation: Callable[[float, float], float], start: float) -> Values | None:
-    """A sum or product of parts; of none it is `start`, once."""
-    result = (start,) * len(parts[0]) if parts else None
-    for part in parts:
-        if result is not None:
-            result = combined(operation, result, part)
-    return result
+def added(*terms: float) -> float:
+    """The sum."""
+    return sum(terms)
+
+
+def multiplied(*factors: float) -> float:
+    """The product."""
+    return math.prod(factors)
+
+
+OPERATIONS: Mapping[type[Tree], Callable[..., float]] = {
+    Sum: added,
+    Product: multiplied,
+    Quotient: truediv,
+    Negation: neg,
+    Power: pow,
+}
+
+
+def _operation(tree: Tree) -> Callable[..., float]:
+    """What makes the value of a tree from those of its subtrees."""
+    return FUNCTIONS[tree.function] if isinstance(tree, Call) else OPERATIONS[type(tree)]
+
+
+def _number(tree: Number | Constant) -> float:
+    if isinstance(tree, Constant):
+        return math.pi if tree.name == "pi" else math.e
+    return float(tree.text)
 
 
 def close(first: Values | None, second: Values | None) -> bool:
@@ -117,79 +141,93 @@ class Screen:
 
     def _evaluate(self, tree: Tree) -> Values | None:
         match tree:
-            case Number() | Constant() | Name():
-                return self._atom(tree)
-            case Sum(parts):
-                return self._folded(parts, add, 0.0)
-            case Product(parts):
-                return self._folded(parts, mul, 1.0)
-            case Quotient(numerator, denominator):
-                return self._applied(truediv, (numerator, denominator))
-            case Negation(operand):
-                return self._applied(lambda value: -value, (operand,))
-            case Power(base, exponent):
-                return self._applied(lambda x, n: x**n, (base, exponent))
-            case Call(function, arguments):
-                return self._applied(FUNCTIONS[function], arguments)
             case Array():
                 return None
-
-    def _atom(self, tree: Number | Constant | Name) -> Values:
-        if isinstance(tree, Name):
-            return self.names[tree.name]
-        if isinstance(tree, Constant):
-            return self.constant(math.pi if tree.name == "pi" else math.e)
-        return self.constant(float(tree.value))
-
-    def _applied(self, operation: Callable[..., float], operands: Sequence[Tree]) -> Values | None:
-        values = [self(operand) for operand in operands]
-        known = [value for value in values if value is not None]
-        return combined(operation, *known) if len(known) == len(values) else None
-
-    def _folded(self, parts: Sequence[Tree], operation: Callable[[float, float], float], start: float) -> Values | None:
-        values = [self(part) for part in parts]
-        known = [value for value in values if value is not None]
-        return total(known, operation, start) if len(known) == len(values) else None
-
-    def required(self, tree: Tree, child: int, needed: Values) -> Values | None:
-        """What a subtree would have to be worth for the tree to be worth what is needed."""
-        match tree:
-            case Sum(parts):
-                rest = self._folded([*parts[:child], *parts[child + 1 :]], add, 0.0)
-                return rest and combined(sub, needed, rest)
-            case Product(parts):
-                rest = self._folded([*parts[:child], *parts[child + 1 :]], mul, 1.0)
-                return rest and combined(truediv, needed, rest)
-            case Quotient(numerator, denominator):
-                return self._required_of_quotient(numerator, denominator, child, needed)
-            case Negation():
-                return combined(lambda value: -value, needed)
-            case Power(base, exponent):
-                return self._required_of_power(base, exponent, child, needed)
-            case Call("abs", (argument,)):
-                inside = self(argument)
-                return inside and combined(math.copysign, needed, inside)
-            case Call(function) if function in INVERSES:
-                return combined(INVERSES[function], needed)
+            case Name(name):
+                return self.names[name]
+            case Number() | Constant():
+                return self.constant(_number(tree))
             case _:
-                return None
+                return combined(_operation(tree), *map(self, children(tree)))
 
-    def _required_of_quotient(self, numerator: Tree, denominator: Tree, child: int, needed: Values) -> Values | None:
-        if child == 0:
-            below = self(denominator)
-            return below and combined(mul, needed, below)
-        above = self(numerator)
-        return above and combined(truediv, above, needed)
+    def required(self, tree: Tree, needed: Values) -> list[Values | None]:
+        """What each subtree would have to be worth for the tree to be worth what is needed."""
+        match tree:
+            case Sum():
+                return [combined(sub, needed, rest) for rest in self._rests(tree)]
+            case Product():
+                return [combined(truediv, needed, rest) for rest in self._rests(tree)]
+            case Quotient(above, below):
+                return [combined(mul, needed, self(below)), combined(truediv, self(above), needed)]
+            case Negation():
+                return [combined(neg, needed)]
+            case Power(base, exponent):
+                return self._required_of_power(self(base), self(exponent), needed)
+            case Call("abs", (argument,)):
+                return [combined(math.copysign, needed, self(argument))]
+            case Call(function) if function in INVERSES:
+                return [combined(INVERSES[function], needed)]
+            case _:
+                return []
 
-    def _required_of_power(self, base: Tree, exponent: Tree, child: int, needed: Values) -> Values | None:
-        bases, exponents = self(base), self(exponent)
-        if bases is None or exponents is None:
-            return None
-        if child:
-            return combined(_exponent, needed, bases)
+    def _rests(self, node: Sum | Product) -> list[Values | None]:
+        """For each part, what the others make together."""
+        before, after = self.running(node)
+        return [combined(OPERATIONS[type(node)], *two) for two in zip(before, after[1:], strict=False)]
+
+    def running(self, node: Sum | Product) -> tuple[list[Values | None], list[Values | None]]:
+        """What the parts before each place make together, and those from each place on."""
+        values = [self(part) for part in children(node)]
+        return self._accumulated(node, values), self._accumulated(node, values[::-1])[::-1]
+
+    def _accumulated(self, node: Sum | Product, values: Sequence[Values | None]) -> list[Values | None]:
+        operation = OPERATIONS[type(node)]
+        totals: list[Values | None] = [self.constant(operation())]
+        for value in values:
+            totals.append(combined(operation, totals[-1], value))
+        return totals
+
+    @staticmethod
+    def _required_of_power(bases: Values | None, exponents: Values | None, needed: Values) -> list[Values | None]:
         root = combined(_base, needed, exponents)
-        is_even = not any(exponent % 2 for exponent in exponents)
-        return combined(math.copysign, root, bases) if root and is_even else root
+        is_even = exponents is not None and not any(exponent % 2 for exponent in exponents)
+        return [combined(math.copysign, root, bases) if is_even else root, combined(_exponent, needed, bases)]
+
+
+class Program:
+    """A tree as a list of steps, which is run at one point after another in less time than a walk takes."""
+
+    def __init__(self, tree: Tree) -> None:
+        self._places: dict[str | int, int] = {}  # of names, and of nodes by their identity
+        self._tree = tree  # lives as long as its nodes are known
+        self._steps: list[tuple[Callable[..., float], tuple[int, ...]]] = []
+        self._result = self._add(tree)
+
+    def __call__(self, names: Mapping[str, float]) -> Values | None:
+        """The value where the symbols have these values; None where it is no real number."""
+        slots: list[float] = []
+        try:
+            for operation, operands in self._steps:
+                slots.append(operation(*[slots[place] for place in operands]) if operands else operation(names))
+        except (ArithmeticError, TypeError, ValueError):
+            return None
+        return (slots[self._result],) if not isinstance(slots[self._result], complex) else None
+
+    def _add(self, tree: Tree) -> int:
+        key = tree.name if isinstance(tree, Name) else id(tree)
+        if key not in self._places:
+            operands = tuple(map(self._add, children(tree)))
+            self._steps.append((_operation(tree) if operands else _reader(tree), operands))
+            self._places[key] = len(self._steps) - 1
+        return self._places[key]
+
+
+def _reader(tree: Tree) -> Callable[[Mapping[str, float]], float]:
+    """What gives the value of a leaf."""
+    if isinstance(tree, Name):
+        return itemgetter(tree.name)
+    number = _number(tree) if isinstance(tree, Number | Constant) else math.nan
+    return lambda _: number
 
 
 def _exponent(power: float, base: float) -> float:

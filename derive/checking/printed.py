@@ -56,6 +56,17 @@ class Printed:
         """The formula as it was read."""
         return to_text(self.tree)
 
+    @property
+    def dimensions(self) -> Tensor[Dimension | None]:
+        """The dimension of each entry; None where terms of different dimension are added, and the like."""
+        return self.entries.map(self._dimension)
+
+    def _dimension(self, entry: Tree) -> Dimension | None:
+        try:
+            return dimension_of(entry, self.names.dimensions)
+        except WrongDimensions:
+            return None
+
 
 def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
     """The quantity's symbols, and the paper's own names for expressions in them.

@@ -1,6 +1,7 @@
 """What else a formula that differs may be: right under a condition, or another quantity of the catalogue.
 
-What is worth the same at a point is looked up, so that only few equalities are left to prove.
+Only quantities of the same dimension, in the symbols that are printed, are derived; what is worth the same at a point
+is looked up, so that only few equalities are left to prove.
 """
 
 from __future__ import annotations
@@ -9,10 +10,11 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.dimensions import Dimension
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.points import generic_points
 from radartrack.derive.checking.reference import Part, Reference
@@ -23,7 +25,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Index, Tensor, indices
 from radartrack.derive.variable import Variable
 
-SECONDS = 0.5  # spent on deriving other quantities to compare with
+SECONDS = 0.3  # spent on deriving other quantities to compare with
 ALIKE = 1e-40
 
 Point = tuple[tuple[str, Number], ...]
@@ -31,11 +33,26 @@ Point = tuple[tuple[str, Number], ...]
 
 @dataclass(frozen=True)
 class Asked:
-    """What is printed, what it was compared with, and under which conditions."""
+    """What is printed and of what dimension, what it was compared with, and under which conditions."""
 
     reference: Reference
     printed: Tensor[Expr]
+    dimensions: Tensor[Dimension | None]
     conditions: Mapping[Symbol, Expr]
+
+    def may_be(self, quantity: Quantity, places: Sequence[Index]) -> bool:
+        """Whether these entries of a quantity have the dimensions and the symbols that are printed."""
+        units = (Dimension.of(quantity.unit(place)) for place in places)
+        return self._symbols <= set(quantity.symbols) and all(
+            found is not None and (found.free or found.agrees(unit))
+            for found, unit in zip(self.dimensions, units, strict=True)
+        )
+
+    @cached_property
+    def _symbols(self) -> set[Symbol]:
+        """Those that stay, whatever is set to zero."""
+        used = set[Symbol]().union(*(entry.xreplace(self.conditions).free_symbols for entry in self.printed))
+        return used - {symbol for symbol in self.reference.symbols if symbol.is_correlation}
 
 
 @dataclass(frozen=True)
@@ -96,12 +113,16 @@ def _others(asked: Asked, part: Part) -> Iterator[str]:
     deadline = time.monotonic() + SECONDS
     for quantity in _candidates(part.quantity):
         for places, name in _slices(part, quantity):
-            for sign, prefix in ((1, ""), (-1, "-")):
-                for trial in trials:
-                    if trial.equals(quantity, places, sign):
-                        yield f"{prefix}{name}{trial.when}"
-        if time.monotonic() > deadline:
-            return
+            if time.monotonic() > deadline:
+                return
+            if asked.may_be(quantity, places):
+                yield from (f"{sign}{name}{trial.when}" for sign, trial in _equalities(trials, quantity, places))
+
+
+def _equalities(trials: Sequence[_Trial], quantity: Quantity, places: Sequence[Index]) -> Iterator[tuple[str, _Trial]]:
+    """With which sign, and in which trials, the formula is these entries of a quantity."""
+    for sign, prefix in ((1, ""), (-1, "-")):
+        yield from ((prefix, trial) for trial in trials if trial.equals(quantity, places, sign))
 
 
 def _as_asked(asked: Asked) -> _Trial | None:

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import sub, truediv
 
-from radartrack.derive.checking.edits import Alternative, alternatives, everywhere
+from radartrack.derive.checking.edits import Alternative, alternatives, everywhere, exchanges
 from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
-from radartrack.derive.checking.numeric import Screen, Values, close, combined
+from radartrack.derive.checking.numeric import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.checking.pieces import Pieces
 from radartrack.derive.checking.printed import Names
 from radartrack.derive.formula.tree import (
@@ -101,14 +101,15 @@ class Search:
         return sorted(found, key=lambda candidate: candidate.cost)
 
     def _everywhere(self, tree: Tree) -> Iterator[Candidate]:
+        program = Program(tree)
+        point = {name: values[0] for name, values in self._screen.names.items()}
         for edit in everywhere(sorted(names_of(tree)), self._kinds):
             if edit.values is not None:
-                changed = {name: value(self._quick.names) for name, value in edit.values.items()}
-                quick = Screen({**self._quick.names, **changed}, self._quick.size)
-                if not close(quick(tree), self._target[:QUICK]):
+                changed = {name: value(point) for name, value in edit.values.items()}
+                if not close(program(point | changed), self._target[:1]):
                     continue
             edited = rebuild(tree, edit.change)
-            if edited != tree and self._is_worth(edited, self._target):
+            if edited is not tree and self._is_worth(edited, self._target):
                 yield Candidate(edited, edit.words, edit.cost)
 
     def _is_worth(self, tree: Tree, needed: Values) -> bool:
@@ -123,7 +124,7 @@ class Search:
         firsts = [
             Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
             for path, node in walk(tree)
-            for edit in (*alternatives(node, self._kinds), *_other_numbers(node))
+            for edit in (*alternatives(node, self._kinds), *_exchanged(node), *_other_numbers(node))
             if edit.cost <= 1.1
         ]
         for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
@@ -140,16 +141,17 @@ class Search:
         while waiting:
             part = waiting.pop()
             yield part
-            for place, child in enumerate(children(part.node)):
-                wanted = self._screen.required(part.node, place, part.needed)
-                if wanted is not None:
+            wanted = self._screen.required(part.node, part.needed)
+            for place, (child, needed) in enumerate(zip(children(part.node), wanted, strict=False)):
+                if needed is not None:
                     is_all = part.is_all and isinstance(part.node, Negation)
-                    waiting.append(_Part((*part.path, place), child, part.node, wanted, is_all))
+                    waiting.append(_Part((*part.path, place), child, part.node, needed, is_all))
 
     def _replacements(self, part: _Part) -> Iterator[Alternative]:
         for edit in alternatives(part.node, self._kinds):
             if self._is_worth(edit.tree, part.needed):
                 yield edit
+        yield from self._exchanges(part)
         yield from self._number(part)
         yield from self._zero(part)
         ratio = self._fitter.fit(self._by(truediv, part))
@@ -162,10 +164,21 @@ class Search:
         yield from self._missing_term(part)
         yield from self._other_term(part)
 
+    def _exchanges(self, part: _Part) -> Iterator[Alternative]:
+        """Other neighbouring terms or factors, weighed by what the rest of them make together."""
+        node = part.node
+        if not isinstance(node, Sum | Product):
+            return
+        before, after = self._quick.running(node)
+        for one in exchanges(node):
+            new = map(self._quick, one.new)
+            together = combined(OPERATIONS[type(node)], before[one.place], *new, after[one.end])
+            if close(together, part.needed[:QUICK]) and self._is_worth((edit := one.of(node)).tree, part.needed):
+                yield edit
+
     def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
         """What is needed by what is printed: the ratio or the difference."""
-        values = self._screen(part.node)
-        return values and combined(operation, part.needed, values)
+        return combined(operation, part.needed, self._screen(part.node))
 
     def _piece_as_factor(self, part: _Part) -> Iterator[Alternative]:
         """A part of the derived formula that is missing as a factor or a divisor."""
@@ -246,6 +259,11 @@ class Search:
         factors: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
         found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
+
+
+def _exchanged(node: Tree) -> Iterator[Alternative]:
+    if isinstance(node, Sum | Product):
+        yield from (one.of(node) for one in exchanges(node))
 
 
 def _terms(tree: Tree) -> tuple[Tree, ...]:

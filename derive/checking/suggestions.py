@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from radartrack.derive.checking.comparison import Comparison
 from radartrack.derive.checking.display import shown
@@ -15,6 +16,7 @@ from radartrack.derive.checking.printed import Names
 from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.grammar import check_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import (
@@ -60,10 +62,17 @@ def suggest(
 
 def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
     """The derived formula as it would be printed, unless it is too long."""
+    tree = _read(shown(Tensor((), (derived,))), frozenset(names.values))
+    return [tree] if tree else []
+
+
+@lru_cache(maxsize=64)
+def _read(text: str, names: frozenset[str]) -> Tree | None:
+    """The formula, where it is one that is read."""
     try:
-        return [read_text(shown(Tensor((), (derived,))), names.values)]
+        return read_text(text, names)
     except FormulaError:
-        return []
+        return None
 
 
 def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
@@ -81,7 +90,7 @@ def _confirmed(
     symbols: Sequence[Variable],
     conditions: Mapping[Symbol, Expr],
 ) -> Iterator[Edited]:
-    """Those that are proved, each formula once; one that cannot be proved is said to be so."""
+    """Those that can be read and are proved, each formula once; one that cannot be proved is said to be so."""
     seen: set[str] = set()
     best = math.inf
     for candidate in candidates:
@@ -89,7 +98,7 @@ def _confirmed(
         if formula in seen or len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
             continue
         try:
-            expression = names.read(candidate.tree).xreplace(conditions)
+            expression = names.read(check_tree(candidate.tree)).xreplace(conditions)
         except FormulaError:
             continue
         seen.add(formula)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from operator import is_
 from typing import TypeAlias, TypeVar
 
 from radartrack.derive.formula.error import Span
@@ -181,9 +182,10 @@ def replace_at(tree: Tree, path: Path, new: Tree) -> Tree:
 
 
 def rebuild(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
-    """The tree with `change` applied to every node, leaves first."""
+    """The tree with `change` applied to every node, leaves first; what does not change stays the same object."""
     below = children(tree)
-    return change(with_children(tree, tuple(rebuild(child, change) for child in below)) if below else tree)
+    new = tuple(rebuild(child, change) for child in below)
+    return change(tree if all(map(is_, below, new)) else with_children(tree, new))
 
 
 def names(tree: Tree) -> frozenset[str]:

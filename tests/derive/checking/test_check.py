@@ -6,9 +6,11 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.catalogue import UnknownQuantity
+from radartrack.derive.checking import relatives
 from radartrack.derive.checking.reference import UnknownEntry
 from radartrack.derive.checking.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.units import METRE
 
 LINEAR = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"
 INDEPENDENT = {"rho": "0"}
@@ -147,6 +149,25 @@ def test_every_suggestion_is_itself_found_equal() -> None:
         assert check("polar.bias.second_order[0]", suggestion.formula, given=INDEPENDENT).is_equal
 
 
+def test_what_cannot_be_read_is_not_suggested() -> None:
+    name, formula = "finite_sample.degree0.range.covariance[0,0]", "((sigma_r**3)**3)/k"
+    suggestions = check(name, formula).suggestions  # not ((sigma_r**3)**3)**(2/9)/k
+    assert suggestions
+    assert all(check(name, one.formula).is_equal for one in suggestions)
+
+
+def test_only_quantities_of_the_printed_dimension_and_symbols_are_derived(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+    values = relatives._values
+    monkeypatch.setattr(relatives, "_values", lambda quantity, point: asked.append(quantity) or values(quantity, point))
+    check("polar.decorrelated.covariance[0,0]", "predicted_sigma_r**2*cos(beta)**2")
+    assert {quantity.unit((0, 0)) for quantity in asked} == {METRE**2}
+    assert {quantity.name for quantity in asked} == {"polar.decorrelated.covariance"}
+    asked.clear()
+    check("polar.covariance.linear[0,0]", f"{LINEAR} + r")
+    assert not asked
+
+
 def test_two_slips_at_once_are_found() -> None:
     verdict = check(
         "polar.covariance.linear[0,1]", "(sigma_r**2 + r**2*sigma_beta)*sin(beta)*cos(beta)", given=INDEPENDENT
@@ -251,6 +272,17 @@ def test_a_verdict_is_quick() -> None:
     start = time.process_time()
     check("polar.covariance.averaged[0,0]", LINEAR, given=INDEPENDENT)
     assert time.process_time() - start < 2
+
+
+def test_a_verdict_on_a_long_formula_with_a_slip_is_quick() -> None:
+    name = "ruv.covariance.truth.fourth_order[0,2]"
+    formula = check(name, "0").derived
+    slip = formula.replace("(5/2)", "(3/2)", 1)
+    assert len(slip) > 4000
+    start = time.process_time()
+    verdict = check(name, slip)
+    assert time.process_time() - start < 4
+    assert verdict.suggestions[0].formula == formula
 
 
 def _edits(verdict: Verdict) -> list[str]:
