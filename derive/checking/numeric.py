@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from operator import itemgetter, mul, neg, sub, truediv
+from typing import TypeAlias
 
 from radartrack.derive.formula.tree import (
     Array,
@@ -22,6 +23,7 @@ from radartrack.derive.formula.tree import (
 )
 
 Values = tuple[float, ...]
+Running: TypeAlias = "list[Values | None]"  # of one part, of two, and so on
 TOLERANCE = 1e-9
 
 FUNCTIONS: Mapping[str, Callable[..., float]] = {
@@ -123,6 +125,7 @@ class Screen:
         self.names = names
         self.size = size
         self._known: dict[int, tuple[Tree, Values | None]] = {}
+        self._running: dict[int, tuple[Tree, Running, Running]] = {}
 
     def constant(self, value: float) -> Values:
         """The same number at every point."""
@@ -175,14 +178,17 @@ class Screen:
         before, after = self.running(node)
         return [combined(OPERATIONS[type(node)], *two) for two in zip(before, after[1:], strict=False)]
 
-    def running(self, node: Sum | Product) -> tuple[list[Values | None], list[Values | None]]:
+    def running(self, node: Sum | Product) -> tuple[Running, Running]:
         """What the parts before each place make together, and those from each place on."""
-        values = [self(part) for part in children(node)]
-        return self._accumulated(node, values), self._accumulated(node, values[::-1])[::-1]
+        if id(node) not in self._running:
+            values = [self(part) for part in children(node)]
+            before, after = self._accumulated(node, values), self._accumulated(node, values[::-1])
+            self._running[id(node)] = node, before, after[::-1]
+        return self._running[id(node)][1:]
 
-    def _accumulated(self, node: Sum | Product, values: Sequence[Values | None]) -> list[Values | None]:
+    def _accumulated(self, node: Sum | Product, values: Sequence[Values | None]) -> Running:
         operation = OPERATIONS[type(node)]
-        totals: list[Values | None] = [self.constant(operation())]
+        totals: Running = [self.constant(operation())]
         for value in values:
             totals.append(combined(operation, totals[-1], value))
         return totals

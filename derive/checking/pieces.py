@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
 
 from radartrack.derive.checking.numeric import Screen, Values, close
 from radartrack.derive.formula.tree import Array, Name, Negation, Number, Tree, walk
@@ -17,7 +16,7 @@ class Pieces:
     """Parts of some trees by their values, up to sign."""
 
     def __init__(self, trees: Iterable[Tree], screen: Screen) -> None:
-        self._known: dict[float, list[tuple[Tree, Values]]] = {}
+        self._known: dict[int, list[tuple[Tree, Values]]] = {}
         nodes = dict.fromkeys(node for tree in trees for _, node in walk(tree))
         for node in list(nodes)[:MOST]:
             if not isinstance(node, Number | Name | Negation | Array):
@@ -38,8 +37,6 @@ class Pieces:
             self._known.setdefault(_key(values), []).append((tree, values))
 
 
-def _key(values: Values) -> float:
+def _key(values: Values) -> int:
     """The size at the first point to a few digits."""
-    size = abs(values[0])
-    scale = 10.0 ** (DIGITS - math.floor(math.log10(size)))
-    return float(Fraction(round(size * scale)) / Fraction(scale))
+    return round(math.log(abs(values[0])) * 10**DIGITS)

@@ -169,12 +169,11 @@ class Search:
         node = part.node
         if not isinstance(node, Sum | Product):
             return
-        before, after = self._quick.running(node)
+        before, after = self._screen.running(node)
         for one in exchanges(node):
-            new = map(self._quick, one.new)
-            together = combined(OPERATIONS[type(node)], before[one.place], *new, after[one.end])
-            if close(together, part.needed[:QUICK]) and self._is_worth((edit := one.of(node)).tree, part.needed):
-                yield edit
+            new = map(self._screen, one.new)
+            if close(combined(OPERATIONS[type(node)], before[one.place], *new, after[one.end]), part.needed):
+                yield one.of(node)
 
     def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
         """What is needed by what is printed: the ratio or the difference."""

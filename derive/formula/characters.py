@@ -8,7 +8,8 @@ from collections.abc import Collection
 
 from radartrack.derive.formula.error import FormulaError
 
-MAX_CHARACTERS = 20_000
+MAX_CHARACTERS = 80_000  # the longest matrix that is derived has 57 000
+MAX_PRINTED = 20_000  # of LaTeX
 
 _FOREIGN = re.compile(r"[^\x20-\x7e\t\n\r]")
 _INSTEAD = {
@@ -34,8 +35,9 @@ def check_characters(source: str, names: Collection[str], *, latex: bool = False
     Raises:
         FormulaError: naming the character and saying what to type instead.
     """
-    if len(source) > MAX_CHARACTERS:
-        raise FormulaError(f"the formula has {len(source)} characters; at most {MAX_CHARACTERS} are read")
+    most = MAX_PRINTED if latex else MAX_CHARACTERS
+    if len(source) > most:
+        raise FormulaError(f"the formula has {len(source)} characters; at most {most} are read")
     if not source.strip():
         raise FormulaError("the formula is empty")
     if found := _FOREIGN.search(source):

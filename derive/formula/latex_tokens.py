@@ -16,7 +16,7 @@ from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS, SQUARED_BY_NAME
 from radartrack.derive.formula.latex_names import ACCENTS, GREEK, resolve
 from radartrack.derive.formula.latex_pieces import CLOSERS, FUNCTIONS, Piece, pieces
-from radartrack.derive.formula.limits import check_brackets, check_count
+from radartrack.derive.formula.limits import MAX_PRINTED, check_brackets, check_count
 from radartrack.derive.formula.names import unknown_function, unknown_name
 
 _BRACKET_TOKENS = {
@@ -283,7 +283,7 @@ class _Tokenizer:
 
     def _emit(self, kind: str, value: str, span: Span) -> None:
         self.operands += kind in _OPERANDS
-        check_count(self.operands)
+        check_count(self.operands, MAX_PRINTED)
         self.tokens.append(Token(kind, value, start_pos=span[0], end_pos=span[1]))
 
 

@@ -9,7 +9,8 @@ from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.tree import Tree, children
 
 MAX_DEPTH = 100  # of brackets, and of the tree
-MAX_NODES = 5_000
+MAX_NODES = 30_000
+MAX_PRINTED = 5_000  # nodes of what is printed in LaTeX
 MAX_DIGITS = 40  # of one number; its decimal exponent is at most as large
 
 _NUMBER = re.compile(r"(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?")
@@ -44,14 +45,14 @@ def check_brackets(brackets: Iterable[tuple[str, Span]], closers: Mapping[str, s
     return pairs
 
 
-def check_count(parts: int) -> None:
+def check_count(parts: int, most: int = MAX_NODES) -> None:
     """Refuse more parts than a tree may have nodes, before the tree is made.
 
     Raises:
         FormulaError: naming the limit.
     """
-    if parts > MAX_NODES:
-        raise FormulaError(f"the formula has more than {MAX_NODES} parts")
+    if parts > most:
+        raise FormulaError(f"the formula has more than {most} parts")
 
 
 def check_number(text: str, span: Span | None = None) -> None:

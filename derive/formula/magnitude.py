@@ -83,6 +83,9 @@ class Measure:
     has_logarithm: bool
 
 
+_SYMBOL = Measure(degree=1, digits=0, value=None, has_logarithm=False)
+
+
 def check_magnitude(tree: Tree) -> None:
     """Refuse exponents, degrees and numbers that are too large, and numbers that are not real.
 
@@ -93,6 +96,8 @@ def check_magnitude(tree: Tree) -> None:
 
 
 def _measure(tree: Tree) -> Measure:
+    if isinstance(tree, Name):
+        return _SYMBOL
     parts = [_measure(child) for child in children(tree)]
     if isinstance(tree, Power):
         _check_power(tree, *parts)
@@ -107,7 +112,7 @@ def _measure(tree: Tree) -> Measure:
             span=tree.span,
         )
     values = [part.value for part in parts if part.value is not None]
-    constant = len(values) == len(parts) and not isinstance(tree, Name | Array)
+    constant = len(values) == len(parts) and not isinstance(tree, Array)
     logarithm = any(part.has_logarithm for part in parts) or (isinstance(tree, Call) and tree.function == "log")
     return Measure(degree, digits, _checked_value(tree, values) if constant else None, logarithm)
 
@@ -115,8 +120,6 @@ def _measure(tree: Tree) -> Measure:
 def _degree(tree: Tree, parts: Sequence[Measure]) -> int:
     degrees = [part.degree for part in parts]
     match tree:
-        case Name():
-            return 1
         case Product() | Quotient():
             return sum(degrees)
         case Power() if isinstance(parts[1].value, Fraction):
@@ -202,5 +205,5 @@ def _value(tree: Tree, operands: Sequence[Value]) -> Value:
             return operands[0] / operands[1]
         case Negation():
             return -operands[0]
-        case _:  # a power: names and arrays have no value
+        case _:  # a power: arrays have no value
             return operands[0] ** operands[1]

@@ -7,10 +7,12 @@ count.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from operator import is_
+from functools import lru_cache
+from operator import attrgetter, is_
+from types import MappingProxyType
 from typing import TypeAlias, TypeVar
 
 from radartrack.derive.formula.error import Span
@@ -34,7 +36,10 @@ class Number(Node):
     @property
     def value(self) -> Fraction:
         """The exact value of the decimal."""
-        return Fraction(self.text)
+        return _fraction(self.text)
+
+
+_fraction = lru_cache(maxsize=1024)(Fraction)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,15 +114,21 @@ AnyTree = TypeVar("AnyTree", bound=Node)
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """The subtrees directly below, in the order printed."""
-    match tree:
-        case Sum(parts) | Product(parts) | Call(_, parts) | Array(parts):
-            return parts
-        case Quotient(first, second) | Power(first, second):
-            return (first, second)
-        case Negation(operand):
-            return (operand,)
-        case Number() | Constant() | Name():
-            return ()
+    return _CHILDREN[type(tree)](tree)
+
+
+_CHILDREN: Mapping[type[Tree], Callable[..., tuple[Tree, ...]]] = MappingProxyType(
+    {
+        Sum: attrgetter("terms"),
+        Product: attrgetter("factors"),
+        Call: attrgetter("arguments"),
+        Array: attrgetter("entries"),
+        Quotient: attrgetter("numerator", "denominator"),
+        Power: attrgetter("base", "exponent"),
+        Negation: lambda tree: (tree.operand,),
+        **dict.fromkeys((Number, Constant, Name), lambda _: ()),
+    }
+)
 
 
 def with_children(tree: Tree, new: tuple[Tree, ...]) -> Tree:

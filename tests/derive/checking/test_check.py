@@ -7,7 +7,8 @@ import pytest
 from radartrack.derive import check
 from radartrack.derive.catalogue import UnknownQuantity
 from radartrack.derive.checking import relatives
-from radartrack.derive.checking.reference import UnknownEntry
+from radartrack.derive.checking.display import shown
+from radartrack.derive.checking.reference import UnknownEntry, refer
 from radartrack.derive.checking.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.units import METRE
@@ -272,6 +273,13 @@ def test_a_verdict_is_quick() -> None:
     start = time.process_time()
     check("polar.covariance.averaged[0,0]", LINEAR, given=INDEPENDENT)
     assert time.process_time() - start < 2
+
+
+def test_the_longest_derived_matrix_is_read_and_proved() -> None:
+    name = "ruv.decorrelated.covariance.fourth_order"
+    formula = shown(refer(name).entries)
+    assert len(formula) > 50_000
+    assert check(name, formula).verdict is Outcome.EQUAL
 
 
 def test_a_verdict_on_a_long_formula_with_a_slip_is_quick() -> None:

@@ -58,6 +58,24 @@ def test_hostile_formulas_are_refused_at_once_and_in_little_memory() -> None:
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 500 * 1024
 
 
+LONG = {
+    "powers of sums": "+".join(f"(r + {n}*beta)**64" for n in range(3_000)),
+    "roots": "+".join(f"sqrt(r**2 + {n}*sigma_beta**2)" for n in range(1, 2_500)),
+    "exponentials": "*".join(f"(1 + exp(-{n}*beta**2))" for n in range(250)),
+}
+
+
+@pytest.mark.parametrize("formula", LONG.values(), ids=LONG.keys())
+def test_a_long_formula_within_the_limits_takes_no_more_time_and_memory_than_it_is_given(formula: str) -> None:
+    with Decider(60) as decider:
+        decider.decide(RIGHT)
+        decider._timeout = 1
+        start = time.monotonic()
+        decider.decide(Claim("e", "polar.covariance.linear[0,0]", formula=formula))
+        assert time.monotonic() - start < 4
+    assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 500 * 1024
+
+
 def test_a_child_that_dies_is_no_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(deadline, "COMMAND", (deadline.COMMAND[0], "-c", "print('ready')"))
     with Decider(60) as decider:
