@@ -12,12 +12,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import reduce
 
+import mpmath
+
 from radartrack.derive import symbolic as sp
+from radartrack.derive.checking.radicands import DIGITS, split
 from radartrack.derive.exponential import ExponentialPolynomial, ring_over
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
 LARGEST_PRIME = 1000
 PRIMES = 8  # different ones whose roots a number may need
+FACTORS = 6  # different ones whose roots a radicand may need
 
 
 class NotCanonical(ValueError):
@@ -59,6 +63,11 @@ class Quotient:
         if self.denominators or self.numerator.terms.keys() - {zero}:
             return None
         return self.numerator.terms.get(zero, zero)
+
+    @property
+    def number(self) -> sp.PolyCoefficient | None:
+        """The same as a number, if it is one."""
+        return self.polynomial.LC if self.polynomial is not None and self.polynomial.is_ground else None
 
 
 @dataclass(frozen=True)
@@ -233,8 +242,8 @@ class Field:
         if self.vanishes(radicand):
             return self._number(0)
         outside, inside = self._without_powers(radicand, degree)
-        if inside.polynomial is not None and inside.polynomial.is_ground and not inside.polynomial.LC.y:
-            return outside * self._root_of_number(inside.polynomial.LC.x, degree)
+        if inside.number is not None and not inside.number.y:
+            return outside * self._root_of_number(inside.number.x, degree)
         for generator in self.generators:
             if generator.kind != "root" or generator.degree != degree:
                 continue
@@ -244,54 +253,43 @@ class Field:
         return outside * self._ground(self._generator("root", (inside,), degree).symbol)
 
     def _without_powers(self, radicand: Quotient, degree: int) -> tuple[Quotient, Quotient]:
-        """The root of positive divisors and of positive symbols that multiply everything, and what is left inside."""
-        outside, denominators = self._number(1), Counter(radicand.denominators)
+        """The root of what is never negative and multiplies or divides everything, and what is left inside."""
+        outside, inside = self._taken_out(radicand.numerator, degree)
+        denominators: Counter[ExponentialPolynomial] = Counter()
         for base, power in radicand.denominators.items():
-            root = self._root_of_positive(base, degree)
-            if root is not None:
-                outside = outside * self._inverse(root) ** power
-                del denominators[base]
-        powers = zip(_shared_powers(radicand.numerator), self._positive, strict=True)
-        shared = [power if may else 0 for power, may in powers]
-        inside = {e: _divided(c, shared) for e, c in radicand.numerator.terms.items()}
-        outside = outside * self._root_of_monomial(tuple(shared), degree)
-        return outside, Quotient(ExponentialPolynomial(self._ring, inside), denominators)
+            root, rest = self._taken_out(base, degree)
+            outside = outside * self._inverse(root) ** power
+            if number := Quotient(rest).number:
+                inside = inside * ExponentialPolynomial.constant(self._ring, self._ring(1 / number)) ** power
+            else:
+                denominators[rest] += power
+        return outside, Quotient(inside, denominators)
+
+    def _taken_out(self, value: ExponentialPolynomial, degree: int) -> tuple[Quotient, ExponentialPolynomial]:
+        """The root of the factors that are never negative, and the rest; of exponentials, only symbols are factors."""
+        zero = self._ring.zero
+        if value.terms.keys() == {zero}:
+            factors, left = split(value.terms[zero], self._constants)
+            return self._root_of_factors(factors, degree), ExponentialPolynomial.constant(self._ring, left)
+        powers = zip(_shared_powers(value), self._ring.symbols, strict=True)
+        shared = [power if symbol.is_nonnegative else 0 for power, symbol in powers]
+        rest = ExponentialPolynomial(self._ring, {e: _divided(c, shared) for e, c in value.terms.items()})
+        return self._root_of_factors(zip(self._ring.gens, shared, strict=True), degree), rest
 
     @property
-    def _positive(self) -> list[bool]:
-        """For each symbol of the ring, whether it is above zero."""
-        pi = [one.symbol for one in self.generators if one.kind == str(sp.pi.func)]
-        gens = zip(self._ring.gens, self._ring.symbols, strict=True)
-        return [symbol.is_positive is True or gen in pi for gen, symbol in gens]
+    def _constants(self) -> dict[PolyElement, mpmath.mpf]:
+        """The symbols of the ring that stand for numbers."""
+        with mpmath.workdps(DIGITS):
+            return {one.symbol: +mpmath.pi for one in self.generators if one.kind == str(sp.pi.func)}
 
-    def _root_of_positive(self, value: ExponentialPolynomial, degree: int) -> Quotient | None:
-        """The root of a product of positive symbols, or of a sum of what is never negative; None for anything else."""
-        zero = self._ring.zero
-        if value.terms.keys() != {zero}:
-            return None
-        terms = value.terms[zero].terms()
-        if len(terms) > 1:
-            if not all(map(self._is_never_negative, terms)):
-                return None
-            return self._ground(self._generator("root", (Quotient(value),), degree).symbol)
-        ((monomial, number),) = terms
-        positive = all(may for power, may in zip(monomial, self._positive, strict=True) if power)
-        return self._root_of_monomial(monomial, degree) if positive and number == self._ring.domain.one else None
-
-    def _is_never_negative(self, term: tuple[tuple[int, ...], sp.PolyCoefficient]) -> bool:
-        """Whether a term is a positive number times positive symbols and even powers."""
-        monomial, number = term
-        real = not number.y and number.x > 0
-        return real and all(may or power % 2 == 0 for power, may in zip(monomial, self._positive, strict=True))
-
-    def _root_of_monomial(self, powers: tuple[int, ...], degree: int) -> Quotient:
-        """The root of a product of positive symbols, a root of its own for each."""
+    def _root_of_factors(self, factors: Iterable[tuple[PolyElement, int]], degree: int) -> Quotient:
+        """The root of a product of what is never negative, a root of its own for each."""
         result = self._number(1)
-        for gen, power in zip(self._ring.gens, powers, strict=True):
+        for factor, power in factors:
             times, left = divmod(power, degree)
-            result = result * self._ground(gen) ** times
+            result = result * self._ground(factor) ** times
             if left:
-                root = self._generator("root", (self._ground(gen),), degree).symbol
+                root = self._generator("root", (self._ground(factor),), degree).symbol
                 result = result * self._ground(root) ** left
         return result
 
@@ -363,19 +361,22 @@ def _factors(number: int) -> dict[int, int]:
 
 
 def _generators_needed(expression: Expr) -> int:
-    """How many generators an expression needs at most; the roots of a number may be many."""
+    """How many generators an expression needs at most; the roots of a number and of a product may be many."""
     calls = [*expression.atoms(sp.Function, sp.Pow), *expression.atoms(sp.NumberSymbol)]
-    symbols = len(expression.free_symbols)
-    return sum(_room(call, symbols) for call in calls)
+    shared = len({call.exp.q for call in calls if _is_root(call)} | {2}) * (PRIMES + len(expression.free_symbols))
+    return shared + sum(map(_room, calls))
 
 
-def _room(call: Expr, symbols: int) -> int:
-    roots = PRIMES + symbols
+def _is_root(call: Expr) -> bool:
+    return isinstance(call, sp.Pow) and isinstance(call.exp, sp.Rational) and call.exp.q > 1
+
+
+def _room(call: Expr) -> int:
     if isinstance(call, sp.Pow):
-        return 0 if isinstance(call.exp, sp.Integer) else roots
+        return 0 if isinstance(call.exp, sp.Integer) else FACTORS
     if call.func in _WAVES or call.func in _RATIOS:
         return 0 if _is_polynomial(call.args[0]) else 1
-    return roots if call.func in {sp.Abs, sp.hypot} else 1
+    return FACTORS if call.func in {sp.Abs, sp.hypot} else 1
 
 
 def _is_polynomial(expression: Expr) -> bool:

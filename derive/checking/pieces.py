@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from radartrack.derive.checking.numeric import Screen, Values, close
 from radartrack.derive.formula.tree import Array, Name, Negation, Number, Tree, walk
 
-DIGITS = 7
+SCALE = 1e7  # digits of a size that are looked at
 MOST = 2000
 
 
@@ -39,4 +39,4 @@ class Pieces:
 
 def _key(values: Values) -> int:
     """The size at the first point to a few digits."""
-    return round(math.log(abs(values[0])) * 10**DIGITS)
+    return round(math.log(abs(values[0])) * SCALE)

@@ -119,21 +119,16 @@ def rewritings(expression: Expr) -> dict[str, Expr]:
     expanded = sp.expand(expression)
     return {
         "expanded": expanded,
-        "factored": expression if _has_roots(expression) else _factored(expression),
+        "factored": _factored(expression),
         "in exponentials": _replaced(expression, (sp.sinh, _sinh), (sp.cosh, _cosh), (sp.tanh, _tanh)),
         "over double angles": _replaced(expanded, (sp.Pow, _double_angle)),
         "half angles": _replaced(expression, (sp.sin, _half_sine), (sp.cos, _half_cosine)),
-        "one fraction": expression if _has_roots(expression) else sp.together(expression),
+        "one fraction": sp.together(expression),
     }
 
 
 def _factored(expression: Expr) -> Expr:
     return sp.factor(expression) if len(str(expression)) <= SHORT else sp.factor_terms(expression)
-
-
-def _has_roots(expression: Expr) -> bool:
-    """Roots of products are not taken apart: that they may be depends on signs."""
-    return any(not isinstance(power.exp, sp.Integer) for power in expression.atoms(sp.Pow))
 
 
 def _replaced(expression: Expr, *rules: tuple[type[Expr], Callable[[Expr], Expr]]) -> Expr:

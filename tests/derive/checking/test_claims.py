@@ -25,7 +25,6 @@ DIFFERENT = {
     "gao.eq8": "wrong_dimensions",
     "gao.eq9": "wrong_dimensions",
     "gao.eq9.estimate": "differs",
-    "gorshkov.eq22": "equal_numerically",
     "gorshkov.table.radar4.C": "differs",
     "gorshkov.correlation.range_and_rate": "differs",
     "gorshkov.range.second_scan": "differs",

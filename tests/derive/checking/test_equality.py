@@ -4,12 +4,15 @@ from random import Random
 
 import pytest
 import sympy
-from sympy import Abs, Integer, Rational, acos, atan, atan2, cos, cosh, exp, log, pi, sin, sinh, sqrt, tan, tanh
+from sympy import Abs, Integer, Rational, acos, atan, atan2, cbrt, cos, cosh, exp, log, pi, sin, sinh, sqrt, tan, tanh
 
 from radartrack.derive.checking.equality import proved_equal
+from radartrack.derive.units import ONE
+from radartrack.derive.variable import Variable
 
 x, y, u, v = sympy.symbols("x y u v", real=True)
 r, s, k, C = sympy.symbols("r s k C", positive=True)
+n = Variable("n", "a whole number from 3", ONE, 3, 100, whole=True)
 
 IDENTITIES = [
     (sin(2 * x), 2 * sin(x) * cos(x)),
@@ -32,6 +35,13 @@ IDENTITIES = [
     (sqrt(8) * x, 2 * sqrt(2) * x),
     (Abs(sin(x)), sqrt((1 - cos(2 * x)) / 2)),
     (sqrt(1 - 2 / pi), sqrt((pi - 2) / pi)),
+    (sqrt(r**2 * (1 - 2 / pi) + s * (1 - 2 / pi)), sqrt(1 - 2 / pi) * sqrt(r**2 + s)),
+    (sqrt(x * r / (2 - pi)), sqrt(-x * r) / sqrt(pi - 2)),
+    (sqrt(x**2 * r + y**2 * r + x**2 * s**2 + y**2 * s**2), sqrt(x**2 + y**2) * sqrt(r + s**2)),
+    (sqrt((k + C) / (k**2 + r)), sqrt(k + C) / sqrt(k**2 + r)),
+    (cbrt(8 * (r + s) ** 4 * x), 2 * (r + s) * cbrt(r + s) * cbrt(x)),
+    (sqrt((n**2 - 4) * x), sqrt(n - 2) * sqrt(n + 2) * sqrt(x)),
+    (sqrt((3 * n**2 - 3 * n - 17) / (n - 2)), sqrt(3 * n**2 - 3 * n - 17) / sqrt(n - 2)),
     (atan2(y, x), atan2(y, 2 * x - x)),
     (atan2(y * (1 + 1 / r), x), atan2(y + y / r, x)),
     (cos(x / r) ** 2 + sin(x / r) ** 2, Integer(1)),
@@ -56,6 +66,11 @@ DIFFERENT = [
     (1 / (k + 1), 1 / (k + 2)),
     (x / x - 1 + y, y + Rational(1, 10**30)),
     (sqrt(Integer(2)), Rational(665857, 470832)),
+    (sqrt(x * (1 - 4 / pi)), sqrt(1 - 4 / pi) * sqrt(x)),
+    (sqrt((k**2 - 4) / (k - 1)), sqrt(k**2 - 4) / sqrt(k - 1)),
+    (sqrt((n - 4) / (n - 5)), sqrt(n - 4) / sqrt(n - 5)),
+    (sqrt((x - 1) * (y - 1)), sqrt(x - 1) * sqrt(y - 1)),
+    (sqrt(n**2 - 4), n - 2),
 ]
 
 

@@ -1,0 +1,73 @@
+"""What may be taken out of a root: the factors of its radicand that are never negative."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+
+import mpmath
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.symbolic import PolyElement, PolyRing
+from radartrack.derive.variable import Variable
+
+DIGITS = 60
+CERTAIN = 1e-40
+
+Constants = Mapping[PolyElement, mpmath.mpf]
+
+
+def split(value: PolyElement, constants: Constants) -> tuple[list[tuple[PolyElement, int]], PolyElement]:
+    """Factors that are never negative, with their powers, and what is left of the polynomial.
+
+    Args:
+        value: a polynomial.
+        constants: symbols of the ring that stand for numbers.
+    """
+    ring = value.ring
+    if any(number.y for number in value.coeffs()):
+        return [], value
+    real = PolyRing(ring.symbols, sp.QQ).from_dict({monomial: number.x for monomial, number in value.terms()})
+    number, factors = real.factor_list()
+    rest, found = ring(sp.QQ_I(number, 0)), []
+    for factor, power in factors:
+        monic = ring.from_dict({monomial: sp.QQ_I(one / factor.LC, 0) for monomial, one in factor.terms()})
+        sign = _sign(monic, constants)
+        rest = rest * ring(sp.QQ_I(factor.LC, 0)) ** power * (ring(sign) if sign else monic) ** power
+        found += [(monic * sign, power)] if sign else []
+    return found, rest
+
+
+def _sign(value: PolyElement, constants: Constants) -> int:
+    """1 where a polynomial is never negative, -1 where it is never positive, 0 where neither is seen."""
+    numbers = _coefficients(_from_the_least(value), constants)
+    if all(number > CERTAIN for number in numbers):
+        return 1
+    return -1 if all(number < -CERTAIN for number in numbers) else 0
+
+
+def _from_the_least(value: PolyElement) -> PolyElement:
+    """The polynomial in how far its whole numbers exceed the least that they may be: k**2 - 4 is (k + 3)**2 - 4."""
+    for symbol, generator in zip(value.ring.symbols, value.ring.gens, strict=True):
+        if isinstance(symbol, Variable) and symbol.whole and symbol.low > 0:
+            value = value.compose(generator, generator + int(symbol.low))
+    return value
+
+
+def _coefficients(value: PolyElement, constants: Constants) -> list[mpmath.mpf]:
+    """The coefficients of a polynomial in what is no constant; nan for one of a monomial that may have either sign."""
+    places = {value.ring.gens.index(generator): number for generator, number in constants.items()}
+    collected: dict[tuple[int, ...], mpmath.mpf] = defaultdict(mpmath.mpf)
+    with mpmath.workdps(DIGITS):
+        for monomial, coefficient in value.terms():
+            number = mpmath.mpf(int(coefficient.x.numerator)) / int(coefficient.x.denominator)
+            for place, constant in places.items():
+                number *= constant ** monomial[place]
+            left = tuple(0 if place in places else power for place, power in enumerate(monomial))
+            collected[left] += number
+    return [number if _is_never_negative(value.ring, left) else mpmath.nan for left, number in collected.items()]
+
+
+def _is_never_negative(ring: PolyRing, monomial: tuple[int, ...]) -> bool:
+    powers = zip(ring.symbols, monomial, strict=True)
+    return all(symbol.is_nonnegative or power % 2 == 0 for symbol, power in powers)
