@@ -97,7 +97,10 @@ def _example(example: Record) -> str:
     values = [f"{name} = {quantity_value(value, units.get(name, '1'))}" for name, value in example["point"].items()]
     entry = f" entry {list(example['entry'])}:" if example["entry"] else ""
     place = f"at {', '.join(values)}:" if values else ""
-    compared = f"printed {number(example['printed'])}, derived {number(example['derived'])}"
+    derived = f"derived {number(example['derived'])}"
+    if example["printed"] is None:
+        return f"{place}{entry} what is printed is not real, {derived}".strip()
+    compared = f"printed {number(example['printed'])}, {derived}"
     return f"{place}{entry} {compared}, relative difference {percent(example['relative_difference'])}".strip()
 
 

@@ -6,12 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from radartrack.derive.checking.comparison import Comparison, Values
+from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
 from radartrack.derive.checking.counterexample import (
     MATTERS,
     Relative,
     counterexample,
     find_difference,
+    unreal_counterexample,
     worst_over_domain,
 )
 from radartrack.derive.checking.dimensions import WrongDimensions, check_dimension
@@ -70,7 +71,7 @@ class Finding:
 
     entry: Index
     outcome: Outcome
-    values: Values | None = None
+    values: Values | Imaginary | None = None
     reason: str = ""
 
 
@@ -127,14 +128,15 @@ class Question:
         finding = _without_proof(entry, comparison, self.symbols)
         return self._wrong(entry, finding.values) if finding.values else finding
 
-    def _wrong(self, entry: Index, values: Values) -> Finding:
+    def _wrong(self, entry: Index, values: Values | Imaginary) -> Finding:
         try:
             check_dimension(
                 self.printed.entries[entry], self.printed.names.dimensions, self.reference.dimensions[entry]
             )
         except WrongDimensions as error:
             return Finding(entry, Outcome.WRONG_DIMENSIONS, values, str(error))
-        return Finding(entry, Outcome.DIFFERS, values)
+        reason = "the printed formula is not real everywhere" if isinstance(values, Imaginary) else ""
+        return Finding(entry, Outcome.DIFFERS, values, reason)
 
     def _explained(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
@@ -161,15 +163,21 @@ class Question:
         return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
 
     def _counterexample(self, finding: Finding) -> Counterexample | None:
-        if finding.values is None:
-            return None
-        entry = finding.entry
+        match finding.values:
+            case Values() as values:
+                return self._real_counterexample(finding.entry, values)
+            case Imaginary() as imaginary:
+                return unreal_counterexample(imaginary, finding.entry, self.symbols)
+            case None:
+                return None
+
+    def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)
-        comparison = Comparison(*pair, self.symbols)
         scale = squared_scale(self.reference, entry).xreplace(self.conditions)
-        worst = worst_over_domain(Relative(*pair, scale, self.symbols), self.symbols, finding.values.point)
-        elsewhere = comparison.differ_at(worst.point) if finding.values.relative < MATTERS <= worst.relative else None
-        return counterexample(elsewhere or finding.values, entry, worst, self.symbols)
+        worst = worst_over_domain(Relative(*pair, scale, self.symbols), self.symbols, values.point)
+        if values.relative < MATTERS <= worst.relative:
+            values = Comparison(*pair, self.symbols).differ_at(worst.point) or values
+        return counterexample(values, entry, worst, self.symbols)
 
 
 _GRAVITY = (
@@ -189,10 +197,9 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
         values = comparison.differ_at(point)
         if values is not None:
             return Finding(entry, Outcome.DIFFERS, values)
-    imaginary = next((point for point in points if comparison.is_imaginary_at(point)), None)
+    imaginary = next((found for point in points if (found := comparison.imaginary_at(point))), None)
     if imaginary is not None:
-        where = ", ".join(f"{name} = {value:g}" for name, value in imaginary.items())
-        return Finding(entry, Outcome.DIFFERS, reason=f"the printed formula has no real value at {where}")
+        return Finding(entry, Outcome.DIFFERS, imaginary)
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
     return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points")

@@ -37,6 +37,14 @@ class Values:
         return float(abs(self.difference) / scale) if scale else 0.0
 
 
+@dataclass(frozen=True)
+class Imaginary:
+    """What was derived at a point where what is printed is no real number."""
+
+    point: Point
+    derived: Number
+
+
 class Comparison:
     """Two formulas in the same symbols, ready to be evaluated."""
 
@@ -50,13 +58,13 @@ class Comparison:
         """Both values; None where one of them is not a finite real number."""
         return _values(self._evaluator, self._names, point)
 
-    def is_imaginary_at(self, point: Point) -> bool:
-        """Whether what is printed is no real number there, while what was derived is."""
+    def imaginary_at(self, point: Point) -> Imaginary | None:
+        """What was derived, where that is a real number and what is printed is none."""
         pair, fine = (_evaluated(one, self._names, point) for one in (self._evaluator, self._fine))
         if pair is None or fine is None or not is_real(pair[1]):
-            return False
+            return None
         rough, exact = (abs(mpmath.im(printed)) for printed, _ in (pair, fine))
-        return bool(exact > NOISE * abs(fine[0]) and exact > rough / 2)
+        return Imaginary(point, pair[1]) if exact > NOISE * abs(fine[0]) and exact > rough / 2 else None
 
     def differ_at(self, point: Point) -> Values | None:
         """Both values when they differ beyond the rounding of many digits, else None.

@@ -9,7 +9,7 @@ from operator import itemgetter
 
 import mpmath
 
-from radartrack.derive.checking.comparison import Comparison, Values, is_real
+from radartrack.derive.checking.comparison import Comparison, Imaginary, Values, is_real
 from radartrack.derive.checking.points import Point, domain_points, generic_points, round_points
 from radartrack.derive.checking.rough import RoughEvaluator
 from radartrack.derive.checking.verdict import Counterexample
@@ -110,10 +110,19 @@ def counterexample(values: Values, entry: Index, worst: Worst, symbols: Sequence
         printed=float(values.printed),
         derived=float(values.derived),
         relative_difference=values.relative,
-        units={symbol.name: str(symbol.unit) for symbol in symbols},
+        units=_units(symbols),
         largest_relative_difference=worst.relative,
         largest_at=worst.point,
     )
+
+
+def unreal_counterexample(imaginary: Imaginary, entry: Index, symbols: Sequence[Variable]) -> Counterexample:
+    """A point at which what is printed is no real number as data."""
+    return Counterexample(imaginary.point, entry, None, float(imaginary.derived), None, _units(symbols))
+
+
+def _units(symbols: Sequence[Variable]) -> dict[str, str]:
+    return {symbol.name: str(symbol.unit) for symbol in symbols}
 
 
 def _neighbours(symbol: Variable, point: Point, step: float) -> list[float]:

@@ -124,9 +124,9 @@ def _power(base: Tree, exponent: Tree) -> str:
     match base:
         case Call(function, (argument,)) if function in SQUARED_BY_NAME and isinstance(exponent, Number):
             return _applied(f"<msup><mi>{function}</mi>{element(exponent)}</msup>", argument)
-        case Name(name) if "_" in name:
+        case Name(name):
             return _name(name, element(exponent))
-        case Name() | Number() | Constant():
+        case Number() | Constant():
             return f"<msup>{element(base)}{element(exponent)}</msup>"
         case _:
             return f"<msup>{_bracketed(base)}{element(exponent)}</msup>"
@@ -159,11 +159,13 @@ def _array(entries: tuple[Tree, ...]) -> str:
 
 
 def _name(name: str, power: str = "") -> str:
-    """A letter with what stands below it, and above."""
+    """A letter with what stands below it, and above; dtheta_1 is a d before θ₁."""
     base, *below = name.split("_")
+    if base[0] == "d" and base not in GREEK and (base[1:] in GREEK or len(base) == 2):
+        return _row(_letter("d"), _name(name[1:], power))
     letter = _letter(base)
     if not below:
-        return letter
+        return f"<msup>{letter}{power}</msup>" if power else letter
     index = _row("<mo>,</mo>".join(map(_letter, below)))
     return f"<msubsup>{letter}{index}{power}</msubsup>" if power else f"<msub>{letter}{index}</msub>"
 

@@ -27,9 +27,10 @@ class Counterexample:
     Attributes:
         point: the values of the symbols, in SI units and radians.
         entry: which entry is compared; empty for a scalar.
-        printed: the value of the printed formula.
+        printed: the value of the printed formula; None where it has no real one.
         derived: the value of the derived one.
-        relative_difference: |printed - derived| / |derived|; by the printed value where the derived one is zero.
+        relative_difference: |printed - derived| / |derived|; by the printed value where the derived one is zero; None
+            where the printed one is not real.
         units: of the symbols.
         largest_relative_difference: the largest found over the domain of the quantity. That of a vector's entry is
             taken relative to its norm, that of a covariance to the root of the product of the variances.
@@ -38,9 +39,9 @@ class Counterexample:
 
     point: Mapping[str, float]
     entry: Index
-    printed: float
+    printed: float | None
     derived: float
-    relative_difference: float
+    relative_difference: float | None
     units: Mapping[str, str] = field(default_factory=dict)
     largest_relative_difference: float | None = None
     largest_at: Mapping[str, float] = field(default_factory=dict)

@@ -226,7 +226,13 @@ def test_what_algebra_cannot_decide_is_compared_in_numbers_and_said_to_be_unprov
 def test_a_formula_that_is_real_only_where_both_vanish_differs() -> None:
     verdict = check("finite_sample.degree2.range_rate.design[0,2]", "T**2*(j - k)**(1/2)/2")
     assert verdict.verdict is Outcome.DIFFERS
-    assert "no real value at k = 8, j = 3" in verdict.reason
+    assert "not real everywhere" in verdict.reason
+    example = verdict.counterexample
+    assert example is not None
+    assert (example.point["k"], example.point["j"]) == (8, 3)
+    assert example.printed is None
+    assert example.relative_difference is None
+    assert example.derived == pytest.approx(10**2 * (3 - 8) ** 2 / 2)
 
 
 def test_a_root_of_what_rounding_brings_below_zero_is_not_taken_for_imaginary() -> None:
