@@ -1,7 +1,13 @@
 from radartrack import audit_text
 
 RECORD = {"order": None, "remarks": [], "suggestions": []}
-EXAMPLE = {"point": {"k": 8.0}, "entry": (), "derived": 1250.0, "units": {"k": "1"}, "largest_relative_difference": None}
+EXAMPLE = {
+    "point": {"k": 8.0},
+    "entry": (),
+    "derived": 1250.0,
+    "units": {"k": "1"},
+    "largest_relative_difference": None,
+}
 
 
 def test_an_example_tells_both_values_and_how_they_differ() -> None:

@@ -1,6 +1,6 @@
 """Formulas as MathML: names as print has them."""
 
-from xml.etree import ElementTree
+from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -20,12 +20,12 @@ from radartrack.derive.checking.typeset import mathml
     ],
 )
 def test_names_are_set_as_letters_with_what_stands_below(formula: str, letters: list[str]) -> None:
-    tree = ElementTree.fromstring(mathml(formula))  # noqa: S314 - our own markup
+    tree = ET.fromstring(mathml(formula))  # noqa: S314 - our own markup
     assert [element.text for element in tree.iter() if element.tag in {"mi", "mn"}] == letters
 
 
 def test_the_power_of_a_differential_stands_above_the_letter_and_its_index() -> None:
-    tree = ElementTree.fromstring(mathml("dtheta_1**2"))  # noqa: S314 - our own markup
+    tree = ET.fromstring(mathml("dtheta_1**2"))  # noqa: S314 - our own markup
     (with_index_and_power,) = tree.iter("msubsup")
     assert [element.text for element in with_index_and_power.iter() if element.text] == ["θ", "1", "2"]
 
