@@ -13,7 +13,7 @@ from radartrack.derive.finite_sample import FiniteSample
 from radartrack.regeneration import written
 
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7)
-DEGREES = range(6)
+DEGREES = range(9)
 
 
 def main() -> None:

@@ -6,20 +6,20 @@ variances,
 
     Q = Σ_j H_jᵀ Q_θ H_j,    R = Q⁻¹,    W_j = R H_jᵀ Q_θ.
 
-Everything is exact for a symbolic number of scans: the sums are closed, and R is the adjoint over the
-determinant.
+Everything is exact for a symbolic number of scans: the sums are closed, and R is a matrix of adjoints over
+determinants.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from itertools import chain, combinations
+from itertools import chain
 from math import factorial
 from operator import add, mul
-from typing import TypeVar
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.centred_filter import CentredFilter
 from radartrack.derive.power_sums import summed
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 from radartrack.derive.tensor import Tensor
@@ -52,8 +52,7 @@ j = Variable(
 )
 
 RING = PolyRing([k, C, j, tau], sp.QQ)
-Number = TypeVar("Number", Expr, PolyElement)
-Polynomials = Tensor[PolyElement]
+NEWEST = sp.Integer(0)
 RATIO = sigma_r**2 / (T**2 * sigma_v**2)
 
 
@@ -119,17 +118,17 @@ class FiniteSample:
     @cached_property
     def covariance(self) -> Tensor[Expr]:
         """R = Q⁻¹ at the newest scan: the adjoint over the determinant, as rational functions of k and C."""
-        return self._as_covariance(self._solution.adjoint)
+        return self._covariance(NEWEST)
 
     @cached_property
     def range_weights(self) -> Tensor[Expr]:
         """What the range of scan j adds to each component, for one metre."""
-        return self._as_weights(self._range_weights, sp.Integer(1))
+        return self._weights(NEWEST, rates=False)
 
     @cached_property
     def rate_weights(self) -> Tensor[Expr]:
         """What the range rate of scan j adds to each component, for one metre per second."""
-        return self._as_weights(self._rate_weights, self.weight_of_rate * T)
+        return self._weights(NEWEST, rates=True)
 
     @cached_property
     def transition(self) -> Tensor[Expr]:
@@ -142,70 +141,37 @@ class FiniteSample:
     @cached_property
     def lagged_covariance(self) -> Tensor[Expr]:
         """The covariance of the estimate τ scans after the newest one."""
-        moved = product(self._transition, product(self._solution.adjoint, transposed(self._transition)))
-        return self._as_covariance(moved)
+        return self._covariance(tau)
 
     @cached_property
     def lagged_range_weights(self) -> Tensor[Expr]:
         """The weights of the range for the estimate τ scans after the newest one."""
-        return self._as_weights(product(self._transition, self._range_weights), sp.Integer(1))
+        return self._weights(tau, rates=False)
 
     @cached_property
     def lagged_rate_weights(self) -> Tensor[Expr]:
         """The weights of the range rate for the estimate τ scans after the newest one."""
-        return self._as_weights(product(self._transition, self._rate_weights), self.weight_of_rate * T)
+        return self._weights(tau, rates=True)
 
-    # The period and the size of the errors only scale the state: what follows is for T = 1 and σ_r = 1, as
-    # polynomials in k, C, j and τ over the determinant of Q.
-
-    @cached_property
-    def _solution(self) -> _Inverse:
-        return _Inverse(self._read(self.information))
+    # The period and the size of the errors only scale the state: the centred filter is for T = 1 and σ_r = 1.
 
     @cached_property
-    def _range_weights(self) -> Polynomials:
-        return product(self._solution.adjoint, self._read(Tensor((self.size, 1), tuple(self.range_row()))))
+    def _centred(self) -> CentredFilter:
+        return CentredFilter(RING, k, self.size, RING.from_expr(self.weight_of_rate))
 
-    @cached_property
-    def _rate_weights(self) -> Polynomials:
-        return product(self._solution.adjoint, self._read(Tensor((self.size, 1), tuple(self.rate_row()))))
+    def _covariance(self, lag: Expr) -> Tensor[Expr]:
+        found = self._centred.covariance(_after_middle(k + lag))
+        return Tensor.build(found.shape, lambda m, n: found[m, n] * sigma_r**2 / T ** (m + n))
 
-    @cached_property
-    def _transition(self) -> Polynomials:
-        return self._read(self.transition)
-
-    def _read(self, matrix: Tensor[Expr]) -> Polynomials:
-        unit = {T: sp.Integer(1), sigma_r: sp.Integer(1)}
-        return matrix.map(lambda entry: RING.from_expr(sp.expand(entry.xreplace(unit))))
-
-    def _as_covariance(self, numerators: Polynomials) -> Tensor[Expr]:
-        fractions = numerators.map_distinct(self._solution.over_determinant)  # a covariance is symmetric
-        return Tensor.build(fractions.shape, lambda m, n: fractions[m, n] * sigma_r**2 / T ** (m + n))
-
-    def _as_weights(self, numerators: Polynomials, factor: Expr) -> Tensor[Expr]:
-        over = self._solution.over_determinant
-        return Tensor.build((self.size,), lambda m: over(numerators[m, 0]) * factor / T**m)
+    def _weights(self, lag: Expr, *, rates: bool) -> Tensor[Expr]:
+        found = self._centred.weights(_after_middle(k + lag), _after_middle(j), int(rates))
+        factor = self.weight_of_rate * T if rates else sp.Integer(1)
+        return Tensor.build(found.shape, lambda m: found.entries[m] * factor / T**m)
 
 
-class _Inverse:
-    """The inverse of a matrix of polynomials as its adjoint over its determinant."""
-
-    def __init__(self, matrix: Polynomials) -> None:
-        rows = [list(row) for row in matrix.parts()]
-        self.adjoint: Polynomials = Tensor.build(
-            matrix.shape, lambda m, n: determinant(_without(rows, n, m), RING) * (-1) ** (m + n)
-        )
-        self._content, self._factors = determinant(rows, RING).factor_list()
-
-    def over_determinant(self, numerator: PolyElement) -> Expr:
-        """A polynomial over the determinant, in lowest terms, both factored."""
-        below: Expr = sp.Integer(1)
-        for factor in (factor for factor, power in self._factors for _ in range(power)):
-            quotient, remainder = numerator.div(factor)
-            numerator, below = (numerator, below * factor.as_expr()) if remainder else (quotient, below)
-        content, factors = (numerator * (1 / self._content)).factor_list()
-        number = sp.Rational(int(content.numerator), int(content.denominator))
-        return number * sp.Mul(*(factor.as_expr() ** power for factor, power in factors)) / below
+def _after_middle(scan: Expr) -> PolyElement:
+    """The time of a scan, in scans after the middle of the sample."""
+    return RING.from_expr(sp.expand(scan - (k + 1) / 2))
 
 
 def fewest_scans(degree: int, *, with_rate: bool) -> int:
@@ -218,38 +184,15 @@ def highest_degree(count: int, *, with_rate: bool) -> int:
     return 2 * count - 1 if with_rate else count - 1
 
 
-def product(first: Tensor[Number], second: Tensor[Number]) -> Tensor[Number]:
+def product(first: Tensor[Expr], second: Tensor[Expr]) -> Tensor[Expr]:
     """The matrix product."""
     rows, columns = first.parts(), list(zip(*second.parts(), strict=True))
     return Tensor.build((len(rows), len(columns)), lambda m, n: reduce(add, map(mul, rows[m], columns[n])))
 
 
-def transposed(matrix: Tensor[Number]) -> Tensor[Number]:
+def transposed(matrix: Tensor[Expr]) -> Tensor[Expr]:
     """The transpose."""
     return Tensor((matrix.shape[1], matrix.shape[0]), tuple(chain.from_iterable(zip(*matrix.parts(), strict=True))))
-
-
-def determinant(matrix: list[list[PolyElement]], ring: PolyRing) -> PolyElement:
-    """The determinant of polynomials, over the minors of the last rows, so that nothing is ever divided."""
-    minors: dict[tuple[int, ...], PolyElement] = {(): ring.one}
-    size = len(matrix)
-    for taken in range(1, size + 1):
-        row = matrix[size - taken]
-        minors = {
-            columns: sum(
-                (
-                    (-1) ** place * row[column] * minors[columns[:place] + columns[place + 1 :]]
-                    for place, column in enumerate(columns)
-                ),
-                start=ring.zero,
-            )
-            for columns in combinations(range(size), taken)
-        }
-    return minors[tuple(range(size))]
-
-
-def _without(matrix: list[list[PolyElement]], row: int, column: int) -> list[list[PolyElement]]:
-    return [[entry for n, entry in enumerate(entries) if n != column] for m, entries in enumerate(matrix) if m != row]
 
 
 def _gram(row: list[Expr], precision: Expr) -> Tensor[Expr]:
