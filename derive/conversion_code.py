@@ -1,13 +1,15 @@
 """Mean and covariance of a conversion together, as functions that fill arrays of the caller.
 
-What both need is computed once. The same statements are written twice: over whole arrays for NumPy, and as a loop over
-plots for a compiler. The formulas are those of the catalogue.
+What both need is computed once, and sums are nested, for the fewest operations. The same statements are written twice:
+over whole arrays for NumPy, and as a loop over plots in plain numbers, for a compiler or for one plot. The formulas are
+those of the catalogue.
 """
 
 from __future__ import annotations
 
+import re
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from typing import NamedTuple
@@ -15,6 +17,8 @@ from typing import NamedTuple
 from radartrack.derive import symbolic as sp
 from radartrack.derive.common import with_common_parts
 from radartrack.derive.forms import form_of
+from radartrack.derive.horner import nested
+from radartrack.derive.numpy_code import FUNCTIONS
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.stable import StableForm
 from radartrack.derive.tensor import Index, Tensor, indices
@@ -37,8 +41,18 @@ METHODS = {
     "posterior": Words("posterior.estimate", None, "posterior.covariance"),
 }
 
+RELEASED_AT_ONCE = 4
 ARRAYS = "over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled"
-LOOPS = "as loops over plots, for a compiler; arguments have shape (plots,), mean (plots, n), covariance (plots, n, n)"
+ARRAYS_HEAD = "import numpy as np\nimport numpy.typing as npt\n\nFloats = npt.NDArray[np.floating]\nFilled = Floats\n"
+LOOPS = "as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries"
+LOOPS_HEAD = """\
+import math
+from collections.abc import MutableMapping, Sequence
+
+Floats = Sequence[float]
+Filled = MutableMapping[tuple[int, ...], float]
+"""
+OF_A_NUMBER = {numpy.removeprefix("np."): function.__name__ for function, numpy in FUNCTIONS.items()} | {"abs": "fabs"}
 
 
 @dataclass(frozen=True)
@@ -48,6 +62,7 @@ class ConversionCode:
     Attributes:
         name: of the functions: model and method.
         symbols: names of the arguments.
+        intermediates: names of what is computed on the way.
         statements: which fill `mean` and `covariance`, for arrays.
         title: what it converts how.
         meaning: of mean and covariance.
@@ -55,23 +70,38 @@ class ConversionCode:
 
     name: str
     symbols: tuple[str, ...]
-    statements: str
+    intermediates: frozenset[str]
+    statements: tuple[str, ...]
     title: str
     meaning: str
 
     def over_arrays(self) -> str:
-        """The function for NumPy."""
-        return self._function(self.symbols, self.statements)
+        """The function for NumPy; it releases what it needs no more, so that the rest stays in the cache."""
+        return self._function(self.symbols, "\n".join(self._releasing()))
 
     def as_loop(self) -> str:
-        """The function for a compiler."""
-        loaded = "\n".join(f"{symbol} = all_{symbol}[i]" for symbol in self.symbols)
-        inside = f"{loaded}\n{self.statements.replace('[..., ', '[i, ')}"
-        loop = f"for i in range(len(mean)):\n{textwrap.indent(inside, INDENT)}"
+        """The function in plain numbers."""
+        loaded = (f"{symbol} = all_{symbol}[i]" for symbol in self.symbols)
+        inside = "\n".join([*loaded, *self.statements]).replace("[..., ", "[i, ")
+        of_numbers = re.sub(r"\bnp\.(\w+)", lambda found: f"math.{OF_A_NUMBER.get(found[1], found[1])}", inside)
+        loop = f"for i in range(len(all_{self.symbols[0]})):\n{textwrap.indent(of_numbers, INDENT)}"
         return self._function([f"all_{symbol}" for symbol in self.symbols], loop)
 
+    def _releasing(self) -> Iterator[str]:
+        """The statements, with deletions of intermediates behind their last use, a few at once."""
+        used = [set(re.findall(r"\w+", statement)) & self.intermediates for statement in self.statements]
+        last = {name: place for place, names in enumerate(used) for name in names}
+        waiting: list[str] = []
+        for place, statement in enumerate(self.statements):
+            yield statement
+            waiting += sorted(name for name in used[place] if last[name] == place)
+            if len(waiting) >= RELEASED_AT_ONCE:
+                yield f"del {', '.join(waiting)}"
+                waiting = []
+
     def _function(self, arguments: Sequence[str], body: str) -> str:
-        signature = "".join(f"{INDENT}{name}: Floats,\n" for name in (*arguments, "mean", "covariance"))
+        types = dict.fromkeys(arguments, "Floats") | {"mean": "Filled", "covariance": "Filled"}
+        signature = "".join(f"{INDENT}{name}: {kind},\n" for name, kind in types.items())
         said = "\n".join([f'"""{self.title}.\n', *textwrap.wrap(f"{self.meaning}.", WIDTH - 4), '"""'])
         inside = textwrap.indent(f"{said}\n{body}", INDENT)
         return f"def {self.name}(\n{signature}) -> None:\n{inside}\n"
@@ -104,14 +134,17 @@ def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str)
     bias = quantities[_find(quantities, model, words.bias)] if words.bias else None
     mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
     form = _together(mean, form_of(covariance))
-    definitions, results = with_common_parts(form.definitions, form.entries)
+    given = {symbol: nested(value) for symbol, value in form.definitions.items()}
+    definitions, results = with_common_parts(given, form.entries.map_distinct(nested))
     places = [*_places("mean", estimate.shape), *_places("covariance", covariance.shape)]
     lines = assignments((symbol.name, value) for symbol, value in definitions.items())
     lines += assignments(zip(places, results, strict=True))
     symbols = tuple(symbol.name for symbol in covariance.symbols)
     less = f" less the {bias.meaning}" if bias else ""
     meaning = f"Mean: {estimate.meaning}{less}. Covariance: {covariance.meaning}"
-    return ConversionCode(f"{model}_{method}", symbols, "\n".join(lines), f"Conversion {model}, {method}", meaning)
+    intermediates = frozenset(symbol.name for symbol in definitions)
+    title = f"Conversion {model}, {method}"
+    return ConversionCode(f"{model}_{method}", symbols, intermediates, tuple(lines), title, meaning)
 
 
 def module_text(codes: Sequence[ConversionCode], kind: str) -> str:
@@ -122,8 +155,8 @@ def module_text(codes: Sequence[ConversionCode], kind: str) -> str:
         f'"""Conversions {kind}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; '
         'not to be edited.\n"""\n'
     )
-    imports = "import numpy as np\nimport numpy.typing as npt\n\nFloats = npt.NDArray[np.floating]\n"
-    return "\n\n".join([f"{header}\n{imports}", *functions])
+    head = ARRAYS_HEAD if kind == ARRAYS else LOOPS_HEAD
+    return "\n\n".join([f"{header}\n{head}", *functions])
 
 
 def _find(quantities: Mapping[str, Quantity], model: str, word: str) -> str:

@@ -7,39 +7,58 @@ Every entry is computed alone: how the entries are divided changes no bit.
 
 import os
 from collections.abc import Callable, Sequence
+from threading import Lock
 
 from radartrack.validation import RealArray
 
-BLOCK = 16384  # entries; the intermediate results of a formula then fit into the cache of a core
-THREADED_FROM = 65536  # entries; below, threads cost more than they save
+BLOCK = 65536  # entries; few enough to stay in the cache, enough that threads seldom wait for the interpreter
+MOST_THREADS = 8  # each has intermediate results of its own, and all wait for one interpreter
 
 Fill = Callable[..., None]
 
 
-def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArray]) -> None:
-    """Call `function(*inputs, *outputs)` for each block of entries.
+def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArray], block: int = BLOCK) -> None:
+    """Call `function(*inputs, *outputs)` for each block of entries; once where there are none.
 
     Args:
         function: fills the outputs it is handed from inputs of the same length.
-        inputs: of shape (n,), or () for what all entries share.
+        inputs: of shape (n, ...).
         outputs: of shape (n, ...).
+        block: entries in a block.
 
     """
     size = len(outputs[0])
 
     def fill_block(start: int) -> None:
-        block = slice(start, start + BLOCK)
-        function(*(array[block] if array.ndim else array for array in inputs), *(array[block] for array in outputs))
+        part = slice(start, start + block)
+        function(*(array[part] for array in (*inputs, *outputs)))
 
-    starts = range(0, size, BLOCK)
-    if size < THREADED_FROM:
-        for start in starts:
-            fill_block(start)
+    starts = range(0, max(size, 1), block)
+    if len(starts) == 1:
+        fill_block(0)
     else:
-        from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415 - it costs more to load than small arrays do
+        _side_by_side(fill_block, starts)
 
-        with ThreadPoolExecutor(_cores()) as pool:
-            list(pool.map(fill_block, starts))
+
+def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
+    """On all cores, this thread's among them; each takes the next item when it is ready for it."""
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415 - it costs more to load than small arrays do
+
+    waiting, turn = iter(items), Lock()
+
+    def run() -> None:
+        while (item := taken()) is not None:
+            work(item)
+
+    def taken() -> int | None:
+        with turn:
+            return next(waiting, None)
+
+    with ThreadPoolExecutor() as pool:
+        others = [pool.submit(run) for _ in range(min(_cores(), MOST_THREADS) - 1)]
+        run()
+        for other in others:
+            other.result()
 
 
 def _cores() -> int:

@@ -15,6 +15,7 @@ import numpy as np
 from radartrack.validation import RealArray
 
 COMPILED_FROM = 4096  # plots; for fewer NumPy needs less time than loading the compiler
+BLOCK = 32768  # plots; a loop has no intermediate results, and larger blocks are fewer calls
 
 
 @cache
@@ -36,6 +37,7 @@ def conversion(name: str) -> Callable[..., None]:
 
     def fill(*arrays: RealArray) -> None:
         *inputs, mean, covariance = arrays
-        compiled(*(np.broadcast_to(array, len(mean)) for array in inputs), mean, covariance)
+        spread = (array if array.ndim else np.broadcast_to(array, len(mean)) for array in inputs)
+        compiled(*spread, mean, covariance)
 
     return fill

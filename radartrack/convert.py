@@ -21,8 +21,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import compiled
-from radartrack.batches import fill
+from radartrack.batches import BLOCK, fill
 from radartrack.generated import conversions
+from radartrack.one_plot import one_plot
 from radartrack.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments
 from radartrack.sensors import SENSORS, AzimuthFrom, Sensor
 from radartrack.validation import RealArray, broadcast_shape, one_of, real_arrays
@@ -39,6 +40,8 @@ class Converted(NamedTuple):
 
 _METHODS: tuple[Method, ...] = get_args(Method)
 _NEEDS_PREDICTION = "decorrelated"
+PREDICTED_BLOCK = 16384  # plots; the average over a prediction has ten times as many intermediate results
+_AXES = {MEAN: 1, COVARIANCE: 2}  # of one plot; of what is measured it is a number
 
 
 def polar(
@@ -268,15 +271,15 @@ def _convert(
 ) -> Converted:
     one_of("method", method, _METHODS)
     turned = sensor.is_turned(azimuth_from)
-    arrays = real_arrays({**given, **_predicted_arguments(method, predicted)})
-    plot = {name: arrays[name] for name in given}
-    measured = sensor.read(plot)
-    prediction = Predicted(sensor, arrays[MEAN], arrays[COVARIANCE]) if method == _NEEDS_PREDICTION else None
-    shape = broadcast_shape({**plot, **(prediction.named() if prediction else {})})
-    converted = _computed(sensor, method if prediction is None else "unbiased", measured, shape, turned=turned)
-    if prediction is not None:
-        converted.covariance[...] = _swapped(_decorrelated(sensor, measured, prediction), turned=turned)
-    return converted
+    prediction = _predicted_arguments(method, predicted)
+    if not prediction and (found := one_plot(sensor, method, given)) is not None:
+        return Converted(*_turned(*found)) if turned else Converted(*found)
+    arrays = real_arrays({**given, **prediction})
+    try:
+        return _computed(sensor, method, arrays, turned=turned)
+    except ValueError:  # from one block; the message is about all
+        _checked(sensor, arrays)
+        raise
 
 
 def _predicted_arguments(method: Method, predicted: Prediction | None) -> Mapping[str, ArrayLike]:
@@ -287,44 +290,71 @@ def _predicted_arguments(method: Method, predicted: Prediction | None) -> Mappin
     return {}
 
 
-def _computed(
-    sensor: Sensor, method: Method, measured: Mapping[str, RealArray], shape: tuple[int, ...], *, turned: bool
-) -> Converted:
-    dtype = measured["r"].dtype
-    count, size = math.prod(shape), len(sensor.coordinates)  # as many coordinates as there are measured quantities
+def _computed(sensor: Sensor, method: Method, arrays: Mapping[str, RealArray], *, turned: bool) -> Converted:
+    """In blocks, each of which is checked while it is in the cache."""
+    size = len(sensor.coordinates)  # as many coordinates as there are measured quantities
+    axes = {name: _AXES.get(name, 0) for name in arrays}
+    shape = np.broadcast_shapes(*(array.shape[: array.ndim - axes[name]] for name, array in arrays.items()))
+    count, dtype = math.prod(shape), arrays["r"].dtype
     mean, covariance = np.empty((count, size), dtype), np.empty((count, size, size), dtype)
-    function = _function(f"{sensor.module}_{method}", count, dtype)
+    function, block = _function(sensor, method, count, dtype)
+    flat = {name: _flat(array, shape, axes[name]) for name, array in arrays.items()}
+    varying = {name: array for name, array in flat.items() if array.ndim > axes[name]}
 
-    def convert(*arrays: RealArray) -> None:
-        function(*arrays)
+    def convert(*parts: RealArray) -> None:
+        *inputs, means, covariances = parts
+        measured, prediction = _checked(sensor, flat | dict(zip(varying, inputs, strict=True)))
+        function(*measured.values(), means, covariances)
+        if prediction is not None:
+            covariances[...] = _decorrelated(sensor, measured, prediction)
         if turned:
-            *_, means, covariances = arrays
-            means[...] = means.take(_order(size), axis=-1)
-            covariances[...] = _swapped(covariances, turned=True)
+            means[...], covariances[...] = _turned(means, covariances)
 
-    fill(convert, [_flat(array, shape) for array in measured.values()], [mean, covariance])
+    fill(convert, [*varying.values()], [mean, covariance], block)
     return Converted(mean.reshape(*shape, size), covariance.reshape(*shape, size, size))
 
 
-def _function(name: str, count: int, dtype: np.dtype[Any]) -> Callable[..., None]:
-    """Compiled where that is installed and worth while."""
+def _checked(sensor: Sensor, arrays: Mapping[str, RealArray]) -> tuple[dict[str, RealArray], Predicted | None]:
+    """What was measured, by symbol, and the prediction, if there is one.
+
+    Raises:
+        ValueError: a value is out of place, or the shapes do not broadcast.
+
+    """
+    plot = {name: arrays[name] for name in sensor.arguments}
+    measured = sensor.read(plot)
+    if MEAN not in arrays:
+        return measured, None
+    prediction = Predicted(sensor, arrays[MEAN], arrays[COVARIANCE])
+    broadcast_shape({**plot, **prediction.named()})
+    prediction.require_possible(measured)
+    return measured, prediction
+
+
+def _function(sensor: Sensor, method: Method, count: int, dtype: np.dtype[Any]) -> tuple[Callable[..., None], int]:
+    """The conversion without a prediction, and the size of its blocks; compiled where that is worth while."""
+    decorrelated = method == _NEEDS_PREDICTION
+    name = f"{sensor.module}_{'unbiased' if decorrelated else method}"
     if count >= compiled.COMPILED_FROM and dtype == np.float64 and compiled.is_available():
-        return compiled.conversion(name)
-    function: Callable[..., None] = getattr(conversions, name)
-    return function
+        function, block = compiled.conversion(name), compiled.BLOCK
+    else:
+        function, block = getattr(conversions, name), BLOCK
+    return function, PREDICTED_BLOCK if decorrelated else block
 
 
 def _decorrelated(sensor: Sensor, measured: Mapping[str, RealArray], prediction: Predicted) -> RealArray:
-    prediction.require_possible(measured)
     word = "decorrelated_covariance"
     parts = ((weight, sensor.evaluate(word, {**measured, **part})) for weight, part in prediction.parts())
     weight, first = next(parts)
     return sum((weight * covariance for weight, covariance in parts), start=weight * first)
 
 
-def _flat(array: RealArray, shape: tuple[int, ...]) -> RealArray:
-    """One axis, or none where all plots share the value."""
-    return array.reshape(()) if array.size == 1 else np.broadcast_to(array, shape).reshape(-1)
+def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:
+    """One axis of plots before the array's own axes; none where all plots share the value."""
+    own = array.shape[array.ndim - axes :]
+    if array.size == math.prod(own):
+        return array.reshape(own)
+    return np.broadcast_to(array, (*shape, *own)).reshape(-1, *own)
 
 
 def _order(size: int) -> list[int]:
@@ -332,9 +362,7 @@ def _order(size: int) -> list[int]:
     return [1, 0, *range(2, size)]
 
 
-def _swapped(covariance: RealArray, *, turned: bool) -> RealArray:
+def _turned(mean: RealArray, covariance: RealArray) -> tuple[RealArray, RealArray]:
     """With x and y exchanged, where the azimuth is counted from the other axis."""
-    if not turned:
-        return covariance
-    order = _order(covariance.shape[-1])
-    return covariance[..., order, :][..., order]
+    order = _order(mean.shape[-1])
+    return mean[..., order], covariance[..., order, :][..., order]

@@ -59,6 +59,11 @@ class Sensor:
     series: str = ""
 
     @property
+    def arguments(self) -> dict[str, Argument]:
+        """All public arguments, in the order of those of the formulas."""
+        return {**self.coordinates, **self.noise}
+
+    @property
     def angles(self) -> tuple[int, ...]:
         """The places of the angles among the coordinates."""
         return tuple(
@@ -84,15 +89,14 @@ class Sensor:
             ValueError: a value is out of place, or the shapes do not broadcast.
 
         """
-        arguments = {**self.coordinates, **self.noise}
-        for name, (_, domain) in arguments.items():
+        for name, (_, domain) in self.arguments.items():
             require_within(name, plot[name], domain)
         broadcast_shape(plot)
-        values = {symbol: plot[name] for name, (symbol, _) in arguments.items()}
+        values = {symbol: plot[name] for name, (symbol, _) in self.arguments.items()}
         self.require_possible(values)
         return values
 
-    def require_possible(self, values: Mapping[str, RealArray], of: str = "") -> None:
+    def require_possible(self, values: Mapping[str, RealArray] | Mapping[str, float], of: str = "") -> None:
         """Check what no argument says alone: that directions stay in the unit circle despite their errors.
 
         Args:

@@ -43,6 +43,10 @@ class Domain:
         largest = self.largest_single if dtype == np.float32 else self.largest
         return (-largest if self.signed else self.smallest), largest
 
+    def holds(self, value: float) -> bool:
+        """Whether a number in float64 is finite and in the interval."""
+        return (-self.largest if self.signed else self.smallest) <= value <= self.largest
+
     def describe(self, dtype: np.dtype[Any]) -> str:
         """The interval in words."""
         low, high = self.bounds(dtype)
@@ -100,8 +104,9 @@ def require_within(name: str, values: RealArray, domain: Domain) -> None:
 
     """
     low, high = domain.bounds(values.dtype)
-    # One pass each over a million plots: a NaN passes through min and max, and compares false.
-    if values.size and not (values.min() >= low and values.max() <= high):
+    # One pass each: a NaN passes through min and max, and compares false.
+    least, greatest = (values, values) if values.ndim == 0 else (values.min(initial=low), values.max(initial=high))
+    if not (least >= low and greatest <= high):
         _require(name, values, "finite", np.isfinite(values))
         _require(name, values, domain.describe(values.dtype), (values >= low) & (values <= high))
 

@@ -1,12 +1,16 @@
 """Mean and covariance together: the same as the quantities that they join, over arrays and as loops."""
 
+from types import ModuleType
+
 import numpy as np
 import pytest
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.conversion_code import METHODS, conversions_of
+from radartrack.derive.quantity import Quantity
 from radartrack.generated import conversions, loops
 from radartrack.verification.sampling import Points, sample
+from radartrack.verification.ulp import errors
 from tests import conversions as generated
 
 POINTS = 200
@@ -18,16 +22,18 @@ def symbols(model: str, method: str) -> list[str]:
     return list(loop.__code__.co_varnames[: loop.__code__.co_argcount - 2])
 
 
+def joined(model: str, word: str) -> Quantity:
+    name = f"{model}.{word}"
+    return catalogue().get(name) or catalogue()[f"{name}.fourth_order"]
+
+
 def drawn(model: str, method: str) -> Points:
-    name = f"{model}.{METHODS[method].covariance}"
-    quantity = catalogue().get(name) or catalogue()[f"{name}.fourth_order"]
-    return sample(quantity, POINTS, seed=5, correlated=True)
+    return sample(joined(model, METHODS[method].covariance), POINTS, seed=5, correlated=True)
 
 
 def separately(model: str, method: str, points: Points) -> tuple[np.ndarray, np.ndarray]:
     def value(word: str) -> np.ndarray:
-        name = f"{model}.{word}"
-        quantity = catalogue().get(name) or catalogue()[f"{name}.fourth_order"]
+        quantity = joined(model, word)
         return generated.generated(quantity)(**{s.name: points[s.name] for s in quantity.symbols})
 
     words = METHODS[method]
@@ -74,3 +80,30 @@ def test_the_loop_computes_the_same(model: str, method: str) -> None:
 
 def test_every_method_of_every_sensor_is_there() -> None:
     assert len(conversions_of(catalogue())) == 4 * len(METHODS)
+
+
+@EACH
+@pytest.mark.parametrize("module", [conversions, loops], ids=["arrays", "loops"])
+def test_errors_are_within_the_contract_of_the_quantities(module: ModuleType, model: str, method: str) -> None:
+    """The covariance against fifty digits: at most 8 ulp for polar, and 16 for the other sensors."""
+    quantity = joined(model, METHODS[method].covariance)
+
+    def covariance(**points: np.ndarray) -> np.ndarray:
+        return together(module, model, method, points)[1]
+
+    found = errors(covariance, quantity, sample(quantity, 25, seed=20)).max()
+    assert found <= (8 if model == "polar" else 16)
+
+
+@EACH
+def test_the_loop_fills_dictionaries_in_the_order_of_their_places(model: str, method: str) -> None:
+    points = drawn(model, method)
+    arrays = together(loops, model, method, points)
+    for plot in (0, POINTS - 1):
+        mean: dict[tuple[int, ...], float] = {}
+        covariance: dict[tuple[int, ...], float] = {}
+        loop = getattr(loops, f"{model}_{method}")
+        loop(*([points[name][plot].item()] for name in symbols(model, method)), mean, covariance)
+        for found, expected in zip((mean, covariance), arrays, strict=True):
+            assert [*found] == [(0, *index) for index in np.ndindex(expected.shape[1:])]
+            np.testing.assert_allclose([*found.values()], expected[plot].ravel(), rtol=1e-13)
