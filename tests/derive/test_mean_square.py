@@ -1,13 +1,14 @@
 """Mean squares of polynomials in correlated errors: what they are, by quadrature, and that nothing cancels in them."""
 
 import itertools
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive import Model, Source, Variable, angle, correlation, deviation, length
+from radartrack.derive import Model, Source, angle, correlation, deviation, length
 from radartrack.derive import symbolic as sp
 from radartrack.derive.mean_square import MeanSquare, Powers
 from radartrack.derive.stable import StableForm
@@ -34,7 +35,7 @@ def model_with(*pairs: tuple[int, int]) -> Model:
     )
 
 
-def named(powers: list[Powers]) -> dict[Powers, Variable]:
+def named(powers: list[Powers]) -> dict[Powers, sp.Symbol]:
     return {n: sp.Symbol("c_" + "".join(map(str, n)), real=True) for n in powers}
 
 
@@ -44,7 +45,8 @@ def value_of(model: Model, coefficients: dict[Powers, float], point: dict[str, f
     form = StableForm(mean_square.definitions, Tensor((), (mean_square.of(names),)))
     values = point | {names[n].name: c for n, c in coefficients.items()}
     (expression,) = form.expanded()
-    return float(expression.xreplace({symbol: sp.Rational(values[symbol.name]) for symbol in expression.free_symbols}))
+    exact = {symbol: sp.Rational(Fraction(values[symbol.name])) for symbol in expression.free_symbols}
+    return float(expression.xreplace(exact))
 
 
 def by_quadrature(matrix: np.ndarray, coefficients: dict[Powers, float]) -> float:

@@ -2,6 +2,7 @@
 
 import itertools
 import re
+from collections.abc import Callable
 
 import mpmath
 import numpy as np
@@ -96,7 +97,13 @@ def test_the_terms_of_a_sum_are_its_code():
     ids=str,
 )
 def test_what_numpy_has_no_words_for_is_refused_wherever_it_stands(expression: sympy.Expr):
-    contexts = (lambda e: e, lambda e: e + x, lambda e: 2 * e, lambda e: sympy.sin(e, evaluate=False), lambda e: y / e)
+    contexts: tuple[Callable[[sympy.Expr], sympy.Expr], ...] = (
+        lambda e: e,
+        lambda e: e + x,
+        lambda e: 2 * e,
+        lambda e: sympy.sin(e, evaluate=False),
+        lambda e: y / e,
+    )
     for context in itertools.islice(contexts, 1 if expression in (sympy.oo, sympy.zoo, sympy.nan) else None):
         with pytest.raises(NotWritable):
             code(context(expression))

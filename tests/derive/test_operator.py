@@ -27,7 +27,7 @@ Point = dict[sympy.Symbol, sympy.Rational]
 def covariances(draw: st.DrawFn) -> Covariance:
     """A Aᵀ for a random A: generic, correlated."""
     a = sympy.Matrix(2, 2, draw(st.tuples(*[NUMBERS] * 4))) / 3
-    return (a * a.T).tolist()
+    return [list(row) for row in (a * a.T).tolist()]
 
 
 def read(expression: sympy.Expr) -> ExponentialPolynomial:

@@ -1,5 +1,8 @@
 """Stable forms: the same function, without cancellation, and never unproved."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
 import sympy
@@ -7,9 +10,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from radartrack.derive import stable
+from radartrack.derive.bernstein import Decay, bernstein
 from radartrack.derive.exponential import ExponentialPolynomial, NotExponentialPolynomial, ring_over
 from radartrack.derive.numpy_code import code
-from radartrack.derive.stable import NotProved, StableForm, stable_form
+from radartrack.derive.stable import NotProved, StableForm, Wave, stable_form
 from radartrack.derive.tensor import Tensor
 from tests.examples import share
 from tests.expressions import NONZERO, number
@@ -28,7 +32,7 @@ def forget_forms():
         getattr(function, "cache_clear", lambda: None)()
 
 
-def vector(*entries: sympy.Expr) -> Tensor:
+def vector(*entries: sympy.Expr) -> Tensor[sympy.Expr]:
     return Tensor((len(entries),), entries)
 
 
@@ -102,7 +106,7 @@ def test_the_forms_that_the_method_is_known_for():
 
 @pytest.mark.parametrize("factor", [sympy.Integer(2), sympy.Integer(-1), 1 + sympy.Rational(1, 10**30)])
 def test_a_wrong_factor_in_a_rewriting_is_not_proved(monkeypatch: pytest.MonkeyPatch, factor: sympy.Expr):
-    right = stable.bernstein
+    right = bernstein
     monkeypatch.setattr(stable, "bernstein", lambda *arguments: factor * right(*arguments))
     with pytest.raises(NotProved):
         stable_form(vector(r * sympy.exp(-(sigma**2)) - r * sympy.exp(-2 * sigma**2)))
@@ -115,13 +119,13 @@ def test_a_wrong_wave_is_not_proved(monkeypatch: pytest.MonkeyPatch):
         stable_form(vector(r * sympy.sin(beta) * sympy.exp(-(sigma**2))))
 
 
-@pytest.mark.parametrize(("part", "wrong"), [(stable.Wave, sympy.sin), (stable.Decay, sympy.exp)])
+@pytest.mark.parametrize(("part", "wrong"), [(Wave, sympy.sin), (Decay, sympy.exp)])
 def test_a_wrong_definition_of_an_intermediate_is_not_proved(
-    monkeypatch: pytest.MonkeyPatch, part: type, wrong: object
+    monkeypatch: pytest.MonkeyPatch, part: type[Wave | Decay], wrong: Callable[..., sympy.Expr]
 ):
     right = part.definitions
 
-    def definitions(self: object) -> dict[sympy.Symbol, sympy.Expr]:
+    def definitions(self: Any) -> dict[sympy.Symbol, sympy.Expr]:
         return {
             symbol: wrong(*definition.atoms(sympy.Function).pop().args) for symbol, definition in right(self).items()
         }

@@ -10,6 +10,7 @@ from radartrack.derive.tensor import Tensor
 from tests.examples import share
 from tests.expressions import NUMBERS, exponential_polynomials, number, rational_points
 
+Outputs = Tensor[sympy.Expr]
 x, y = sympy.symbols("x y", real=True)
 maps = st.tuples(*[exponential_polynomials(x, y)] * 3).map(lambda entries: Tensor((3,), entries))
 covariances = st.tuples(NUMBERS, NUMBERS, NUMBERS).map(lambda k: ((k[0], k[1]), (k[1], k[2])))
@@ -17,7 +18,7 @@ covariances = st.tuples(NUMBERS, NUMBERS, NUMBERS).map(lambda k: ((k[0], k[1]), 
 
 @given(maps, rational_points(x, y))
 @share(0.1)
-def test_derivatives_are_those_that_mpmath_takes(outputs: Tensor, point: dict[sympy.Symbol, sympy.Rational]):
+def test_derivatives_are_those_that_mpmath_takes(outputs: Outputs, point: dict[sympy.Symbol, sympy.Rational]):
     first, second = taylor.jacobian(outputs, (x, y)), taylor.hessian(outputs, (x, y))
     assert (first.shape, second.shape) == ((3, 2), (3, 2, 2))
     with mpmath.workdps(60):
@@ -32,7 +33,7 @@ def test_derivatives_are_those_that_mpmath_takes(outputs: Tensor, point: dict[sy
 
 @given(maps, covariances)
 @share(0.04)
-def test_moments_are_their_definitions_in_matrices(outputs: Tensor, covariance: tuple[tuple[sympy.Expr, ...], ...]):
+def test_moments_are_their_definitions_in_matrices(outputs: Outputs, covariance: tuple[tuple[sympy.Expr, ...], ...]):
     K, J = sympy.Matrix(covariance), sympy.Matrix(list(outputs)).jacobian([x, y])
     G = [sympy.hessian(h, (x, y)) for h in outputs]
     linear = taylor.linear_covariance(outputs, (x, y), covariance)

@@ -26,7 +26,7 @@ from tests.examples import share
 from tests.expressions import linear, monomials, number
 from tests.quadrature import Gaussian, Point, square
 
-Word = Callable[[Any], Tensor]
+Word = Callable[[Any], Tensor[Any]]
 x, y = (Variable(name, "a quantity", ONE, -2, 2) for name in ("x", "y"))
 DEVIATIONS = (deviation(x, 0.01, 1), deviation(y, 0.01, 1))
 RHO = correlation("rho", x, y)
@@ -71,7 +71,7 @@ class Numbers:
         return evaluated(Tensor((2,), self.outputs), point)
 
 
-def evaluated(tensor: Tensor, point: Point) -> np.ndarray:
+def evaluated(tensor: Tensor[Expr], point: Point) -> np.ndarray:
     """Values at points of any shape, along new last axes."""
     shape = np.broadcast_shapes(*(np.shape(value) for value in point.values()))
     symbols = [sympy.Symbol(name) for name in point]
@@ -80,7 +80,7 @@ def evaluated(tensor: Tensor, point: Point) -> np.ndarray:
     return np.stack([value * np.ones(shape) for value in values], axis=-1).reshape(*shape, *tensor.shape)
 
 
-def derived(word: Word, outputs: tuple[Expr, Expr]) -> Tensor:
+def derived(word: Word, outputs: tuple[Expr, Expr]) -> Tensor[Expr]:
     return word(Closed(model(*outputs))).map(ExponentialPolynomial.expression)
 
 
@@ -96,7 +96,7 @@ def test_the_biases(outputs: tuple[Expr, Expr]):
     noise = of.gaussian()
 
     def bias(truth: Point) -> np.ndarray:
-        return noise.expectation(of.h, truth) - of.h(truth)
+        return np.asarray(noise.expectation(of.h, truth) - of.h(truth))
 
     assert_word_is(words.bias_truth, outputs, bias(AT))
     assert_word_is(words.bias_averaged, outputs, noise.expectation(bias, AT, sign=-1))
@@ -121,7 +121,7 @@ def test_the_unbiased_estimate_and_its_covariances(outputs: tuple[Expr, Expr]):
     estimate = derived(words.unbiased_estimate, outputs)
 
     def u(point: Point) -> np.ndarray:
-        return evaluated(estimate, VALUES | point)
+        return evaluated(estimate, {**VALUES, **point})
 
     def given_truth(truth: Point) -> np.ndarray:
         return noise.expectation(lambda z: square(u(z) - of.h(truth)), truth)

@@ -60,7 +60,7 @@ def test_what_vanishes_is_guarded_without_a_warning(tmp_path: Path):
     thing = module_of(text, tmp_path).thing
     np.testing.assert_array_equal(thing(a=[1.0, 3.0], r=[0.0, 2.0]), [0.0, 1.5])
     assert thing(a=1.0, r=0.0) == 0.0
-    assert thing(a=np.float32([3]), r=np.float32([2])).dtype == np.float32
+    assert thing(a=np.array([3], np.float32), r=np.array([2], np.float32)).dtype == np.float32
 
 
 def test_the_digest_is_of_the_code_alone():

@@ -11,6 +11,7 @@ from radartrack.derive.checking.display import shown
 from radartrack.derive.checking.reference import UnknownEntry, refer
 from radartrack.derive.checking.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.quantity import Quantity
 from radartrack.derive.units import METRE
 
 LINEAR = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"
@@ -56,6 +57,7 @@ def test_a_difference_that_is_tiny_at_the_usual_point_is_shown_where_it_matters(
     formula = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2 + sigma_r**2*sigma_beta**2"
     example = check("polar.covariance.linear[0,0]", formula, given=INDEPENDENT).counterexample
     assert example is not None
+    assert example.relative_difference is not None
     assert example.relative_difference > 0.01
 
 
@@ -158,9 +160,14 @@ def test_what_cannot_be_read_is_not_suggested() -> None:
 
 
 def test_only_quantities_of_the_printed_dimension_and_symbols_are_derived(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked = []
+    asked: list[Quantity] = []
     values = relatives._values
-    monkeypatch.setattr(relatives, "_values", lambda quantity, point: asked.append(quantity) or values(quantity, point))
+
+    def noted(quantity: Quantity, point: relatives.Point) -> object:
+        asked.append(quantity)
+        return values(quantity, point)
+
+    monkeypatch.setattr(relatives, "_values", noted)
     check("polar.decorrelated.covariance[0,0]", "predicted_sigma_r**2*cos(beta)**2")
     assert {quantity.unit((0, 0)) for quantity in asked} == {METRE**2}
     assert {quantity.name for quantity in asked} == {"polar.decorrelated.covariance"}
