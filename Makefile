@@ -27,7 +27,8 @@ format: $(VENV)/.group-lint
 	$(BIN)/ruff format .
 
 types: $(VENV)/.group-types installed
-	cd build/installed && ../../$(BIN)/mypy --config-file ../../pyproject.toml --package radartrack
+	@cp -R tests build/installed
+	cd build/installed && ../../$(BIN)/mypy --config-file ../../pyproject.toml --package radartrack --package tests
 
 layers: $(VENV)/.group-layers installed
 	cd build/installed && ../../$(BIN)/lint-imports --config ../../pyproject.toml --no-cache --no-logo
@@ -70,7 +71,7 @@ clean:
 # Type checkers and import-linter do not follow the mapping of folders to packages in an editable
 # installation, so they read an ordinary one, built from a copy that leaves nothing behind in the tree.
 installed: $(VENV)/.package
-	@rm -rf build
+	@rm -rf build/source build/installed
 	@mkdir -p build/source
 	@cp -R LICENSE README.md pyproject.toml derive generated radartrack build/source
 	@$(INSTALL) --no-deps --target build/installed ./build/source

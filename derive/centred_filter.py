@@ -103,7 +103,7 @@ class CentredFilter:
                 found.append(factor.as_expr())
         common = self._common(numerator)
         content, factors = common.factor_list()
-        scale, rest = numerator.quo(common).primitive()
+        scale, rest = numerator.exquo(common).primitive()
         number = content * scale
         found += [factor.as_expr() ** power for factor, power in factors]
         return sp.Rational(int(number.numerator), int(number.denominator)) * sp.Mul(*found, rest.as_expr())

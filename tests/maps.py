@@ -4,7 +4,7 @@
 """
 
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
@@ -47,7 +47,7 @@ ROTATIONS: dict[str, Callable[[float], np.ndarray]] = {
 }
 """What adding an angle to the azimuth does to the coordinates."""
 
-REFLECTIONS = {
+REFLECTIONS: dict[str, Sequence[tuple[str, Sequence[float]]]] = {
     "polar": [("beta", (1, -1))],
     "polar_doppler": [("beta", (1, -1, 1)), ("rdot", (1, 1, -1))],
     "ruv": [("u", (-1, 1, 1)), ("v", (1, -1, 1))],

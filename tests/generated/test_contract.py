@@ -93,7 +93,7 @@ def test_empty_arrays_give_empty_results(quantity: Quantity):
 @OF_EACH_MODULE
 def test_arrays_of_single_precision_give_single_precision(quantity: Quantity):
     point, function = example(quantity), conversions.generated(quantity)
-    single = function(**{name: np.float32([value]) for name, value in point.items()})
+    single = function(**{name: np.array([value], dtype=np.float32) for name, value in point.items()})
     assert single.dtype == np.float32
     assert_same(single[0], np.asarray(function(**point)), relative=2e-5)
 
@@ -102,12 +102,12 @@ def test_arrays_of_single_precision_give_single_precision(quantity: Quantity):
 def test_python_numbers_follow_arrays_of_single_precision(quantity: Quantity):
     point, function = example(quantity), conversions.generated(quantity)
     first = next(iter(point))
-    assert function(**point | {first: np.float32([point[first]])}).dtype == np.float32
+    assert function(**point | {first: np.array([point[first]], dtype=np.float32)}).dtype == np.float32
 
 
 @OF_EACH_MODULE
 def test_one_array_of_double_precision_makes_the_result_double(quantity: Quantity):
-    point = {name: np.float32([value]) for name, value in example(quantity).items()}
+    point = {name: np.array([value], dtype=np.float32) for name, value in example(quantity).items()}
     first = next(iter(point))
     assert conversions.generated(quantity)(**point | {first: point[first].astype(float)}).dtype == np.float64
 
@@ -155,9 +155,9 @@ def test_arguments_are_the_symbols_by_keyword_only(quantity: Quantity):
     parameters = inspect.signature(function).parameters
     assert list(parameters) == [symbol.name for symbol in quantity.symbols]
     assert {parameter.kind for parameter in parameters.values()} == {inspect.Parameter.KEYWORD_ONLY}
-    for call in ([], {**point, "azimut": 1.0}):
+    for call in ({}, {**point, "azimut": 1.0}):
         with pytest.raises(TypeError):
-            function(**dict(call))
+            function(**call)
     with pytest.raises(TypeError):
         function(*point.values())
 

@@ -1,6 +1,8 @@
+from typing import Any
+
 from radartrack import audit_text
 
-RECORD = {"order": None, "remarks": [], "suggestions": []}
+RECORD: dict[str, Any] = {"order": None, "remarks": [], "suggestions": []}
 EXAMPLE = {
     "point": {"k": 8.0},
     "entry": (),

@@ -5,8 +5,9 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -58,12 +59,12 @@ def out(small: None, tmp_path: Path) -> Path:  # noqa: ARG001 - in this order
 
 
 def run_in_process_of_its_own(
-    *arguments: str | Path, cwd: Path = ROOT, **environment: str
+    *arguments: str | Path, cwd: Path = ROOT, environment: Mapping[str, str] = MappingProxyType({})
 ) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-c", RUN, "regenerate", *map(str, arguments)],
         cwd=cwd,
-        env=os.environ | environment,
+        env={**os.environ, **environment},
         capture_output=True,
         text=True,
         check=False,
@@ -84,7 +85,7 @@ def test_another_hash_seed_and_the_other_ground_types_give_the_same_bytes(tmp_pa
     (tmp_path / "out").mkdir()
     shutil.copy(GENERATED / "accuracy.json", tmp_path / "out")
     environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python"}
-    result = run_in_process_of_its_own("--out", tmp_path / "out", **environment)
+    result = run_in_process_of_its_own("--out", tmp_path / "out", environment=environment)
     assert result.returncode == 0, result.stderr
     assert contents(tmp_path / "out") == shipped()
 
@@ -94,7 +95,7 @@ def test_damaged_generated_code_does_not_keep_the_command_from_restoring_every_b
     for name in ("__init__.py", "polar.py"):
         (package / "generated" / name).write_text("def (:\n")
     environment = {"PYTHONHASHSEED": "1", "SYMPY_GROUND_TYPES": "flint"}
-    result = run_in_process_of_its_own("--out", package / "generated", cwd=tmp_path, **environment)
+    result = run_in_process_of_its_own("--out", package / "generated", cwd=tmp_path, environment=environment)
     assert result.returncode == 0, result.stderr
     assert contents(package / "generated") == shipped()
 
@@ -207,7 +208,7 @@ def make_syntax_error(out: Path) -> None:
     (out / "polar.py").write_text("def (:\n")
 
 
-DAMAGES = {
+DAMAGES: dict[Callable[[Path], None], list[str]] = {
     edit_code: ["polar.py on disk", "-    result[..., 1] = -r * sin_beta", "+    result[..., 1] = r * sin_beta"],
     edit_docstring: ['-    """Bias of', '+    """Exact bias of'],
     edit_accuracy: ["-    Accuracy: at most 1 ulp", "+    Accuracy: at most 0.5 ulp"],

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import radartrack as rt
 from radartrack import simulate
+from radartrack.sensors import SENSORS
 from radartrack.simulate import Accelerated, Radar, Straight, Target, Turning
 
 TARGETS: list[Target] = [
@@ -74,7 +75,7 @@ def test_a_compass_counts_the_azimuth_from_the_y_axis() -> None:
 @pytest.mark.parametrize("sensor", list(NOISE))
 def test_errors_have_the_mean_deviations_and_correlation_asked_for(sensor: Any) -> None:
     """Six standard errors of 80 000 draws: a deviation that is wrong by 1.5 % is found, a correlation by 0.02."""
-    model = rt.consistency.SENSORS[sensor]
+    model = SENSORS[sensor]
     names = list(model.coordinates)
     bias = {names[0]: 30.0, names[1]: -0.05}
     seen = simulate.plots(
@@ -142,8 +143,9 @@ def test_the_filters_take_plots_with_missing_detections() -> None:
     ],
 )
 def test_what_is_no_radar_is_refused(change: dict[str, Any], error: type[Exception], message: str) -> None:
+    right: dict[str, Any] = {"sensor": "polar", "period": 1.0, "noise": NOISE["polar"]}
     with pytest.raises(error, match=message):
-        Radar(**({"sensor": "polar", "period": 1.0, "noise": NOISE["polar"]} | change))
+        Radar(**(right | change))
 
 
 @pytest.mark.parametrize(

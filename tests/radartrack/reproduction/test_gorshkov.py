@@ -3,10 +3,10 @@
 import pytest
 
 from radartrack.reproduction import gorshkov
-from radartrack.reproduction.results import Reproduction
+from radartrack.reproduction.results import Finding, Reproduction
 
 
-def _finding(found: Reproduction, begin: str) -> gorshkov.Finding:
+def _finding(found: Reproduction, begin: str) -> Finding:
     [finding] = [f for f in found.findings if f.what.startswith(begin)]
     return finding
 

@@ -1,16 +1,21 @@
 """The experiment of Prosov: what each conversion and each weighting does to a filter, against independent oracles."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
-from radartrack.convert import polar
+from radartrack.convert import Converted, polar
 from radartrack.reproduction import prosov, tracking
 from radartrack.reproduction.results import Reproduction, table
 from radartrack.reproduction.tracking import CONVERSIONS, Scene, scene
 
 TRIALS = 2000
+
+
+def linear(plot: dict[str, Any]) -> Converted:
+    return polar(**plot, method="linear")
 
 
 @pytest.fixture(scope="module")
@@ -20,7 +25,7 @@ def view() -> Scene:
 
 def test_the_printed_correction_is_as_printed_and_reversed_it_is_unbiased_to_fourth_order() -> None:
     """(10) with its numbers; the mean over the azimuth error multiplies a position by exp(-sigma^2/2)."""
-    plot = {"r": np.array([150e3]), "azimuth": np.array([0.3]), "range_std": 250.0, "azimuth_std": 0.1}
+    plot: dict[str, Any] = {"r": np.array([150e3]), "azimuth": np.array([0.3]), "range_std": 250.0, "azimuth_std": 0.1}
     position = 150e3 * np.array([[math.cos(0.3), math.sin(0.3)]])
     assert tracking.position_as_printed(plot) == pytest.approx(position * 0.995)
     expected = tracking.position_with_sign_reversed(plot) * math.exp(-0.005)
@@ -31,8 +36,9 @@ def test_the_printed_correction_is_as_printed_and_reversed_it_is_unbiased_to_fou
 def test_the_filter_of_plots_with_covariances_at_the_truth_is_weighted_least_squares(view: Scene) -> None:
     """With nothing known before, the last estimate is the least-squares line through all converted plots."""
     error = tracking.track(view, CONVERSIONS["linear"], "truth").error
-    mean, covariance = polar(**view.seen.measured, **view.radar.noise, method="linear")
-    noise = polar(**view.seen.truth, **view.radar.noise, method="linear").covariance
+    measured, truth = ({**plot, **view.radar.noise} for plot in (view.seen.measured, view.seen.truth))
+    mean, covariance = linear(measured)
+    noise = linear(truth).covariance
     assert covariance.shape == (TRIALS, 20, 2, 2)
     elapsed = view.seen.t - view.seen.t[-1]
     design = np.stack([np.kron(np.eye(2), [1.0, t]) for t in elapsed])

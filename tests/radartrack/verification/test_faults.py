@@ -57,7 +57,7 @@ def no_number(values: np.ndarray, **_: Any) -> np.ndarray:
     return values * np.nan
 
 
-CODE = {
+CODE: dict[Function, set[str]] = {
     off_diagonal_sign: NUMERIC,
     standard_deviations: {"dimensions", *NUMERIC},
     exchanged_coordinates: NUMERIC,

@@ -85,6 +85,8 @@ def test_the_search_finds_worse_points_than_chance():
     outcome = Accuracy(points=400)(quantity, wrong_nearby)
     before = re.search(r"points, (\S+) ulp before the search", outcome.detail)
     assert outcome.verdict is Verdict.FAILED
+    assert before is not None
+    assert outcome.figure is not None
     assert outcome.figure > 3 * float(before[1])
 
 

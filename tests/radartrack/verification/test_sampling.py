@@ -8,6 +8,7 @@ import pytest
 
 from radartrack.derive.catalogue import catalogue, find
 from radartrack.derive.quantity import Quantity
+from radartrack.derive.units import RADIAN
 from radartrack.verification.sampling import sample
 from tests import conversions
 
@@ -21,7 +22,7 @@ def test_points_lie_in_the_domain_and_whole_numbers_are_whole(quantity: Quantity
     for symbol in quantity.symbols:
         values = points[symbol.name]
         assert values.shape == (400,)
-        slack = 0.02 if symbol.unit == conversions.RADIAN else 0.0
+        slack = 0.02 if symbol.unit == RADIAN else 0.0
         assert symbol.low - slack <= values.min()
         assert values.max() <= symbol.high + slack
         if symbol.whole:

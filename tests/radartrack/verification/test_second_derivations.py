@@ -1,6 +1,7 @@
 """The second derivations are right by themselves: they are oracles of the layer `identity`."""
 
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.models import models
 from radartrack.derive.quantity import Quantity
@@ -43,7 +45,7 @@ def test_moments_of_gaussian_errors_are_those_of_quadrature(powers: tuple[int, .
 @pytest.mark.parametrize("name", ["polar", "polar_doppler", "ruv", "spherical"])
 def test_series_of_a_map_are_its_derivatives(name: str):
     model = models()[name]
-    at = {variable: mpmath.mpf(n + 2) / 7 for n, variable in enumerate(model.measured)}
+    at: dict[sp.Symbol, Any] = {variable: mpmath.mpf(n + 2) / 7 for n, variable in enumerate(model.measured)}
     series = jets(list(model.map), at, model.measured, 3)
     for a, jet in enumerate(series):
         for powers, value in jet.terms.items():
@@ -56,7 +58,7 @@ def test_series_of_a_map_are_its_derivatives(name: str):
 
 def test_the_estimate_of_the_series_is_unbiased_to_its_order():
     model = models()["ruv"]
-    at = {symbol: mpmath.mpf("0.3") for symbol in model.symbols}
+    at: dict[sp.Symbol, Any] = {symbol: mpmath.mpf("0.3") for symbol in model.symbols}
     series = DirectSeries(model, at, 4)
     for h, u in zip(series.h, series.u, strict=True):
         assert all(abs(value) < 1e-12 for value in (series.noise(u) - h).terms.values())

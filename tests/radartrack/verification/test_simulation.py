@@ -64,9 +64,10 @@ def test_the_order_in_which_chunks_end_changes_no_bit():
 
 
 def test_dask_gives_the_same_bits_when_a_worker_is_killed_on_the_way():
-    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster:
+    started: Any = LocalCluster  # publishes no types
+    with started(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster:
         engine: Engine = Dask(cluster.scheduler_address)
-        results = []
+        results: list[tuple[int, dict[str, Any]]] = []
         for result in engine.run(enumerate(tasks())):
             if not results:
                 os.kill(next(iter(cluster.workers.values())).pid, signal.SIGKILL)

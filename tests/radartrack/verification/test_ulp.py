@@ -5,11 +5,12 @@ import math
 import numpy as np
 import pytest
 import sympy
+from numpy.typing import ArrayLike
 
 from radartrack.derive.catalogue import find
 from radartrack.derive.quantity import Conditioning, Quantity, Source
 from radartrack.derive.tensor import Tensor
-from radartrack.derive.units import METRE, RADIAN
+from radartrack.derive.units import METRE, RADIAN, Unit
 from radartrack.derive.variable import length
 from radartrack.verification.ulp import errors
 
@@ -17,13 +18,13 @@ a, b = length("a", "a length"), length("b", "another")
 POINT = {"a": np.array([3.0, 1e6]), "b": np.array([4.0, 1e-3])}
 
 
-def quantity(name: str, axes: tuple, *entries: sympy.Expr) -> Quantity:
+def quantity(name: str, axes: tuple[tuple[Unit, ...], ...], *entries: sympy.Expr) -> Quantity:
     shape = tuple(len(axis) for axis in axes)
     tensor = Tensor(shape, entries)
     return Quantity(name, "", axes, (a, b), Conditioning.NONE, Source("nobody", None), "", lambda: tensor)
 
 
-def found(of: Quantity, *columns: np.ndarray) -> list[float]:
+def found(of: Quantity, *columns: ArrayLike) -> list[float]:
     values = np.stack([np.broadcast_to(column, (2,)) for column in columns], axis=-1).reshape(2, *of.shape)
     return errors(lambda **_: values, of, POINT).tolist()
 
