@@ -92,10 +92,12 @@ class Field:
 
     Args:
         expressions: what will be read; they decide how many generators there is room for.
+        thorough: whether radicands are factored, so that roots of products are told from products of roots.
     """
 
-    def __init__(self, expressions: Iterable[Expr]) -> None:
+    def __init__(self, expressions: Iterable[Expr], *, thorough: bool) -> None:
         given = list(expressions)
+        self._thorough = thorough
         symbols: set[Symbol] = set().union(*(expression.free_symbols for expression in given))
         room = sum(_generators_needed(expression) for expression in given)
         spare = [sp.Symbol(f"{{{number}}}") for number in range(room)]
@@ -103,6 +105,11 @@ class Field:
         self._spare = iter([self._ring(symbol) for symbol in spare])
         self.generators: list[Generator] = []
         self._read: dict[Expr, Quotient] = {}
+
+    @property
+    def has_roots(self) -> bool:
+        """Whether a root was met."""
+        return any(one.kind == "root" for one in self.generators)
 
     def read(self, expression: Expr) -> Quotient:
         """An expression as a fraction.
@@ -269,7 +276,7 @@ class Field:
         """The root of the factors that are never negative, and the rest; of exponentials, only symbols are factors."""
         zero = self._ring.zero
         if value.terms.keys() == {zero}:
-            factors, left = split(value.terms[zero], self._constants)
+            factors, left = split(value.terms[zero], self._constants, thorough=self._thorough)
             return self._root_of_factors(factors, degree), ExponentialPolynomial.constant(self._ring, left)
         powers = zip(_shared_powers(value), self._ring.symbols, strict=True)
         shared = [power if symbol.is_nonnegative else 0 for power, symbol in powers]

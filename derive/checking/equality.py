@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from radartrack.derive.checking.canonical import Field, NotCanonical
 from radartrack.derive.symbolic import Expr
 
@@ -9,11 +11,14 @@ from radartrack.derive.symbolic import Expr
 def proved_equal(first: Expr, second: Expr) -> bool:
     """Whether the two are proved equal wherever both are defined; False says nothing.
 
-    Symbols are real, and positive where their assumptions say so.
+    Symbols are real, and lie in their domains: positive where their assumptions say so, whole numbers from their least.
     """
     difference = first - second  # terms that both have are gone
-    field = Field([difference])
-    try:
-        return field.vanishes(field.read(difference))
-    except NotCanonical:
-        return False
+    for thorough in (False, True):
+        field = Field([difference], thorough=thorough)
+        with suppress(NotCanonical):
+            if field.vanishes(field.read(difference)):
+                return True
+        if not field.has_roots:
+            break
+    return False

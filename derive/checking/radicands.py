@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
+from operator import sub
 
 import mpmath
 
@@ -17,18 +18,21 @@ CERTAIN = 1e-40
 Constants = Mapping[PolyElement, mpmath.mpf]
 
 
-def split(value: PolyElement, constants: Constants) -> tuple[list[tuple[PolyElement, int]], PolyElement]:
+def split(
+    value: PolyElement, constants: Constants, *, thorough: bool
+) -> tuple[list[tuple[PolyElement, int]], PolyElement]:
     """Factors that are never negative, with their powers, and what is left of the polynomial.
 
     Args:
         value: a polynomial.
         constants: symbols of the ring that stand for numbers.
+        thorough: whether all of its factors are looked for, which may take long, or symbols only.
     """
     ring = value.ring
     if any(number.y for number in value.coeffs()):
         return [], value
     real = PolyRing(ring.symbols, sp.QQ).from_dict({monomial: number.x for monomial, number in value.terms()})
-    number, factors = real.factor_list()
+    number, factors = real.factor_list() if thorough else _by_symbols(real)
     rest, found = ring(sp.QQ_I(number, 0)), []
     for factor, power in factors:
         monic = ring.from_dict({monomial: sp.QQ_I(one / factor.LC, 0) for monomial, one in factor.terms()})
@@ -36,6 +40,14 @@ def split(value: PolyElement, constants: Constants) -> tuple[list[tuple[PolyElem
         rest = rest * ring(sp.QQ_I(factor.LC, 0)) ** power * (ring(sign) if sign else monic) ** power
         found += [(monic * sign, power)] if sign else []
     return found, rest
+
+
+def _by_symbols(value: PolyElement) -> tuple[sp.PolyCoefficient, list[tuple[PolyElement, int]]]:
+    """The symbols that divide all of a polynomial, and the rest of it."""
+    powers = [min(of_one) for of_one in zip(*value.monoms(), strict=True)]
+    left = {tuple(map(sub, monomial, powers)): number for monomial, number in value.terms()}
+    symbols = [(symbol, power) for symbol, power in zip(value.ring.gens, powers, strict=True) if power]
+    return sp.QQ(1), [*symbols, (value.ring.from_dict(left), 1)]
 
 
 def _sign(value: PolyElement, constants: Constants) -> int:
