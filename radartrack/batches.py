@@ -7,9 +7,14 @@ Every entry is computed alone: how the entries are divided changes no bit.
 
 import os
 from collections.abc import Callable, Sequence
+from functools import cache
 from threading import Lock
+from typing import TYPE_CHECKING
 
 from radartrack.validation import RealArray
+
+if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
 
 BLOCK = 65536  # entries; few enough to stay in the cache, enough that threads seldom wait for the interpreter
 MOST_THREADS = 8  # each has intermediate results of its own, and all wait for one interpreter
@@ -42,8 +47,6 @@ def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArra
 
 def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
     """On all cores, this thread's among them; each takes the next item when it is ready for it."""
-    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415 - it costs more to load than small arrays do
-
     waiting, turn = iter(items), Lock()
 
     def run() -> None:
@@ -54,11 +57,25 @@ def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
         with turn:
             return next(waiting, None)
 
-    with ThreadPoolExecutor() as pool:
-        others = [pool.submit(run) for _ in range(min(_cores(), MOST_THREADS) - 1)]
+    others = [_threads().submit(run) for _ in range(min(_cores(), MOST_THREADS, len(items)) - 1)]
+    try:
         run()
+    finally:
         for other in others:
-            other.result()
+            if not other.cancel():  # what has not begun is not needed
+                other.result()
+
+
+@cache
+def _threads() -> "ThreadPoolExecutor":
+    """Kept: to start a thread takes longer than a block of a short formula."""
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415 - it costs more to load than small arrays do
+
+    return ThreadPoolExecutor(MOST_THREADS, "radartrack")
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_threads.cache_clear)  # threads do not come along
 
 
 def _cores() -> int:

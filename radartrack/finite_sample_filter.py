@@ -81,6 +81,13 @@ class _Observed(NamedTuple):
         parts = (None if part is None else np.nan_to_num(part[tracks]) for part in self)
         return _Observed(*parts)  # type: ignore[arg-type]
 
+    def shows_finite(self, products: RealArray) -> bool:
+        """Whether all is finite, from the fewest numbers: what is not also shows in sums and products with it."""
+        parts = [part for part in (self.ranges, self.rates) if part is not None]
+        with np.errstate(invalid="ignore", over="ignore"):
+            fewest = [products] if products.size < self.ranges.size else parts
+            return all(math.isfinite(part.sum()) for part in fewest)
+
     @property
     def uneven(self) -> NDArray[np.bool_]:
         """The tracks that miss something or have times of their own."""
@@ -292,11 +299,10 @@ class FiniteSampleFilter:
         used = observed.window(max(ends.start - length, 0), ends.stop - 1)
         with np.errstate(invalid="ignore", over="ignore"):
             fitted = self._banded(used, ends, length)
-        finite = np.isfinite(fitted)
-        if finite.all():
+        if used.shows_finite(fitted):
             return self._shared(fitted, ends, length)
         _require_finite_or_missing(observed)
-        partial = ~np.asarray(finite.all(axis=(-1, -2)))
+        partial = used.uneven
         fitted[partial] = self._banded(used.without_missing(partial), ends, length)
         return self._with_uneven(self._shared(fitted, ends, length), observed, ends, length)
 
@@ -309,13 +315,12 @@ class FiniteSampleFilter:
         return fitted.reshape(*fitted.shape[:-1], len(ends), self.degree + 1)
 
     def _shared(self, fitted: RealArray, ends: range, length: int) -> Run:
-        """With the covariances and degrees that all full tracks share; NaN beyond the degree."""
+        """With the covariances and degrees that all full tracks share."""
         closed = [self._closed(min(end, length)) for end in ends]
         degrees = np.array([part.degree for part in closed])
         size = self.degree + 1
         covariances = np.full((len(ends), size, size), np.nan, fitted.dtype)
         for n, part in enumerate(closed):
-            fitted[..., n, part.degree + 1 :] = np.nan
             covariances[n, : part.degree + 1, : part.degree + 1] = part.covariance
         tracks = fitted.shape[:-2]
         return Run(
@@ -325,7 +330,10 @@ class FiniteSampleFilter:
         )
 
     def _band(self, ends: range, first: int, length: int) -> list[RealArray]:
-        """The weights of the scans from `first` on, one column for each component of each estimate."""
+        """The weights of the scans from `first` on, one column for each component of each estimate.
+
+        They are NaN for components that the scans do not determine.
+        """
         size = self.degree + 1
         bands = [np.zeros((ends.stop - 1 - first, len(ends), size)) for _ in range(1 + (self.rate_std is not None))]
         for n, end in enumerate(ends):
@@ -333,6 +341,7 @@ class FiniteSampleFilter:
             for band, weights in zip(bands, closed.weights, strict=False):
                 if weights is not None:
                     band[max(end - length, 0) - first : end - first, n, : closed.degree + 1] = weights.T
+                    band[:, n, closed.degree + 1 :] = np.nan
         return [band.reshape(len(band), -1) for band in bands]
 
     def _closed(self, k: int) -> _Closed:

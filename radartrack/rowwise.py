@@ -10,9 +10,11 @@ import math
 
 import numpy as np
 
+from radartrack.batches import fill
 from radartrack.validation import RealArray
 
 BLOCK = 256
+AT_ONCE = 64  # blocks, by one thread
 
 
 def rowwise_product(rows: RealArray, matrix: RealArray) -> RealArray:
@@ -30,7 +32,8 @@ def rowwise_product(rows: RealArray, matrix: RealArray) -> RealArray:
     whole = blocks * BLOCK
     result = np.empty((len(flat), columns), rows.dtype)
     full = flat[:whole].reshape(blocks, BLOCK, inner)
-    np.matmul(full, matrix, out=result[:whole].reshape(blocks, BLOCK, columns))
+    products = result[:whole].reshape(blocks, BLOCK, columns)
+    fill(lambda some, out: np.matmul(some, matrix, out=out), [full], [products], AT_ONCE)
     if whole < len(flat):
         rest = np.zeros((BLOCK, inner), rows.dtype)
         rest[: len(flat) - whole] = flat[whole:]

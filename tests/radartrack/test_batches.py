@@ -1,6 +1,10 @@
 """Blocks and threads change nothing but the time."""
 
+import subprocess
+import sys
+import time
 import tracemalloc
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -40,6 +44,43 @@ def test_an_error_in_one_block_of_many_reaches_the_caller() -> None:
     for _ in range(20):  # by any of the threads
         with pytest.raises(FloatingPointError, match="nine"):
             batches.fill(fails, [np.arange(16)], [np.zeros(16)], block=1)
+
+
+def test_blocks_may_be_filled_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With one thread to help, which waits for blocks of its own while its own help is asked for."""
+    helper = ThreadPoolExecutor(1)
+    monkeypatch.setattr(batches, "_threads", lambda: helper)
+    monkeypatch.setattr(batches, "_cores", lambda: 2)
+
+    def rows(values: np.ndarray, out: np.ndarray) -> None:
+        time.sleep(1e-3)
+        batches.fill(np.square, [values[0]], [out[0]], block=1)
+
+    values, out = np.arange(3200.0).reshape(64, 50), np.empty((64, 50))
+    batches.fill(rows, [values], [out], block=1)
+    np.testing.assert_array_equal(out, values**2)
+    helper.shutdown()
+
+
+FORKED = """
+import os, numpy as np
+from radartrack.batches import fill
+
+def squared():
+    out = np.empty(99)
+    fill(np.square, [np.arange(99.0)], [out], block=1)
+    return (out == np.arange(99.0) ** 2).all()
+
+assert squared()
+child = os.fork() if hasattr(os, "fork") else -1
+if not child:
+    os._exit(0 if squared() else 1)
+assert child < 0 or os.waitpid(child, 0)[1] == 0
+"""
+
+
+def test_a_forked_process_has_threads_of_its_own() -> None:
+    subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], check=True, timeout=60)
 
 
 SIZE = batches.BLOCK + 5

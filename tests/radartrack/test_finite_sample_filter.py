@@ -336,3 +336,19 @@ def test_very_unequal_accuracies_are_no_obstacle_to_the_normal_equations(rate_st
     deviations = np.sqrt(np.diagonal(closed.covariance))
     assert np.all(np.abs(general.covariance - closed.covariance) <= 1e-9 * np.outer(deviations, deviations))
     assert np.all(np.abs(general.state - closed.state) <= 1e-9 * deviations)
+
+
+@pytest.mark.parametrize("window", [None, 4])
+def test_observations_whose_sum_overflows_are_none_the_less_finite(window: int | None) -> None:
+    f, huge = FiniteSampleFilter(10.0, 250.0, degree=0), np.full((3, 40), 1e308)
+    np.testing.assert_allclose(f.estimate(huge).state, 1e308, rtol=1e-14)
+    np.testing.assert_allclose(f.run(huge, window=window).state, 1e308, rtol=1e-14)
+
+
+@pytest.mark.parametrize("scan", [0, 17, 39])
+def test_infinities_that_cancel_are_refused(scan: int) -> None:
+    f, ranges = FiniteSampleFilter(10.0, 250.0), np.zeros((3, 40))
+    ranges[1, scan], ranges[2, scan] = np.inf, -np.inf
+    for filtered in (f.estimate, f.run):
+        with pytest.raises(ValueError, match="ranges must be finite, or NaN where missing; got 2 infinite of 120"):
+            filtered(ranges)
