@@ -36,9 +36,14 @@ def split(
     rest, found = ring(sp.QQ_I(number, 0)), []
     for factor, power in factors:
         monic = ring.from_dict({monomial: sp.QQ_I(one / factor.LC, 0) for monomial, one in factor.terms()})
-        sign = _sign(monic, constants)
-        rest = rest * ring(sp.QQ_I(factor.LC, 0)) ** power * (ring(sign) if sign else monic) ** power
-        found += [(monic * sign, power)] if sign else []
+        rest = rest * ring(sp.QQ_I(factor.LC, 0)) ** power
+        if sign := _sign(monic, constants):
+            rest = rest * ring(sign) ** power
+            found.append((monic * sign, power))
+        elif power % 2 == 0 and _is_real(monic, constants):
+            found.append((monic**2, power // 2))
+        else:
+            rest = rest * monic**power
     return found, rest
 
 
@@ -81,5 +86,11 @@ def _coefficients(value: PolyElement, constants: Constants) -> list[mpmath.mpf]:
 
 
 def _is_never_negative(ring: PolyRing, monomial: tuple[int, ...]) -> bool:
-    powers = zip(ring.symbols, monomial, strict=True)
-    return all(symbol.is_nonnegative or power % 2 == 0 for symbol, power in powers)
+    powers = [(symbol, power) for symbol, power in zip(ring.symbols, monomial, strict=True) if power]
+    return all(symbol.is_nonnegative or (symbol.is_real and power % 2 == 0) for symbol, power in powers)
+
+
+def _is_real(value: PolyElement, constants: Constants) -> bool:
+    """Whether it is made of real symbols alone; roots may be imaginary."""
+    real = [symbol.is_real or one in constants for symbol, one in zip(value.ring.symbols, value.ring.gens, strict=True)]
+    return all(may or not power for monomial in value.monoms() for may, power in zip(real, monomial, strict=True))

@@ -90,12 +90,14 @@ def _confirmed(
     symbols: Sequence[Variable],
     conditions: Mapping[Symbol, Expr],
 ) -> Iterator[Edited]:
-    """Those that can be read and are proved, each formula once; one that cannot be proved is said to be so."""
+    """Those that can be read and are proved, the best first and each formula once; others are said to be unproved."""
     seen: set[str] = set()
     best = math.inf
     for candidate in candidates:
+        if len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
+            return
         formula = to_text(_tidied(candidate.tree))
-        if formula in seen or len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
+        if formula in seen:
             continue
         try:
             expression = names.read(check_tree(candidate.tree)).xreplace(conditions)

@@ -40,6 +40,8 @@ IDENTITIES = [
     (sqrt(x**2 * r + y**2 * r + x**2 * s**2 + y**2 * s**2), sqrt(x**2 + y**2) * sqrt(r + s**2)),
     (sqrt((k + C) / (k**2 + r)), sqrt(k + C) / sqrt(k**2 + r)),
     (cbrt(8 * (r + s) ** 4 * x), 2 * (r + s) * cbrt(r + s) * cbrt(x)),
+    (sqrt((x**2 - y) ** 4 * s), (x**2 - y) ** 2 * sqrt(s)),
+    (sqrt(x**2 * y**6), Abs(x * y) * y**2),
     (sqrt((n**2 - 4) * x), sqrt(n - 2) * sqrt(n + 2) * sqrt(x)),
     (sqrt((3 * n**2 - 3 * n - 17) / (n - 2)), sqrt(3 * n**2 - 3 * n - 17) / sqrt(n - 2)),
     (atan2(y, x), atan2(y, 2 * x - x)),
@@ -70,6 +72,8 @@ DIFFERENT = [
     (sqrt((k**2 - 4) / (k - 1)), sqrt(k**2 - 4) / sqrt(k - 1)),
     (sqrt((n - 4) / (n - 5)), sqrt(n - 4) / sqrt(n - 5)),
     (sqrt((x - 1) * (y - 1)), sqrt(x - 1) * sqrt(y - 1)),
+    (sqrt((x - 1) ** 6), (x - 1) ** 3),
+    (sqrt(1 / (r + (sqrt(x) - 1) * (sqrt(x) + 1) + 1)) * sqrt(r + (sqrt(x) - 1) * (sqrt(x) + 1) + 1), Integer(1)),
     (sqrt(n**2 - 4), n - 2),
 ]
 
