@@ -112,6 +112,7 @@ def test_another_entry_of_the_same_quantity_is_named() -> None:
         ("polar.bias.second_order[0]", "-sigma_beta**2*cos(beta)/2", "a missing factor r"),
         ("polar.bias.second_order[0]", "-r*sigma_beta*cos(beta)/2", "sigma_beta should be sigma_beta**2"),
         ("polar.bias.second_order[0]", "-r*sigma_beta**3*cos(beta)/2", "3 should be 2"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**2*cos(beta)*sin(beta)/2", "an extra factor: sin(beta)"),
         ("polar.bias.second_order[0]", "-r*sigma_beta**2*sin(beta)/2", "sin should be cos"),
         ("polar.covariance.linear[0,0]", LINEAR.replace("**2*s", "*s", 1), "r should be r**2"),
         ("polar.covariance.linear[0,0]", LINEAR.replace("sigma_r", "r"), "r should be sigma_r"),
@@ -153,7 +154,7 @@ def test_every_suggestion_is_itself_found_equal() -> None:
 
 
 def test_what_cannot_be_read_is_not_suggested() -> None:
-    name, formula = "finite_sample.degree0.range.covariance[0,0]", "((sigma_r**3)**3)/k"
+    name, formula = "finite_sample.degree0.range.covariance[0,0]", "((sigma_r**3)**3)**2/k"
     suggestions = check(name, formula).suggestions  # not ((sigma_r**3)**3)**(2/9)/k
     assert suggestions
     assert all(check(name, one.formula).is_equal for one in suggestions)
@@ -171,6 +172,9 @@ def test_only_quantities_of_the_printed_dimension_and_symbols_are_derived(monkey
     check("polar.decorrelated.covariance[0,0]", "predicted_sigma_r**2*cos(beta)**2")
     assert {quantity.unit((0, 0)) for quantity in asked} == {METRE**2}
     assert {quantity.name for quantity in asked} == {"polar.decorrelated.covariance"}
+    asked.clear()
+    check("polar.jacobian[0,1]", "2*r*cos(beta)")
+    assert {quantity.name for quantity in asked} == {"polar.jacobian"}
     asked.clear()
     check("polar.covariance.linear[0,0]", f"{LINEAR} + r")
     assert not asked

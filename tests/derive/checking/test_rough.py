@@ -63,7 +63,7 @@ def test_no_point_of_the_domain_is_worse_than_the_worst(name: str) -> None:
     quantity = catalogue()[name]
     derived = quantity.expression.entries[-1]
     symbols = quantity.symbols
-    for extra in (symbols[0] * derived / 7, Random(1).choice(symbols) ** 2, derived):
+    for extra in (symbols[0] * derived / 7, Random(1).choice(symbols) ** 2, sympy.cos(symbols[1]) * derived):
         relative = Relative(derived + extra, derived, derived**2, symbols)
         worst = worst_over_domain(relative, symbols, next(round_points(symbols)))
         assert relative.at(worst.point) == worst
