@@ -354,7 +354,8 @@ def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:
     own = array.shape[array.ndim - axes :]
     if array.size == math.prod(own):
         return array.reshape(own)
-    return np.broadcast_to(array, (*shape, *own)).reshape(-1, *own)
+    spread = array if array.shape == (*shape, *own) else np.broadcast_to(array, (*shape, *own))
+    return spread.reshape(-1, *own)
 
 
 def _order(size: int) -> list[int]:

@@ -9,9 +9,9 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from radartrack import batches, convert
-from radartrack.sensors import SENSORS
-from tests.radartrack.plots import prediction
+from radartrack import batches
+from radartrack.sensors import SENSORS, SensorName
+from tests.radartrack.plots import function, prediction
 
 
 def cubes(values: np.ndarray, out: np.ndarray) -> None:
@@ -43,7 +43,7 @@ def test_an_error_in_one_block_of_many_reaches_the_caller() -> None:
 
     for _ in range(20):  # by any of the threads
         with pytest.raises(FloatingPointError, match="nine"):
-            batches.fill(fails, [np.arange(16)], [np.zeros(16)], block=1)
+            batches.fill(fails, [np.arange(16.0)], [np.zeros(16)], block=1)
 
 
 def test_blocks_may_be_filled_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -86,7 +86,7 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
 SIZE = batches.BLOCK + 5
 
 
-def plots(sensor: str) -> list[np.ndarray]:
+def plots(sensor: SensorName) -> list[np.ndarray]:
     generator = np.random.default_rng(1)
     between = {
         "r": (1e3, 1e5),
@@ -112,9 +112,9 @@ def test_a_plot_converts_to_the_same_bits_in_a_small_and_in_a_large_batch(
 ) -> None:
     monkeypatch.setattr("radartrack.compiled.is_available", lambda: False)
     arrays = plots("polar")
-    whole = convert.polar(*arrays, azimuth_from=azimuth_from)
+    whole = function("polar")(*arrays, azimuth_from=azimuth_from)
     for n in (0, batches.BLOCK - 1, batches.BLOCK, SIZE - 1):
-        few = convert.polar(*(array[n : n + 1] for array in arrays), azimuth_from=azimuth_from)
+        few = function("polar")(*(array[n : n + 1] for array in arrays), azimuth_from=azimuth_from)
         np.testing.assert_array_equal(whole.mean[n : n + 1], few.mean)
         np.testing.assert_array_equal(whole.covariance[n : n + 1], few.covariance)
 
@@ -122,7 +122,7 @@ def test_a_plot_converts_to_the_same_bits_in_a_small_and_in_a_large_batch(
 @pytest.mark.parametrize("shared", [True, False])
 @pytest.mark.parametrize("sensor", SENSORS)
 def test_predictions_are_taken_plot_by_plot_in_blocks(
-    sensor: str, shared: bool, monkeypatch: pytest.MonkeyPatch
+    sensor: SensorName, shared: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Blocks of seven: the same as in one block, for one prediction or one for each plot."""
     arrays = [array[:23] for array in plots(sensor)]
@@ -130,9 +130,9 @@ def test_predictions_are_taken_plot_by_plot_in_blocks(
     if not shared:
         factors = np.random.default_rng(2).uniform(0.5, 1, 23)
         mean, matrix = mean * factors[:, np.newaxis], matrix * factors[:, np.newaxis, np.newaxis]
-    whole = getattr(convert, sensor)(*arrays, method="decorrelated", predicted=(mean, matrix))
+    whole = function(sensor)(*arrays, method="decorrelated", predicted=(mean, matrix))
     monkeypatch.setattr("radartrack.convert.PREDICTED_BLOCK", 7)
-    blocks = getattr(convert, sensor)(*arrays, method="decorrelated", predicted=(mean, matrix))
+    blocks = function(sensor)(*arrays, method="decorrelated", predicted=(mean, matrix))
     np.testing.assert_array_equal(blocks.mean, whole.mean)
     np.testing.assert_allclose(blocks.covariance, whole.covariance, rtol=1e-13)
 
@@ -154,7 +154,7 @@ def test_what_is_refused_in_a_late_block_is_named_by_its_place_in_the_whole(
     given[name][[19, 22]] = value
     chosen = {"predicted": prediction("polar")} if method == "decorrelated" else {}
     with pytest.raises(ValueError, match=message):
-        convert.polar(**given, method=method, **chosen)
+        function("polar")(**given, method=method, **chosen)
 
 
 def test_a_prediction_refused_in_a_late_block_is_named_by_its_place_in_the_whole(
@@ -165,7 +165,7 @@ def test_a_prediction_refused_in_a_late_block_is_named_by_its_place_in_the_whole
     matrices = np.tile(matrix, (23, 1, 1))
     matrices[19, 0, 0] = -1
     with pytest.raises(ValueError, match=r"predicted covariance must be without a negative .* at \[19\]"):
-        convert.polar(*(a[:23] for a in plots("polar")), method="decorrelated", predicted=(mean, matrices))
+        function("polar")(*(a[:23] for a in plots("polar")), method="decorrelated", predicted=(mean, matrices))
 
 
 @pytest.mark.parametrize("method", ["unbiased", "decorrelated"])
@@ -178,9 +178,9 @@ def test_a_conversion_takes_little_memory_beside_its_result(method: str, monkeyp
     arrays, (mean, matrix) = [array[:40_000] for array in plots("polar")], prediction("polar")
     each = (np.tile(mean, (40_000, 1)), np.tile(matrix, (40_000, 1, 1)))
     chosen = {"predicted": each} if method == "decorrelated" else {}
-    convert.polar(*arrays, method=method, **chosen)  # loads modules
+    function("polar")(*arrays, method=method, **chosen)  # loads modules
     tracemalloc.start()
-    result = convert.polar(*arrays, method=method, **chosen)
+    result = function("polar")(*arrays, method=method, **chosen)
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert most < 1.15 * sum(part.nbytes for part in result)

@@ -60,7 +60,7 @@ def test_any_plain_number_gives_the_same_bits(kind: type) -> None:
 @pytest.mark.parametrize("sensor", SENSORS)
 def test_what_is_refused_is_refused_in_the_words_for_arrays(sensor: str, value: Any) -> None:
     for name in PLOTS[sensor]:
-        messages = []
+        messages: list[Any] = []
         for other in (0.0, np.array(0.0)):  # the array leads the general way
             arguments = {"correlation": other, name: value}
             try:
