@@ -52,6 +52,13 @@ def test_spherical_with_deviations_that_all_plots_share(monkeypatch: pytest.Monk
     assert_same(*both(monkeypatch, "spherical", *arguments))
 
 
+def test_polar_beside_a_prediction(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = plots(5)
+    arguments = [*(given[name] for name in ("r", "azimuth")), 30.0, 2e-3]
+    predicted = (np.array([5e4, 0.5]), np.diag([900.0, 1e-4]))
+    assert_same(*both(monkeypatch, "polar", *arguments, method="decorrelated", predicted=predicted))
+
+
 def test_shapes_and_strides_are_free(monkeypatch: pytest.MonkeyPatch) -> None:
     given = plots(3)
     shape = (SIZE // 7 + 1, 7)
