@@ -261,27 +261,30 @@ class Field:
 
     def _without_powers(self, radicand: Quotient, degree: int) -> tuple[Quotient, Quotient]:
         """The root of what is never negative and multiplies or divides everything, and what is left inside."""
-        outside, inside = self._taken_out(radicand.numerator, degree)
+        outside, inside = self._taken_out(radicand.numerator, 1, degree)
         denominators: Counter[ExponentialPolynomial] = Counter()
         for base, power in radicand.denominators.items():
-            root, rest = self._taken_out(base, degree)
-            outside = outside * self._inverse(root) ** power
+            root, rest = self._taken_out(base, power, degree)
+            outside = outside * self._inverse(root)
             if number := Quotient(rest).number:
-                inside = inside * ExponentialPolynomial.constant(self._ring, self._ring(1 / number)) ** power
+                inside = inside * ExponentialPolynomial.constant(self._ring, self._ring(1 / number))
             else:
-                denominators[rest] += power
+                denominators[rest] += 1
         return outside, Quotient(inside, denominators)
 
-    def _taken_out(self, value: ExponentialPolynomial, degree: int) -> tuple[Quotient, ExponentialPolynomial]:
-        """The root of the factors that are never negative, and the rest; of exponentials, only symbols are factors."""
+    def _taken_out(
+        self, value: ExponentialPolynomial, times: int, degree: int
+    ) -> tuple[Quotient, ExponentialPolynomial]:
+        """The root of what is never negative in a power, and the rest; of exponentials, only symbols are factors."""
         zero = self._ring.zero
         if value.terms.keys() == {zero}:
-            factors, left = split(value.terms[zero], self._constants, thorough=self._thorough)
+            factors, left = split(value.terms[zero], times, self._constants, thorough=self._thorough)
             return self._root_of_factors(factors, degree), ExponentialPolynomial.constant(self._ring, left)
         powers = zip(_shared_powers(value), self._ring.symbols, strict=True)
         shared = [power if symbol.is_nonnegative else 0 for power, symbol in powers]
         rest = ExponentialPolynomial(self._ring, {e: _divided(c, shared) for e, c in value.terms.items()})
-        return self._root_of_factors(zip(self._ring.gens, shared, strict=True), degree), rest
+        factors = [(symbol, power * times) for symbol, power in zip(self._ring.gens, shared, strict=True)]
+        return self._root_of_factors(factors, degree), rest**times
 
     @property
     def _constants(self) -> dict[PolyElement, mpmath.mpf]:

@@ -19,22 +19,23 @@ Constants = Mapping[PolyElement, mpmath.mpf]
 
 
 def split(
-    value: PolyElement, constants: Constants, *, thorough: bool
+    value: PolyElement, times: int, constants: Constants, *, thorough: bool
 ) -> tuple[list[tuple[PolyElement, int]], PolyElement]:
-    """Factors that are never negative, with their powers, and what is left of the polynomial.
+    """Factors that are never negative, with their powers, and what is left of a power of a polynomial.
 
     Args:
-        value: a polynomial.
+        value: the polynomial.
+        times: the power.
         constants: symbols of the ring that stand for numbers.
         thorough: whether all of its factors are looked for, which may take long, or symbols only.
     """
     ring = value.ring
     if any(number.y for number in value.coeffs()):
-        return [], value
+        return [], value**times
     real = PolyRing(ring.symbols, sp.QQ).from_dict({monomial: number.x for monomial, number in value.terms()})
     number, factors = real.factor_list() if thorough else _by_symbols(real)
-    rest, found = ring(sp.QQ_I(number, 0)), []
-    for factor, power in factors:
+    rest, found = ring(sp.QQ_I(number, 0)) ** times, []
+    for factor, power in ((factor, power * times) for factor, power in factors):
         monic = ring.from_dict({monomial: sp.QQ_I(one / factor.LC, 0) for monomial, one in factor.terms()})
         rest = rest * ring(sp.QQ_I(factor.LC, 0)) ** power
         if sign := _sign(monic, constants):

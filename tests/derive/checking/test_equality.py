@@ -42,6 +42,8 @@ IDENTITIES = [
     (cbrt(8 * (r + s) ** 4 * x), 2 * (r + s) * cbrt(r + s) * cbrt(x)),
     (sqrt((x**2 - y) ** 4 * s), (x**2 - y) ** 2 * sqrt(s)),
     (sqrt(x**2 * y**6), Abs(x * y) * y**2),
+    (sqrt(s / (x - y) ** 2), sqrt(s / (x**2 - 2 * x * y + y**2))),
+    (sqrt(s / ((x - 1) * (x - y) ** 2)), sqrt(s / (sympy.expand((x - 1) * (x - y) ** 2)))),
     (sqrt((n**2 - 4) * x), sqrt(n - 2) * sqrt(n + 2) * sqrt(x)),
     (sqrt((3 * n**2 - 3 * n - 17) / (n - 2)), sqrt(3 * n**2 - 3 * n - 17) / sqrt(n - 2)),
     (atan2(y, x), atan2(y, 2 * x - x)),
