@@ -25,7 +25,7 @@ from radartrack.verification.programs import Program
 
 Array = npt.NDArray[np.float64]
 Function = Callable[..., Any]
-BLOCK = 1 << 13  # times that all errors are drawn at once; what is computed from them stays in the cache
+BLOCK = 1 << 12  # times that all errors are drawn at once: what is computed from them stays in the cache
 CHUNK = 1 << 16  # times that they are drawn from one stream
 CHUNKS_OF_A_TASK = 16
 
