@@ -35,10 +35,10 @@ class TestRun:
     """The growing window: an estimate after each scan."""
 
     def test_radartrack(self, timed: Timed) -> None:
-        timed(finite_sample().run, ranges(), items=TRACKS * SCANS, rounds=3)
+        timed(finite_sample().run, ranges(), items=TRACKS * SCANS, rounds=20)
 
     def test_filterpy(self, timed: Timed) -> None:
-        timed(by_filterpy, ranges(FEW), items=FEW * SCANS)
+        timed(by_filterpy, ranges(FEW), items=FEW * SCANS, rounds=20)
 
 
 class TestKalman:

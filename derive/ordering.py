@@ -3,16 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cache
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.symbolic import Expr
 
 
 def by_name(expressions: Iterable[Expr]) -> list[Expr]:
     """Numbers first, then by what is printed."""
-    return sorted(expressions, key=_key)
+    return sorted(expressions, key=lambda expression: (not expression.is_Number, _NAMES.doprint(expression)))
 
 
-@cache  # the same parts are met again in every form of a formula, and printing them takes long
-def _key(expression: Expr) -> tuple[bool, str]:
-    return not expression.is_Number, str(expression)
+class _Names(sp.StrPrinter):
+    """Prints each part once: the same parts are met again in every form of a formula, and printing takes long."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._known: dict[object, str] = {}
+
+    def _print(self, expression: object, **settings: object) -> str:
+        if expression not in self._known:
+            self._known[expression] = super()._print(expression, **settings)
+        return self._known[expression]
+
+
+_NAMES = _Names()

@@ -50,6 +50,7 @@ from sympy import (
 from sympy import Float as _Float
 from sympy.core.numbers import Exp1, ImaginaryUnit, NumberSymbol
 from sympy.polys.rings import PolyElement, PolyRing
+from sympy.printing.str import StrPrinter
 
 __all__ = [
     "QQ",
@@ -73,6 +74,7 @@ __all__ = [
     "PolyRing",
     "Pow",
     "Rational",
+    "StrPrinter",
     "Symbol",
     "acos",
     "asin",
