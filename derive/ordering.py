@@ -20,10 +20,10 @@ class _Names(sp.StrPrinter):
         super().__init__()
         self._known: dict[object, str] = {}
 
-    def _print(self, expression: object, **settings: object) -> str:
-        if expression not in self._known:
-            self._known[expression] = super()._print(expression, **settings)
-        return self._known[expression]
+    def _print(self, expr: object, **kwargs: object) -> str:
+        if expr not in self._known:
+            self._known[expr] = super()._print(expr, **kwargs)
+        return self._known[expr]
 
 
 _NAMES = _Names()

@@ -10,7 +10,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from radartrack.validation import RealArray
@@ -118,7 +117,9 @@ def _basis(sample: Sample, at: RealArray, degree: int, rate_weight: float, unit_
 
 def _legendre(x: RealArray, degree: int, order: int) -> RealArray:
     """The derivatives of this order of the polynomials of degree 1 to `degree`, along a new last axis."""
-    columns = [legendre.legval(x, legendre.legder(unit, order)) for unit in np.eye(degree + 1)[1:]]
+    columns = [
+        np.polynomial.legendre.legval(x, np.polynomial.legendre.legder(unit, order)) for unit in np.eye(degree + 1)[1:]
+    ]
     return np.stack(columns, axis=-1) if columns else np.empty((*x.shape, 0))
 
 

@@ -43,8 +43,11 @@ expressions = st.recursive(st.sampled_from([x, y]) | NONZERO, composed, max_leav
 def test_the_code_computes_what_the_expression_is(found: list[sympy.Expr], tmp_path_factory: pytest.TempPathFactory):
     body = ", ".join(code(expression) for expression in found)
     source = f"import numpy as np\n\n\ndef run(x, y):\n    return [{body}]\n"
-    values = module_of(source, tmp_path_factory.mktemp("code")).run(np.float64(0.7), np.float64(1.625))
+    with np.errstate(over="ignore"):
+        values = module_of(source, tmp_path_factory.mktemp("code")).run(np.float64(0.7), np.float64(1.625))
     for expression, value in zip(found, values, strict=True):
+        if np.isinf(value):  # what was drawn, or a part of it, is more than a double holds
+            continue
         expected = number(expression, POINT, 30)
         condition = number(sympy.Add(*map(abs, sympy.Add.make_args(expression))), POINT, 30)
         assert abs(mpmath.mpf(float(value)) - expected) <= 1e-9 * (1 + abs(condition)), code(expression)

@@ -1,5 +1,6 @@
 import resource
 import time
+from contextlib import suppress
 
 import pytest
 
@@ -12,7 +13,9 @@ RIGHT = Claim("a", "polar.map[0]", formula="r*cos(beta)")
 SLOW = Claim(
     "b",
     "polar.covariance.linear[0,0]",
-    formula="+".join(f"(sin(beta) + cos({n}*beta) + exp(sigma_beta**2) + rho)**50" for n in range(2, 9)),
+    formula="r**2*sigma_beta**2*("
+    + "+".join(f"(sin(beta) + cos({n}*beta) + exp(sigma_beta**2) + rho)**50" for n in range(2, 9))
+    + ")",
 )
 HOSTILE = [
     "9**9**9**9",
@@ -71,7 +74,8 @@ def test_a_long_formula_within_the_limits_takes_no_more_time_and_memory_than_it_
         decider.decide(RIGHT)
         decider._timeout = 1
         start = time.monotonic()
-        decider.decide(Claim("e", "polar.covariance.linear[0,0]", formula=formula))
+        with suppress(UnreadableClaim):  # where the numbers turn out to be too large before the time is over
+            decider.decide(Claim("e", "polar.covariance.linear[0,0]", formula=formula))
         assert time.monotonic() - start < 4
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 500 * 1024
 

@@ -20,7 +20,7 @@ from radartrack.verification.monte_carlo import MonteCarlo
 from radartrack.verification.outcome import Layer, Verdict, examined
 from radartrack.verification.quadrature import Quadrature
 
-LAYERS: list[Layer] = [Dimensions(), Identity(), Accuracy(points=60), Quadrature(), MonteCarlo(draws=1 << 18)]
+LAYERS: list[Layer] = [Dimensions(), Identity(), Accuracy(points=60), Quadrature(), MonteCarlo(draws=1 << 20)]
 NUMERIC = {"ulp", "quadrature", "Monte Carlo"}
 Function = Callable[..., Any]
 

@@ -114,8 +114,8 @@ def test_what_the_second_order_leaves_out_is_noticed(name: str, cut_off: str):
         value = right(cut_off)(**{n: v for n, v in arguments.items() if n in known})
         return value + right("polar.bias.second_order")(**arguments) if cut_off == "polar.map" else value
 
-    assert MonteCarlo(draws=1 << 18)(quantity, right(name)).verdict is Verdict.PASSED
-    assert MonteCarlo(draws=1 << 18)(quantity, second_order).verdict is Verdict.FAILED
+    assert MonteCarlo(draws=1 << 20)(quantity, right(name)).verdict is Verdict.PASSED
+    assert MonteCarlo(draws=1 << 20)(quantity, second_order).verdict is Verdict.FAILED
 
 
 @pytest.mark.parametrize("name", ["polar.bias.truth", "polar.covariance.truth", "spherical.bias.averaged"])
