@@ -29,18 +29,29 @@ def _growing(function: Callable[[Number], Number]) -> Callable[[Number], Number]
     return bounded
 
 
+def _hypot(first: Number, second: Number) -> Number:
+    return mpmath.sqrt(first * first + second * second)
+
+
+def _atan2(above: Number, beside: Number) -> Number:
+    """Of complex numbers, which the root of a negative one gives, by the logarithm; mpmath's own is for real ones."""
+    if isinstance(above, mpmath.mpf) and isinstance(beside, mpmath.mpf):
+        return mpmath.atan2(above, beside)
+    return -mpmath.j * mpmath.log((beside + mpmath.j * above) / _hypot(above, beside))
+
+
 _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.Abs: mpmath.fabs,
     sp.acos: mpmath.acos,
     sp.asin: mpmath.asin,
     sp.atan: mpmath.atan,
-    sp.atan2: mpmath.atan2,
+    sp.atan2: _atan2,
     sp.cos: mpmath.cos,
     sp.cosh: _growing(mpmath.cosh),
     sp.erf: mpmath.erf,
     sp.exp: _growing(mpmath.exp),
     sp.expm1: _growing(mpmath.expm1),
-    sp.hypot: mpmath.hypot,
+    sp.hypot: _hypot,
     sp.log: mpmath.log,
     sp.ratio: lambda above, below: above / below if below else mpmath.mpf(0),
     sp.sin: mpmath.sin,

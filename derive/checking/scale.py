@@ -9,7 +9,7 @@ from radartrack.derive.tensor import Index
 
 
 def squared_scale(reference: Reference, entry: Index) -> Expr:
-    """A vector's entry counts by the norm, a covariance by the root of its variances, everything else by itself.
+    """A vector's entry counts by the norm of those of its unit, a covariance by its variances, all else alone.
 
     Returns:
         The square of that, up to its sign: a root would be lost where rounding makes a variance negative.
@@ -22,5 +22,7 @@ def squared_scale(reference: Reference, entry: Index) -> Expr:
     if part.quantity.is_covariance:
         first, second = place
         return whole[first, first] * whole[second, second]
-    counted = whole.entries if len(place) == 1 else (whole[place],)
-    return sp.Add(*(one**2 for one in counted))
+    if len(place) != 1:
+        return whole[place] ** 2
+    unit = part.quantity.unit(place)
+    return sp.Add(*(one**2 for index, one in whole.items() if part.quantity.unit(index) == unit))

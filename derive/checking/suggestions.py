@@ -11,7 +11,7 @@ from radartrack.derive.checking.comparison import Comparison
 from radartrack.derive.checking.display import shown
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.numeric import Screen, Values
-from radartrack.derive.checking.points import generic_points
+from radartrack.derive.checking.points import domain_points, generic_points
 from radartrack.derive.checking.printed import Names
 from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
@@ -32,6 +32,7 @@ from radartrack.derive.variable import Variable
 SIZE = 18
 DIGITS = 20
 ENOUGH = 5
+EVERYWHERE = 12  # points of the domain, where signs and branches are others
 FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
 
 
@@ -117,4 +118,5 @@ def _tidied(tree: Tree) -> Tree:
 
 def _confirmed_by_numbers(expression: Expr, derived: Expr, symbols: Sequence[Variable]) -> bool:
     comparison = Comparison(expression, derived, symbols)
-    return all(comparison.differ_at(point) is None for point in generic_points(symbols, ENOUGH))
+    points = (*generic_points(symbols, ENOUGH), *domain_points(symbols, EVERYWHERE))
+    return all(comparison.differ_at(point) is None for point in points)

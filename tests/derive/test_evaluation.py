@@ -68,3 +68,9 @@ def test_entries_keep_their_places_and_points_may_be_rows_or_mappings():
 
 def test_numbers_are_exact_rationals_not_floats():
     assert abs(evaluate(sympy.Rational(1, 3) + 0 * x, {x: 1.0}) * 3 - 1) < mpmath.mpf("1e-100")
+
+
+@pytest.mark.parametrize("beside", [2, -3])
+def test_the_angle_of_complex_numbers_has_the_tangent_of_their_quotient(beside: int):
+    value = evaluate(sp.atan2(sp.sqrt(x) + 1, sp.Integer(beside)), {x: -0.25})
+    assert abs(mpmath.tan(value) - mpmath.mpc(1, 0.5) / beside) < mpmath.mpf("1e-45")

@@ -312,3 +312,20 @@ def test_a_verdict_on_a_long_formula_with_a_slip_is_quick() -> None:
 
 def _edits(verdict: Verdict) -> list[str]:
     return [suggestion.edit for suggestion in verdict.suggestions]
+
+
+@pytest.mark.parametrize("formula", ["atan2(y, sqrt(x**2 - y**2))", "atan2(y, hypot(x, sqrt(x**2 - 2*y**2)))"])
+def test_angles_of_what_is_not_real_everywhere_are_compared_where_they_are(formula: str) -> None:
+    assert check("observe.polar.map[1]", formula).verdict is Outcome.DIFFERS
+
+
+def test_what_is_equal_on_one_side_of_the_radar_alone_is_no_suggestion() -> None:
+    verdict = check("observe.polar.map[1]", "atan2(y*y, y*x)")
+    assert verdict.verdict is Outcome.DIFFERS
+    assert not [one.formula for one in verdict.suggestions if "y*y" in one.formula]
+
+
+def test_an_angle_beside_a_length_is_measured_against_itself() -> None:
+    found = check("observe.polar.map[1]", "atan2(y, 2*x)").counterexample
+    assert found is not None
+    assert found.largest_relative_difference >= found.relative_difference

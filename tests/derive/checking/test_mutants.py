@@ -16,7 +16,7 @@ from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.check import Question
 from radartrack.derive.checking.display import shown
 from radartrack.derive.checking.equality import proved_equal
-from radartrack.derive.checking.points import generic_points
+from radartrack.derive.checking.points import domain_points, generic_points
 from radartrack.derive.checking.printed import Names, Printed, names_for
 from radartrack.derive.checking.reference import Reference, refer
 from radartrack.derive.checking.suggestions import suggest
@@ -92,17 +92,17 @@ def _is_traced(slip: Tree, tree: Tree, reference: Reference, names: Names, expre
 
 
 def _differ(first: Expr, second: Expr, symbols: tuple[Variable, ...]) -> bool:
-    """Whether both differ at a point of ordinary size; an oracle that shares nothing with the checker."""
+    """Whether both differ at a point; an oracle that shares nothing with the checker."""
     plain = {symbol: sympy.Symbol(f"plain_{symbol.name}") for symbol in symbols}
     expressions = (expression.xreplace(plain) for expression in (first, second))
     one, other = (sympy.lambdify(list(plain.values()), e, "mpmath") for e in expressions)
-    for point in generic_points(symbols, 4):
+    for point in (*generic_points(symbols, 4), *domain_points(symbols, 12)):
         with mpmath.workdps(DIGITS):
             values = [mpmath.mpf(point[symbol.name]) for symbol in symbols]
             try:
                 if not mpmath.almosteq(one(*values), other(*values), rel_eps=SAME, abs_eps=SAME):
                     return True
-            except (ArithmeticError, TypeError, ValueError):
+            except (ArithmeticError, AttributeError, TypeError, ValueError):  # mpmath of complex numbers
                 return True
     return False
 
