@@ -328,4 +328,5 @@ def test_what_is_equal_on_one_side_of_the_radar_alone_is_no_suggestion() -> None
 def test_an_angle_beside_a_length_is_measured_against_itself() -> None:
     found = check("observe.polar.map[1]", "atan2(y, 2*x)").counterexample
     assert found is not None
-    assert found.largest_relative_difference >= found.relative_difference
+    assert found.relative_difference is not None
+    assert (found.largest_relative_difference or 0.0) >= found.relative_difference
