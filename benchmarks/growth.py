@@ -13,6 +13,7 @@ from radartrack.derive.finite_sample import FiniteSample
 from radartrack.regeneration import written
 
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7)
+SHORTEST = 10**6  # plots in all, so that a pause of the machine does not count
 DEGREES = range(9)
 
 
@@ -43,7 +44,8 @@ def timed(call: Callable[[], object]) -> float:
 def per_plot(size: int) -> float:
     arrays = plots(size)
     convert.polar(*arrays)
-    return min(timed(lambda: convert.polar(*arrays)) for _ in range(3)) / size
+    rounds = max(3, SHORTEST // size)
+    return min(timed(lambda: convert.polar(*arrays)) for _ in range(rounds)) / size
 
 
 def plots(size: int) -> list[np.ndarray]:

@@ -5,6 +5,7 @@ entries each travels to memory and back. NumPy and compiled loops release the in
 Every entry is computed alone: how the entries are divided changes no bit.
 """
 
+import math
 import os
 from collections.abc import Callable, Sequence
 from functools import cache
@@ -16,7 +17,7 @@ from radartrack.validation import RealArray
 if TYPE_CHECKING:
     from concurrent.futures import ThreadPoolExecutor
 
-BLOCK = 65536  # entries; few enough to stay in the cache, enough that threads seldom wait for the interpreter
+BLOCK = 32768  # entries; few enough to stay in the cache, enough that threads seldom wait for the interpreter
 MOST_THREADS = 8  # each has intermediate results of its own, and all wait for one interpreter
 
 Fill = Callable[..., None]
@@ -29,20 +30,20 @@ def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArra
         function: fills the outputs it is handed from inputs of the same length.
         inputs: of shape (n, ...).
         outputs: of shape (n, ...).
-        block: entries in a block.
+        block: entries in a block at most; a quarter of them is worth a thread's while.
 
     """
     size = len(outputs[0])
+    count = max(math.ceil(size / block), min(4 * size // block, _most_at_once()), 1)
 
-    def fill_block(start: int) -> None:
-        part = slice(start, start + block)
+    def fill_block(number: int) -> None:
+        part = slice(size * number // count, size * (number + 1) // count)
         function(*(array[part] for array in (*inputs, *outputs)))
 
-    starts = range(0, max(size, 1), block)
-    if len(starts) == 1:
+    if count == 1:
         fill_block(0)
     else:
-        _side_by_side(fill_block, starts)
+        _side_by_side(fill_block, range(count))
 
 
 def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
@@ -57,7 +58,7 @@ def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
         with turn:
             return next(waiting, None)
 
-    others = [_threads().submit(run) for _ in range(min(_cores(), MOST_THREADS, len(items)) - 1)]
+    others = [_threads().submit(run) for _ in range(min(_most_at_once(), len(items)) - 1)]
     try:
         run()
     finally:
@@ -78,6 +79,7 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_threads.cache_clear)  # threads do not come along
 
 
-def _cores() -> int:
-    """The cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+def _most_at_once() -> int:
+    """A thread for each core that this process may use."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(cores, MOST_THREADS)

@@ -14,8 +14,8 @@ import numpy as np
 
 from radartrack.validation import RealArray
 
-COMPILED_FROM = 4096  # plots; for fewer NumPy needs less time than loading the compiler
-BLOCK = 32768  # plots; a loop has no intermediate results, and larger blocks are fewer calls
+COMPILED_FROM = 256  # plots; for fewer NumPy is fast enough, and the compiler need not be loaded
+BLOCK = 16384  # plots; the arguments are still in the cache when they have been checked
 
 
 @cache
@@ -37,7 +37,7 @@ def conversion(name: str) -> Callable[..., None]:
 
     def fill(*arrays: RealArray) -> None:
         *inputs, mean, covariance = arrays
-        spread = (array if array.ndim else np.broadcast_to(array, len(mean)) for array in inputs)
+        spread = (array if array.ndim else np.ndarray(len(mean), array.dtype, array, strides=(0,)) for array in inputs)
         compiled(*spread, mean, covariance)
 
     return fill

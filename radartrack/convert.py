@@ -26,7 +26,7 @@ from radartrack.generated import conversions
 from radartrack.one_plot import one_plot
 from radartrack.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments
 from radartrack.sensors import SENSORS, AzimuthFrom, Sensor
-from radartrack.validation import RealArray, broadcast_shape, one_of, real_arrays
+from radartrack.validation import RealArray, broadcast_shape, common_shape, one_of, real_arrays
 
 Method: TypeAlias = Literal["linear", "second_order", "averaged", "unbiased", "posterior", "decorrelated"]
 
@@ -294,7 +294,7 @@ def _computed(sensor: Sensor, method: Method, arrays: Mapping[str, RealArray], *
     """In blocks, each of which is checked while it is in the cache."""
     size = len(sensor.coordinates)  # as many coordinates as there are measured quantities
     axes = {name: _AXES.get(name, 0) for name in arrays}
-    shape = np.broadcast_shapes(*(array.shape[: array.ndim - axes[name]] for name, array in arrays.items()))
+    shape = common_shape(array.shape[: array.ndim - axes[name]] for name, array in arrays.items())
     count, dtype = math.prod(shape), arrays["r"].dtype
     mean, covariance = np.empty((count, size), dtype), np.empty((count, size, size), dtype)
     function, block = _function(sensor, method, count, dtype)

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 RealArray: TypeAlias = NDArray[np.floating[Any]]
 Choice = TypeVar("Choice", bound=str)
+SINGLE, DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +41,7 @@ class Domain:
 
     def bounds(self, dtype: np.dtype[Any]) -> tuple[float, float]:
         """The least and the largest value in arrays of this type."""
-        largest = self.largest_single if dtype == np.float32 else self.largest
+        largest = self.largest_single if dtype == SINGLE else self.largest
         return (-largest if self.signed else self.smallest), largest
 
     def holds(self, value: float) -> bool:
@@ -92,8 +93,8 @@ def real_arrays(given: Mapping[str, ArrayLike]) -> dict[str, RealArray]:
     """
     arrays = {name: _array(name, value) for name, value in given.items()}
     typed = [arrays[name].dtype for name, value in given.items() if type(value) not in {int, float}]
-    single = bool(typed) and all(dtype.newbyteorder("=") == np.float32 for dtype in typed)
-    return {name: _cast(name, array, np.dtype("f4" if single else "f8")) for name, array in arrays.items()}
+    dtype = SINGLE if typed and all(dtype.char == SINGLE.char for dtype in typed) else DOUBLE
+    return {name: array if array.dtype == dtype else _cast(name, array, dtype) for name, array in arrays.items()}
 
 
 def require_within(name: str, values: RealArray, domain: Domain) -> None:
@@ -105,7 +106,7 @@ def require_within(name: str, values: RealArray, domain: Domain) -> None:
     """
     low, high = domain.bounds(values.dtype)
     # One pass each: a NaN passes through min and max, and compares false.
-    least, greatest = (values, values) if values.ndim == 0 else (values.min(initial=low), values.max(initial=high))
+    least, greatest = (values.min(initial=low), values.max(initial=high)) if values.ndim else (values[()], values[()])
     if not (least >= low and greatest <= high):
         _require(name, values, "finite", np.isfinite(values))
         _require(name, values, domain.describe(values.dtype), (values >= low) & (values <= high))
@@ -157,10 +158,22 @@ def broadcast_shape(arrays: Mapping[str, RealArray]) -> tuple[int, ...]:
 
     """
     try:
-        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+        return common_shape(array.shape for array in arrays.values())
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
         raise ValueError(f"the shapes must broadcast; got {shapes}") from None
+
+
+def common_shape(shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+    """Find the shape that shapes broadcast to.
+
+    Raises:
+        ValueError: they do not.
+
+    """
+    distinct = {*shapes, ()}
+    # Nearly always there is one beside numbers, which needs none of NumPy's care.
+    return max(distinct) if len(distinct) <= 2 else np.broadcast_shapes(*distinct)
 
 
 def _array(name: str, value: object) -> NDArray[Any]:
@@ -179,7 +192,7 @@ def _array(name: str, value: object) -> NDArray[Any]:
 def _cast(name: str, array: NDArray[Any], dtype: np.dtype[Any]) -> RealArray:
     try:
         with np.errstate(over="raise", under="ignore"):
-            return array.astype(dtype, copy=False)
+            return array.astype(dtype)
     except FloatingPointError:
         limit, largest = np.finfo(dtype).max, np.abs(array).max()
         raise ValueError(f"{name} must be at most {limit:.7g} to compute in {dtype}; got {largest}") from None

@@ -50,7 +50,7 @@ def test_blocks_may_be_filled_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None
     """With one thread to help, which waits for blocks of its own while its own help is asked for."""
     helper = ThreadPoolExecutor(1)
     monkeypatch.setattr(batches, "_threads", lambda: helper)
-    monkeypatch.setattr(batches, "_cores", lambda: 2)
+    monkeypatch.setattr(batches, "_most_at_once", lambda: 2)
 
     def rows(values: np.ndarray, out: np.ndarray) -> None:
         time.sleep(1e-3)
@@ -83,7 +83,7 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
     subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], check=True, timeout=60)
 
 
-SIZE = batches.BLOCK + 5
+SIZE = 2 * batches.BLOCK + 5  # plots, in three blocks
 
 
 def plots(sensor: SensorName) -> list[np.ndarray]:
@@ -113,7 +113,7 @@ def test_a_plot_converts_to_the_same_bits_in_a_small_and_in_a_large_batch(
     monkeypatch.setattr("radartrack.compiled.is_available", lambda: False)
     arrays = plots("polar")
     whole = function("polar")(*arrays, azimuth_from=azimuth_from)
-    for n in (0, batches.BLOCK - 1, batches.BLOCK, SIZE - 1):
+    for n in (0, SIZE // 3 - 1, SIZE // 3, SIZE - 1):
         few = function("polar")(*(array[n : n + 1] for array in arrays), azimuth_from=azimuth_from)
         np.testing.assert_array_equal(whole.mean[n : n + 1], few.mean)
         np.testing.assert_array_equal(whole.covariance[n : n + 1], few.covariance)
