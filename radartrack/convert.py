@@ -351,6 +351,8 @@ def _decorrelated(sensor: Sensor, measured: Mapping[str, RealArray], prediction:
 
 def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:
     """One axis of plots before the array's own axes; none where all plots share the value."""
+    if array.ndim == axes + 1 and array.shape[:1] == shape:
+        return array
     own = array.shape[array.ndim - axes :]
     if array.size == math.prod(own):
         return array.reshape(own)
