@@ -92,6 +92,7 @@ OPERATIONS: Mapping[type[Tree], Callable[..., float]] = {
     Quotient: truediv,
     Negation: neg,
     Power: pow,
+    Array: lambda *_: math.nan,  # no number
 }
 
 
@@ -119,11 +120,13 @@ class Screen:
     Args:
         names: the values of every symbol that a tree may use.
         size: how many points there are.
+        whole: the screen whose first points these are.
     """
 
-    def __init__(self, names: Mapping[str, Values], size: int) -> None:
+    def __init__(self, names: Mapping[str, Values], size: int, whole: Screen | None = None) -> None:
         self.names = names
         self.size = size
+        self._whole = whole
         self._known: dict[int, tuple[Tree, Values | None]] = {}
         self._running: dict[int, tuple[Tree, Running, Running]] = {}
 
@@ -140,18 +143,15 @@ class Screen:
 
     def first(self, size: int) -> Screen:
         """The first of the points alone."""
-        return Screen({name: values[:size] for name, values in self.names.items()}, size)
+        return Screen({name: values[:size] for name, values in self.names.items()}, size, self)
 
     def _evaluate(self, tree: Tree) -> Values | None:
-        match tree:
-            case Array():
-                return None
-            case Name(name):
-                return self.names[name]
-            case Number() | Constant():
-                return self.constant(_number(tree))
-            case _:
-                return combined(_operation(tree), *map(self, children(tree)))
+        if self._whole and (known := self._whole._known.get(id(tree))):
+            return known[1] and known[1][: self.size]
+        below = children(tree)
+        if below:
+            return combined(_operation(tree), *map(self, below))
+        return self.names[tree.name] if isinstance(tree, Name) else self.constant(_number(tree))
 
     def required(self, tree: Tree, needed: Values) -> list[Values | None]:
         """What each subtree would have to be worth for the tree to be worth what is needed."""

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
 from radartrack.derive.checking.reference import Reference
-from radartrack.derive.checking.scalar import scalar_expression
+from radartrack.derive.checking.scalar import only_scalar
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.expression import Reader
 from radartrack.derive.formula.latex import read_latex
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import shape
@@ -32,7 +34,11 @@ class Names:
 
     def read(self, tree: Tree) -> Expr:
         """A scalar tree in the quantity's symbols."""
-        return scalar_expression(tree, self.values)
+        return only_scalar(self._reader(tree), tree)
+
+    @cached_property
+    def _reader(self) -> Reader:
+        return Reader(self.values)
 
 
 @dataclass(frozen=True)

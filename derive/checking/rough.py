@@ -92,7 +92,9 @@ def _sum(*terms: Bounded) -> Bounded:
 def _product(*factors: Bounded) -> Bounded:
     total, wrong = factors[0]
     for value, error in factors[1:]:
-        total, wrong = _rounded(total * value, abs(total) * error + abs(value) * wrong + wrong * error)
+        wrong = abs(total) * error + (abs(value) + error) * wrong + TINY
+        total *= value
+        wrong += ROUNDING * abs(total)
     return total, wrong
 
 

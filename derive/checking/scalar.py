@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.expression import to_expression
+from radartrack.derive.formula.expression import Expression, to_expression
 from radartrack.derive.formula.tree import Tree
 from radartrack.derive.symbolic import Expr
 
@@ -16,7 +16,15 @@ def scalar_expression(tree: Tree, symbols: Mapping[str, Expr]) -> Expr:
     Raises:
         FormulaError: for an array, and where `to_expression` raises it.
     """
-    expression = to_expression(tree, symbols)
+    return only_scalar(to_expression(tree, symbols), tree)
+
+
+def only_scalar(expression: Expression, tree: Tree) -> Expr:
+    """What was read from a tree.
+
+    Raises:
+        FormulaError: for an array.
+    """
     if isinstance(expression, tuple):
         raise FormulaError("a vector or matrix stands where one number is wanted", span=tree.span)
     return expression

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import sub, truediv
+from typing import TypeAlias
 
 from radartrack.derive.checking.edits import Alternative, alternatives, everywhere, exchanges
 from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
@@ -43,6 +44,8 @@ LARGE = 60  # nodes from which two edits at once are not looked for
 HUGE = 500  # nodes from which one edit in one place is enough
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
 MOST_COMPLEX = 6
+
+Terms: TypeAlias = frozenset[Values | None]  # by what they are worth
 
 
 @dataclass(frozen=True)
@@ -79,21 +82,31 @@ class _Part:
 
 
 class Search:
-    """The points, what is wanted there, and the factors that may be missing."""
+    """The points, what is wanted there, and the factors that may be missing.
 
-    def __init__(self, screen: Screen, target: Values, names: Names, trees: Sequence[Tree]) -> None:
+    Args:
+        screen: the points.
+        target: what the formula should be worth there.
+        names: what a formula may use.
+        printed: the formula as it stands.
+        derived: what it should be, as it may be printed.
+    """
+
+    def __init__(self, screen: Screen, target: Values, names: Names, printed: Tree, derived: Sequence[Tree]) -> None:
         self._screen = screen
         self._quick = screen.first(min(QUICK, screen.size))
         self._target = target
         self._kinds = {name: names.dimensions[name] for name in screen.names}
         symbols = [name for name in screen.names if names.values[name].is_Symbol]
-        self._fitter = Fitter(self._factors(symbols, trees), screen.size)
-        self._pieces = Pieces(trees, screen)
+        self._fitter = Fitter(self._factors(symbols, (printed, *derived)), screen.size)
+        self._pieces = Pieces((*derived, printed), screen)
+        self._terms = frozenset(_rounded(self._quick(term)) for tree in derived for term in _all_terms(tree))
 
     def edits(self, tree: Tree) -> list[Candidate]:
         """One edit, or one that runs through the formula; where there is none, two."""
         size = sum(1 for _ in walk(tree))
-        found = list(self._single(tree))
+        found = list(self._single(tree, besides=self._terms)) if size > HUGE else []
+        found = found or list(self._single(tree))
         if not found or size <= HUGE:
             found += self._everywhere(tree)
         if not found and size <= LARGE:
@@ -115,8 +128,8 @@ class Search:
     def _is_worth(self, tree: Tree, needed: Values) -> bool:
         return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
 
-    def _single(self, tree: Tree) -> Iterator[Candidate]:
-        for part in self._parts(tree):
+    def _single(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Candidate]:
+        for part in self._parts(tree, besides):
             for edit in self._replacements(part):
                 yield Candidate(replace_at(tree, part.path, edit.tree), edit.words, edit.cost)
 
@@ -135,15 +148,16 @@ class Search:
                 if second.tree != tree and second.cost < 2:
                     yield Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
 
-    def _parts(self, tree: Tree) -> Iterator[_Part]:
-        """Every part of which can be said what it would have to be worth."""
+    def _parts(self, tree: Tree, besides: Terms) -> Iterator[_Part]:
+        """Every part of which can be said what it would have to be worth, besides these terms of sums."""
         waiting = [_Part((), tree, None, self._target, is_all=True)]
         while waiting:
             part = waiting.pop()
-            yield part
             wanted = self._screen.required(part.node, part.needed)
+            yield part
             for place, (child, needed) in enumerate(zip(children(part.node), wanted, strict=False)):
-                if needed is not None:
+                is_right = isinstance(part.node, Sum) and _rounded(self._quick(child)) in besides
+                if needed is not None and not is_right:
                     is_all = part.is_all and isinstance(part.node, Negation)
                     waiting.append(_Part((*part.path, place), child, part.node, needed, is_all))
 
@@ -169,11 +183,11 @@ class Search:
         node = part.node
         if not isinstance(node, Sum | Product):
             return
-        before, after = self._screen.running(node)
+        before, after = self._quick.running(node)
         for one in exchanges(node):
-            new = map(self._screen, one.new)
-            if close(combined(OPERATIONS[type(node)], before[one.place], *new, after[one.end]), part.needed):
-                yield one.of(node)
+            values = combined(OPERATIONS[type(node)], before[one.place], *map(self._quick, one.new), after[one.end])
+            if close(values, part.needed[:QUICK]) and close(self._screen((edit := one.of(node)).tree), part.needed):
+                yield edit
 
     def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
         """What is needed by what is printed: the ratio or the difference."""
@@ -263,6 +277,15 @@ class Search:
 def _exchanged(node: Tree) -> Iterator[Alternative]:
     if isinstance(node, Sum | Product):
         yield from (one.of(node) for one in exchanges(node))
+
+
+def _all_terms(tree: Tree) -> Iterator[Tree]:
+    """Those of every sum."""
+    return (term for _, node in walk(tree) if isinstance(node, Sum) for term in node.terms)
+
+
+def _rounded(values: Values | None) -> Values | None:
+    return values and tuple(float(f"{value:.8e}") for value in values)
 
 
 def _terms(tree: Tree) -> tuple[Tree, ...]:

@@ -13,10 +13,12 @@ from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.numeric import Screen, Values
 from radartrack.derive.checking.points import domain_points, generic_points
 from radartrack.derive.checking.printed import Names
+from radartrack.derive.checking.rough import Bounded, RoughEvaluator
 from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.grammar import check_tree
+from radartrack.derive.formula.magnitude import Magnitudes
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.formula.tree import (
@@ -31,6 +33,7 @@ from radartrack.derive.variable import Variable
 
 SIZE = 18
 DIGITS = 20
+GOOD = 1e-12  # relative error of a value that edits are screened by
 ENOUGH = 5
 EVERYWHERE = 12  # points of the domain, where signs and branches are others
 FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
@@ -56,7 +59,7 @@ def suggest(
     if target is None:
         return []
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
-    search = Search(screen, target, names, (printed, *_derived_trees(derived, names)))
+    search = Search(screen, target, names, printed, _derived_trees(derived, names))
     found = search.edits(printed)
     return list(_confirmed(found, names, derived, symbols, conditions))
 
@@ -77,11 +80,20 @@ def _read(text: str, names: frozenset[str]) -> Tree | None:
 
 
 def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
-    evaluator = Evaluator(Tensor((), (expression,)), symbols, DIGITS)
+    rough = RoughEvaluator([expression], symbols)
+    exact = Evaluator(Tensor((), (expression,)), symbols, DIGITS)
     try:
-        return tuple(float(evaluator(point).entries[0]) for point in points)
+        return tuple(_value(rough(point), exact, point) for point in points)
     except (ArithmeticError, TypeError, ValueError):
         return None
+
+
+def _value(rough: Sequence[Bounded] | None, exact: Evaluator, point: Sequence[float]) -> float:
+    """The rough value where it is good enough."""
+    for value, error in rough or ():
+        if error <= GOOD * abs(value):
+            return value
+    return float(exact(point).entries[0])
 
 
 def _confirmed(
@@ -93,6 +105,7 @@ def _confirmed(
 ) -> Iterator[Edited]:
     """Those that can be read and are proved, the best first and each formula once; others are said to be unproved."""
     seen: set[str] = set()
+    magnitudes = Magnitudes()
     best = math.inf
     for candidate in candidates:
         if len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
@@ -101,7 +114,7 @@ def _confirmed(
         if formula in seen:
             continue
         try:
-            expression = names.read(check_tree(candidate.tree)).xreplace(conditions)
+            expression = names.read(check_tree(candidate.tree, magnitudes)).xreplace(conditions)
         except FormulaError:
             continue
         seen.add(formula)

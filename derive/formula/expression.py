@@ -62,52 +62,70 @@ def to_expression(tree: Tree, symbols: Mapping[str, Expr]) -> Expression:
     Raises:
         FormulaError: for a name without a symbol, and for a formula that is infinite or imaginary: 1/(r - r).
     """
-    expression = _expression(tree, symbols)
-    if not _is_real(expression):
-        raise FormulaError("this is not a real number, whatever the symbols are", span=tree.span)
-    return expression
+    return Reader(symbols)(tree)
 
 
-def _expression(tree: Tree, symbols: Mapping[str, Expr]) -> Expression:
-    match tree:
-        case Array(entries):
-            return tuple(_expression(entry, symbols) for entry in entries)
-        case Sum(terms):
-            return _added([_expression(term, symbols) for term in terms])
-        case Product(factors):
-            return _multiplied([_expression(factor, symbols) for factor in factors])
-        case Quotient(numerator, denominator):
-            return _multiplied([_expression(numerator, symbols), 1 / _scalar(denominator, symbols)])
-        case Negation(operand):
-            return _multiplied([sp.Integer(-1), _expression(operand, symbols)])
-        case _:
-            return _scalar(tree, symbols)
+class Reader:
+    """Makes expressions of trees; a subtree that several of them share is read once.
 
+    Args:
+        symbols: what each name in a tree stands for.
+    """
 
-def _scalar(tree: Tree, symbols: Mapping[str, Expr]) -> Expr:
-    match tree:
-        case Number():
-            return sp.Rational(tree.value)
-        case Constant(name):
-            return sp.pi if name == "pi" else sp.exp(1)
-        case Name(name) if name not in symbols:
-            raise FormulaError(unknown_name(name, symbols), span=tree.span)
-        case Name(name):
-            return symbols[name]
-        case Power(Constant("e"), exponent):
-            return sp.exp(_scalar(exponent, symbols))
-        case Power(base, exponent):
-            return _scalar(base, symbols) ** _scalar(exponent, symbols)
-        case Call(function, arguments):
-            return _FUNCTIONS[function](*(_scalar(argument, symbols) for argument in arguments))
-        case _:
-            return _only_scalar(_expression(tree, symbols), tree)
+    def __init__(self, symbols: Mapping[str, Expr]) -> None:
+        self._symbols = symbols
+        self._known: dict[int, tuple[Tree, Expression]] = {}  # by identity; the tree is kept for as long
 
+    def __call__(self, tree: Tree) -> Expression:
+        """As `to_expression`."""
+        expression = self._expression(tree)
+        if not _is_real(expression):
+            raise FormulaError("this is not a real number, whatever the symbols are", span=tree.span)
+        return expression
 
-def _only_scalar(expression: Expression, tree: Tree) -> Expr:
-    if isinstance(expression, tuple):
-        raise FormulaError("a vector or matrix cannot stand here", span=tree.span)
-    return expression
+    def _expression(self, tree: Tree) -> Expression:
+        known = self._known.get(id(tree))
+        if known is None:
+            known = self._known[id(tree)] = tree, self._read(tree)
+        return known[1]
+
+    def _read(self, tree: Tree) -> Expression:
+        match tree:
+            case Array(entries):
+                return tuple(map(self._expression, entries))
+            case Sum(terms):
+                return _added(list(map(self._expression, terms)))
+            case Product(factors):
+                return _multiplied(list(map(self._expression, factors)))
+            case Quotient(numerator, denominator):
+                return _multiplied([self._expression(numerator), 1 / self._scalar(denominator)])
+            case Negation(operand):
+                return _multiplied([sp.Integer(-1), self._expression(operand)])
+            case _:
+                return self._read_scalar(tree)
+
+    def _read_scalar(self, tree: Tree) -> Expr:
+        match tree:
+            case Number():
+                return sp.Rational(tree.value)
+            case Constant(name):
+                return sp.pi if name == "pi" else sp.exp(1)
+            case Name(name) if name not in self._symbols:
+                raise FormulaError(unknown_name(name, self._symbols), span=tree.span)
+            case Name(name):
+                return self._symbols[name]
+            case Power(Constant("e"), exponent):
+                return sp.exp(self._scalar(exponent))
+            case Power(base, exponent):
+                return self._scalar(base) ** self._scalar(exponent)
+            case Call(function, arguments):
+                return _FUNCTIONS[function](*map(self._scalar, arguments))
+
+    def _scalar(self, tree: Tree) -> Expr:
+        expression = self._expression(tree)
+        if isinstance(expression, tuple):
+            raise FormulaError("a vector or matrix cannot stand here", span=tree.span)
+        return expression
 
 
 def _added(terms: Sequence[Expression]) -> Expression:

@@ -10,7 +10,7 @@ from lark import Token, Transformer
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.limits import check_number, check_size
-from radartrack.derive.formula.magnitude import check_magnitude
+from radartrack.derive.formula.magnitude import Magnitudes
 from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.tree import (
     Array,
@@ -114,14 +114,18 @@ def place(parts: Sequence[Part]) -> Span:
     return _span(parts[0])[0], _span(parts[-1])[1]
 
 
-def check_tree(tree: Tree) -> Tree:
+def check_tree(tree: Tree, magnitudes: Magnitudes | None = None) -> Tree:
     """Let through a tree that is safe to work on.
+
+    Args:
+        tree: the formula.
+        magnitudes: those of formulas that share parts with it.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    check_magnitude(tree)
+    (magnitudes or Magnitudes())(tree)
     shape(tree)
     return tree
 

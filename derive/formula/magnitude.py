@@ -86,19 +86,27 @@ class Measure:
 _SYMBOL = Measure(degree=1, digits=0, value=None, has_logarithm=False)
 
 
-def check_magnitude(tree: Tree) -> None:
-    """Refuse exponents, degrees and numbers that are too large, and numbers that are not real.
+class Magnitudes:
+    """Measures formulas; a subtree that several of them share is measured once."""
 
-    Raises:
-        FormulaError: naming the limit.
-    """
-    _measure(tree)
+    def __init__(self) -> None:
+        self._known: dict[int, tuple[Tree, Measure]] = {}  # by identity; the tree is kept for as long
+
+    def __call__(self, tree: Tree) -> Measure:
+        """Refuse exponents, degrees and numbers that are too large, and numbers that are not real.
+
+        Raises:
+            FormulaError: naming the limit.
+        """
+        if isinstance(tree, Name):
+            return _SYMBOL
+        known = self._known.get(id(tree))
+        if known is None:
+            known = self._known[id(tree)] = tree, _measure(tree, list(map(self, children(tree))))
+        return known[1]
 
 
-def _measure(tree: Tree) -> Measure:
-    if isinstance(tree, Name):
-        return _SYMBOL
-    parts = [_measure(child) for child in children(tree)]
+def _measure(tree: Tree, parts: Sequence[Measure]) -> Measure:
     if isinstance(tree, Power):
         _check_power(tree, *parts)
     if isinstance(tree, Call) and tree.function in EXPONENTIAL:
