@@ -4,11 +4,13 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 
+from radartrack import compiled
 from radartrack.derive.catalogue import catalogue
 from radartrack.generated import polar
 from radartrack.verification.experiments import trials
-from radartrack.verification.simulation import BLOCK, CHUNK, Sums, simulate
+from radartrack.verification.simulation import BLOCK, CHUNK, Experiment, Sums, simulate
 
 Timed = Callable[..., Any]
 NAME = "polar.covariance.truth"
@@ -18,15 +20,22 @@ SAMPLES = 128 * CHUNK
 class TestMonteCarlo:
     """With control variates and exact sums."""
 
-    def test_radartrack(self, timed: Timed) -> None:
-        trial = next(trials(catalogue()[NAME], polar.covariance_truth, seed=0))
-        timed(by_radartrack, trial.experiment, items=SAMPLES, rounds=3)
+    def test_machine_code(self, timed: Timed) -> None:
+        timed(by_radartrack, experiment(), items=SAMPLES, rounds=3)
+
+    def test_numpy(self, timed: Timed, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(compiled, "is_available", lambda: False)
+        timed(by_radartrack, experiment(), items=SAMPLES, rounds=3)
 
     def test_normals(self, timed: Timed) -> None:
         timed(normals, items=SAMPLES, rounds=3)
 
 
-def by_radartrack(experiment: Any) -> Sums:
+def experiment() -> Experiment:
+    return next(trials(catalogue()[NAME], polar.covariance_truth, seed=0)).experiment
+
+
+def by_radartrack(experiment: Experiment) -> Sums:
     return simulate(experiment, range(SAMPLES // CHUNK))
 
 

@@ -1,4 +1,4 @@
-"""Draws of measurement errors and what they give: the part of Monte Carlo that runs in worker processes, NumPy alone.
+"""Draws of measurement errors and what they give: the part of Monte Carlo that runs in worker processes.
 
 A mean E[g(w)] is estimated by that of g(w) − c(w), with c the second-order Taylor polynomial of g, whose mean is
 known: what is left is of third order in the errors, so that errors of a formula beyond its second order stand out.
@@ -10,24 +10,31 @@ are combined without rounding. The result does not depend on who computed which 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cached_property, partial, reduce
 from hashlib import blake2b
+from importlib import import_module
+from itertools import islice
 from operator import add
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
+from radartrack import compiled
 from radartrack.verification.exact_sum import ExactSum
 from radartrack.verification.programs import Program
+from radartrack.verification.tracing import traced
 
 Array = npt.NDArray[np.float64]
 Function = Callable[..., Any]
+Summation = Callable[[Iterable[Array]], Array]
 BLOCK = 1 << 12  # times that all errors are drawn at once: what is computed from them stays in the cache
 CHUNK = 1 << 16  # times that they are drawn from one stream
-CHUNKS_OF_A_TASK = 16
+CHUNKS_OF_A_TASK = 64
+COMPILED_FROM = CHUNKS_OF_A_TASK  # chunks; for fewer, loading the compiler takes longer than it saves
+POWERS = 4
 
 
 @dataclass(frozen=True)
@@ -93,6 +100,11 @@ class Experiment:
     pairs: tuple[tuple[int, int], ...]
     shift: tuple[float, ...]
 
+    @property
+    def normals(self) -> int:
+        """How many make one draw of all errors."""
+        return sum(map(len, self.factors))
+
     def chunks(self, draws: int) -> int:
         """How many give at least so many draws; w and −w are two."""
         return -(-draws // (CHUNK if self.pairs else 2 * CHUNK))
@@ -126,7 +138,8 @@ def simulate(experiment: Experiment, chunks: Sequence[int]) -> Sums:
         ValueError: when what was drawn is no number.
 
     """
-    return reduce(add, (_chunk(experiment, number) for number in chunks))
+    summed = _summation(experiment, len(chunks))
+    return reduce(add, (_chunk(experiment, number, summed) for number in chunks))
 
 
 @dataclass(frozen=True)
@@ -156,25 +169,52 @@ def tasks_for(experiment: Experiment, draws: int) -> list[Draws]:
     return [Draws(experiment, range(start, min(start + CHUNKS_OF_A_TASK, chunks))) for start in starts]
 
 
-def _chunk(experiment: Experiment, number: int) -> Sums:
+def _chunk(experiment: Experiment, number: int, summed: Summation) -> Sums:
     key = int.from_bytes(blake2b(experiment.key.encode(), digest_size=16).digest(), "little")
     generator = np.random.Generator(np.random.Philox(key=key, counter=number << 128))
-    powers = reduce(add, (_powers(_residuals(experiment, generator)) for _ in range(CHUNK // BLOCK)))
-    return Sums(CHUNK, tuple(tuple(ExactSum.of([float(total)]) for total in row) for row in powers))
+    shape = (experiment.normals, BLOCK)
+    totals = summed(generator.standard_normal(shape) for _ in range(CHUNK // BLOCK))
+    powers = [ExactSum.of([float(total)]) for total in totals]
+    return Sums(CHUNK, tuple(zip(*[iter(powers)] * POWERS, strict=True)))
 
 
-def _powers(residuals: Array) -> Array:
-    """The sums of the first four powers, [mean, power]."""
-    squares = residuals * residuals
-    powers = (residuals, squares, residuals * squares, squares * squares)
-    return np.stack([power.sum(axis=-1) for power in powers], axis=-1)
+def _summation(experiment: Experiment, chunks: int) -> Summation:
+    """What gives the sums of all powers over blocks of normals [normal, draw]."""
+    worthwhile = chunks >= COMPILED_FROM and compiled.is_available()
+    return (_compiled(experiment) if worthwhile else None) or partial(_summed, experiment)
 
 
-def _residuals(experiment: Experiment, generator: np.random.Generator) -> Array:
-    """g − c, or products of them, less what the mean should be, [mean, draw]."""
-    errors = [_correlated(generator.standard_normal((len(f), BLOCK)), f) for f in experiment.factors]
+def _compiled(experiment: Experiment) -> Summation | None:
+    """None where more is done than the compiled loop knows."""
+    if not all(isinstance(function, Program) for function in experiment.functions.values()):
+        return None
+    compiled_draws = import_module("radartrack.verification.compiled_draws")  # loads Numba
+    try:
+        tape = traced(partial(_powers, experiment), experiment.normals)
+    except TypeError:
+        return None
+    return cast("Summation", compiled_draws.summation(tape)) if compiled_draws.is_possible(tape) else None
+
+
+def _summed(experiment: Experiment, blocks: Iterable[Array]) -> Array:
+    return reduce(add, (np.array([power.sum() for power in _powers(experiment, list(block))]) for block in blocks))
+
+
+def _powers(experiment: Experiment, normals: list[Any]) -> list[Any]:
+    """For each mean the first four powers of the residuals, one array each."""
+    found: list[Any] = []
+    for residual in _residuals(experiment, normals):
+        square = residual * residual
+        found += [residual, square, residual * square, square * square]
+    return found
+
+
+def _residuals(experiment: Experiment, normals: list[Any]) -> list[Any]:
+    """g − c, or products of them, less what the mean should be, one array a mean."""
+    rows = iter(normals)
+    errors = [_correlated(list(islice(rows, len(factor))), factor) for factor in experiment.factors]
     left = _of_products(experiment, errors) if experiment.pairs else _of_values(experiment, errors)
-    return np.stack([residual - shift for residual, shift in zip(left, experiment.shift, strict=True)])
+    return [residual - shift for residual, shift in zip(left, experiment.shift, strict=True)]
 
 
 def _of_products(experiment: Experiment, errors: list[list[Array]]) -> list[Array]:
@@ -193,7 +233,7 @@ def _of_values(experiment: Experiment, errors: list[list[Array]]) -> list[Array]
     return [(one + other) * 0.5 - known for (one, other), known in zip(both, control, strict=True)]
 
 
-def _correlated(normal: Array, factor: Array) -> list[Array]:
+def _correlated(normal: Sequence[Array], factor: Array) -> list[Array]:
     """Row by row in a fixed order; a matrix product may sum in another one elsewhere."""
     rows = []
     for i, line in enumerate(factor):
@@ -236,7 +276,7 @@ def _evaluated(experiment: Experiment, term: Term, displacement: list[Array]) ->
         moved[name] = moved[name] + distance
     function = experiment.functions[term.value]
     if isinstance(function, Program):
-        return [np.asarray(entry) for entry in function.entries(moved)]
+        return function.entries(moved)
     call, names = function
     table = np.asarray(call(**{name: moved[name] for name in names}))
     return [table[..., a] for a in range(table.shape[-1])]
