@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from radartrack.derive.checking.monomials import number_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
     Call,
@@ -17,6 +18,8 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     children,
+    replace_at,
+    walk,
     with_children,
 )
 
@@ -28,6 +31,7 @@ FAMILIES = (
     ("cos", "cosh"),
     ("tan", "tanh"),
 )
+PERIODIC = {"sin", "cos", "tan"}
 SHOWN = 50
 NEAR = 3  # terms among which a bracket closes, unless it is at the end
 
@@ -95,6 +99,7 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
             yield from _other_functions(function, arguments)
             yield from _powers(tree)
             yield from _out_of_call(tree)
+            yield from _in_call(tree, kinds)
         case Negation(operand):
             yield Alternative(operand, "the sign of {}", 1.0, (operand,))
             yield from _sign_of_sum(operand)
@@ -112,6 +117,20 @@ def exchanges(node: Sum | Product) -> Iterator[Exchange]:
     yield from _fewer(node.terms, "an extra term: {}")
     yield from _signs(node.terms)
     yield from _brackets_around(node.terms)
+
+
+def exchanged(node: Tree) -> Iterator[Alternative]:
+    """A sum or product after each of its exchanges."""
+    if isinstance(node, Sum | Product):
+        yield from (one.of(node) for one in exchanges(node))
+
+
+def other_numbers(node: Tree) -> Iterator[Alternative]:
+    """The numbers for which one may stand."""
+    if isinstance(node, Number):
+        for number in dict.fromkeys((node.value * 2, node.value / 2, node.value + 1, node.value - 1)):
+            tree = number_tree(number)
+            yield Alternative(tree, "{} should be {}", 1.1, (node, tree))
 
 
 def _of_an_operation(tree: Power | Product | Quotient) -> Iterator[Alternative]:
@@ -207,6 +226,15 @@ def _out_of_call(call: Call) -> Iterator[Alternative]:
         case _:
             return
     yield Alternative(outside, "a bracket: {}", 1.3, (outside,))
+
+
+def _in_call(call: Call, kinds: Mapping[str, object]) -> Iterator[Alternative]:
+    """Another angle: from the sine that is wanted it does not follow."""
+    if call.function not in PERIODIC:
+        return
+    for path, node in walk(call.arguments[0]):
+        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node)):
+            yield replace(edit, tree=replace_at(call, (0, *path), edit.tree))
 
 
 def _into_call(base: Tree, exponent: Tree) -> Iterator[Alternative]:

@@ -141,13 +141,17 @@ class Screen:
             known = self._known[id(tree)] = (tree, self._evaluate(tree))
         return known[1]
 
+    def known(self, tree: Tree) -> Values | None:
+        """The values of a tree that was evaluated before."""
+        return self._known[id(tree)][1] if id(tree) in self._known else None
+
     def first(self, size: int) -> Screen:
         """The first of the points alone."""
         return Screen({name: values[:size] for name, values in self.names.items()}, size, self)
 
     def _evaluate(self, tree: Tree) -> Values | None:
-        if self._whole and (known := self._whole._known.get(id(tree))):
-            return known[1] and known[1][: self.size]
+        if self._whole and (known := self._whole.known(tree)):
+            return known[: self.size]
         below = children(tree)
         if below:
             return combined(_operation(tree), *map(self, below))

@@ -7,12 +7,13 @@ time, and a factor or term that is missing shows in the ratio or the difference.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import sub, truediv
 from typing import TypeAlias
 
-from radartrack.derive.checking.edits import Alternative, alternatives, everywhere, exchanges
+from radartrack.derive.checking.edits import Alternative, alternatives, everywhere, exchanged, exchanges, other_numbers
 from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
 from radartrack.derive.checking.numeric import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.checking.pieces import Pieces
@@ -100,18 +101,26 @@ class Search:
         symbols = [name for name in screen.names if names.values[name].is_Symbol]
         self._fitter = Fitter(self._factors(symbols, (printed, *derived)), screen.size)
         self._pieces = Pieces((*derived, printed), screen)
-        self._terms = frozenset(_rounded(self._quick(term)) for tree in derived for term in _all_terms(tree))
+        self._derived = derived
 
     def edits(self, tree: Tree) -> list[Candidate]:
         """One edit, or one that runs through the formula; where there is none, two."""
         size = sum(1 for _ in walk(tree))
-        found = list(self._single(tree, besides=self._terms)) if size > HUGE else []
+        found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
         found = found or list(self._single(tree))
         if not found or size <= HUGE:
             found += self._everywhere(tree)
         if not found and size <= LARGE:
             found = list(self._double(tree))
         return sorted(found, key=lambda candidate: candidate.cost)
+
+    def _right_terms(self, tree: Tree) -> Terms:
+        """Those that stand in sums of the formula no more often than in sums of the derived one."""
+        printed, derived = (
+            Counter(_rounded(self._quick(term)) for one in trees for term in _all_terms(one))
+            for trees in ([tree], self._derived)
+        )
+        return frozenset(term for term, count in printed.items() if count <= derived[term])
 
     def _everywhere(self, tree: Tree) -> Iterator[Candidate]:
         program = Program(tree)
@@ -137,7 +146,7 @@ class Search:
         firsts = [
             Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
             for path, node in walk(tree)
-            for edit in (*alternatives(node, self._kinds), *_exchanged(node), *_other_numbers(node))
+            for edit in (*alternatives(node, self._kinds), *exchanged(node), *other_numbers(node))
             if edit.cost <= 1.1
         ]
         for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
@@ -274,11 +283,6 @@ class Search:
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
 
 
-def _exchanged(node: Tree) -> Iterator[Alternative]:
-    if isinstance(node, Sum | Product):
-        yield from (one.of(node) for one in exchanges(node))
-
-
 def _all_terms(tree: Tree) -> Iterator[Tree]:
     """Those of every sum."""
     return (term for _, node in walk(tree) if isinstance(node, Sum) for term in node.terms)
@@ -301,13 +305,6 @@ def _is_number(tree: Tree) -> bool:
 
 def _signed(tree: Tree, sign: int) -> Tree:
     return tree if sign > 0 else Negation(tree)
-
-
-def _other_numbers(node: Tree) -> Iterator[Alternative]:
-    if isinstance(node, Number):
-        for number in dict.fromkeys((node.value * 2, node.value / 2, node.value + 1, node.value - 1)):
-            tree = number_tree(number)
-            yield Alternative(tree, "{} should be {}", 1.1, (node, tree))
 
 
 def _times(node: Tree, factor: Monomial) -> Tree:

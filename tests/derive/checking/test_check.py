@@ -310,6 +310,14 @@ def test_a_verdict_on_a_long_formula_with_a_slip_is_quick() -> None:
     assert verdict.suggestions[0].formula == formula
 
 
+def test_a_slip_that_makes_a_term_of_a_long_formula_another_of_its_terms_is_found() -> None:
+    name = "spherical.unbiased.covariance[0,0]"
+    formula = check(name, "0").derived
+    slip = formula.replace("/4)*cos(2*beta - 2*epsilon)", "/4)*cos(2*beta + 2*epsilon)", 1)
+    assert slip != formula
+    assert "the sign of 2*epsilon" in _edits(check(name, slip))[:3]
+
+
 def _edits(verdict: Verdict) -> list[str]:
     return [suggestion.edit for suggestion in verdict.suggestions]
 
