@@ -30,11 +30,13 @@ def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArra
         function: fills the outputs it is handed from inputs of the same length.
         inputs: of shape (n, ...).
         outputs: of shape (n, ...).
-        block: entries in a block at most; a quarter of them is worth a thread's while.
+        block: entries in a block at most; a quarter of them is worth a thread's while, and all threads have
+            as many blocks.
 
     """
     size = len(outputs[0])
-    count = max(math.ceil(size / block), min(4 * size // block, _most_at_once()), 1)
+    threads = max(min(_most_at_once(), 4 * size // block), 1)
+    count = threads * max(math.ceil(size / block / threads), 1)
 
     def fill_block(number: int) -> None:
         part = slice(size * number // count, size * (number + 1) // count)

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from radartrack import kalman
 from radartrack.generated import finite_sample as formulas
 from radartrack.normal_equations import Sample, Solution, solve
-from radartrack.rowwise import rowwise_product
+from radartrack.rowwise import Product, rowwise_product
 from radartrack.validation import RealArray, broadcast_shape, real_arrays
 
 HIGHEST_DEGREE = 3
@@ -80,13 +80,6 @@ class _Observed(NamedTuple):
         """Some tracks, with 0 for what is missing."""
         parts = (None if part is None else np.nan_to_num(part[tracks]) for part in self)
         return _Observed(*parts)  # type: ignore[arg-type]
-
-    def shows_finite(self, products: RealArray) -> bool:
-        """Whether all is finite, from the fewest numbers: what is not also shows in sums and products with it."""
-        parts = [part for part in (self.ranges, self.rates) if part is not None]
-        with np.errstate(invalid="ignore", over="ignore"):
-            fewest = [products] if products.size < self.ranges.size else parts
-            return all(math.isfinite(part.sum()) for part in fewest)
 
     @property
     def uneven(self) -> NDArray[np.bool_]:
@@ -297,22 +290,24 @@ class FiniteSampleFilter:
             nothing = np.zeros((*observed.ranges.shape[:-1], len(ends), self.degree + 1), observed.ranges.dtype)
             return self._with_uneven(self._shared(nothing, ends, length), observed, ends, length)
         used = observed.window(max(ends.start - length, 0), ends.stop - 1)
-        with np.errstate(invalid="ignore", over="ignore"):
-            fitted = self._banded(used, ends, length)
-        if used.shows_finite(fitted):
+        fitted, is_finite = self._banded(used, ends, length)
+        if is_finite:
             return self._shared(fitted, ends, length)
         _require_finite_or_missing(observed)
         partial = used.uneven
-        fitted[partial] = self._banded(used.without_missing(partial), ends, length)
+        fitted[partial] = self._banded(used.without_missing(partial), ends, length).values
         return self._with_uneven(self._shared(fitted, ends, length), observed, ends, length)
 
-    def _banded(self, used: _Observed, ends: range, length: int) -> RealArray:
+    def _banded(self, used: _Observed, ends: range, length: int) -> Product:
         """All estimates as products with one matrix, which is zero where a scan is outside a window."""
         band = self._band(ends, max(ends.start - length, 0), length)
-        fitted = _product(used.ranges, band[0])
+        fitted, is_finite = _product(used.ranges, band[0])
         if used.rates is not None:
-            fitted += _product(used.rates, band[1])
-        return fitted.reshape(*fitted.shape[:-1], len(ends), self.degree + 1)
+            by_rates = _product(used.rates, band[1])
+            with np.errstate(invalid="ignore", over="ignore"):
+                fitted += by_rates.values
+            is_finite = is_finite and by_rates.is_finite
+        return Product(fitted.reshape(*fitted.shape[:-1], len(ends), self.degree + 1), is_finite)
 
     def _shared(self, fitted: RealArray, ends: range, length: int) -> Run:
         """With the covariances and degrees that all full tracks share."""
@@ -493,7 +488,7 @@ def _computed(of: FiniteSampleFilter, k: int, degree: int) -> _Closed:
     return _Closed(degree, Weights(weights[0], weights[1] if len(weights) > 1 else None), covariance)
 
 
-def _product(rows: RealArray, matrix: RealArray) -> RealArray:
+def _product(rows: RealArray, matrix: RealArray) -> Product:
     return rowwise_product(rows, matrix.astype(rows.dtype, copy=False))
 
 

@@ -7,6 +7,7 @@ million may differ in the last place. Blocks of one shape are all treated alike.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,7 +19,14 @@ AT_ONCE = 32  # blocks, by one thread
 FEW = 3  # columns; BLAS takes fewer than four one by one in two thirds of the time
 
 
-def rowwise_product(rows: RealArray, matrix: RealArray) -> RealArray:
+class Product(NamedTuple):
+    """Rows times a matrix, and whether what shows in fewer numbers is finite: all rows or all products."""
+
+    values: RealArray
+    is_finite: bool
+
+
+def rowwise_product(rows: RealArray, matrix: RealArray) -> Product:
     """Multiply rows, shape (..., k), with a matrix, shape (k, m).
 
     Returns:
@@ -29,23 +37,27 @@ def rowwise_product(rows: RealArray, matrix: RealArray) -> RealArray:
     if rows.strides[-1] != rows.itemsize:
         rows = np.ascontiguousarray(rows)
     flat = rows.reshape(math.prod(shape), inner)
-    blocks, columns = len(flat) // BLOCK, matrix.shape[1]
-    whole = blocks * BLOCK
-    result = np.empty((len(flat), columns), rows.dtype)
-    full = flat[:whole].reshape(blocks, BLOCK, inner)
-    products = result[:whole].reshape(blocks, BLOCK, columns)
-    fill(lambda some, out: _multiply(some, matrix, out), [full], [products], AT_ONCE)
-    if whole < len(flat):
+    blocks, columns = math.ceil(len(flat) / BLOCK), matrix.shape[1]
+    whole = len(flat) // BLOCK
+    result, sums = np.empty((len(flat), columns), rows.dtype), np.empty(blocks, rows.dtype)
+    full = flat[: whole * BLOCK].reshape(whole, BLOCK, inner)
+    products = result[: whole * BLOCK].reshape(whole, BLOCK, columns)
+    fill(lambda some, *out: _multiply(some, matrix, *out), [full], [products, sums[:whole]], AT_ONCE)
+    if whole < blocks:
         rest, last = np.zeros((1, BLOCK, inner), rows.dtype), np.empty((1, BLOCK, columns), rows.dtype)
-        rest[0, : len(flat) - whole] = flat[whole:]
-        _multiply(rest, matrix, last)
-        result[whole:] = last[0, : len(flat) - whole]
-    return result.reshape(*shape, columns)
+        count = len(flat) - whole * BLOCK
+        rest[0, :count] = flat[-count:]
+        _multiply(rest, matrix, last, sums[whole:])
+        result[-count:] = last[0, :count]
+    return Product(result.reshape(*shape, columns), bool(np.isfinite(sums).all()))
 
 
-def _multiply(blocks: RealArray, matrix: RealArray, out: RealArray) -> None:
-    if matrix.shape[1] > FEW:
-        np.matmul(blocks, matrix, out=out)
-        return
-    columns = np.ascontiguousarray(matrix.T)[:, :, np.newaxis]
-    np.matmul(blocks[:, np.newaxis], columns, out=out.transpose(0, 2, 1)[..., np.newaxis])
+def _multiply(blocks: RealArray, matrix: RealArray, out: RealArray, sums: RealArray) -> None:
+    """Fill the products, and the sums, which show what is not finite; they are from the cache."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        if matrix.shape[1] > FEW:
+            np.matmul(blocks, matrix, out=out)
+        else:
+            columns = np.ascontiguousarray(matrix.T)[:, :, np.newaxis]
+            np.matmul(blocks[:, np.newaxis], columns, out=out.transpose(0, 2, 1)[..., np.newaxis])
+        np.sum(out if out.size < blocks.size else blocks, axis=(1, 2), out=sums)

@@ -10,17 +10,31 @@ from radartrack.rowwise import BLOCK, rowwise_product
 def test_the_product_is_right(shape: tuple[int, ...]) -> None:
     rows = np.random.default_rng(0).normal(size=shape)
     matrix = np.random.default_rng(1).normal(size=(shape[-1], 3))
-    assert np.allclose(rowwise_product(rows, matrix), rows @ matrix, rtol=1e-13, atol=1e-13)
-    assert rowwise_product(rows, matrix).shape == (rows @ matrix).shape
+    product = rowwise_product(rows, matrix)
+    assert np.allclose(product.values, rows @ matrix, rtol=1e-13, atol=1e-13)
+    assert product.values.shape == (rows @ matrix).shape
+    assert product.is_finite
 
 
 @pytest.mark.parametrize("columns", [0, 1, 2, 3, 4, 60])
 def test_a_row_has_the_same_bits_in_any_company_and_layout(columns: int) -> None:
     rows = np.random.default_rng(0).normal(size=(5 * BLOCK + 77, 23))
     matrix = np.random.default_rng(1).normal(size=(23, columns))
-    many = rowwise_product(rows, matrix)
+    many = rowwise_product(rows, matrix).values
     for n in range(0, len(rows), 13):
-        assert rowwise_product(rows[n], matrix).tobytes() == many[n].tobytes()
-    assert np.array_equal(rowwise_product(np.asfortranarray(rows), matrix), many)
+        assert rowwise_product(rows[n], matrix).values.tobytes() == many[n].tobytes()
+    assert np.array_equal(rowwise_product(np.asfortranarray(rows), matrix).values, many)
     wide = np.concatenate([rows, rows], axis=1)
-    assert np.array_equal(rowwise_product(wide[:, :23], matrix), many)
+    assert np.array_equal(rowwise_product(wide[:, :23], matrix).values, many)
+
+
+@pytest.mark.parametrize("columns", [3, 60])
+@pytest.mark.parametrize("place", [0, 2 * BLOCK, 3 * BLOCK + 4])
+def test_what_is_not_finite_shows(columns: int, place: int) -> None:
+    matrix = np.ones((23, columns))
+    for bad in (np.nan, np.inf, -np.inf):
+        rows = np.ones((3 * BLOCK + 5, 23))
+        rows[place, 7] = bad
+        assert not rowwise_product(rows, matrix).is_finite
+    rows[place, [7, 8]] = np.inf, -np.inf
+    assert not rowwise_product(rows, matrix).is_finite
