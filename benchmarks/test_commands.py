@@ -1,5 +1,6 @@
 """Deriving, checking and importing."""
 
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -53,7 +54,9 @@ class TestImport:
 
 
 def in_a_process(statements: str) -> None:
-    subprocess.run([sys.executable, "-c", statements], check=True)
+    """With the modules' bytecode on disk, as installers leave it."""
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    subprocess.run([sys.executable, "-c", statements], check=True, env=kept)
 
 
 def ours(names: tuple[str, ...]) -> None:

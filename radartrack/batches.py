@@ -9,7 +9,6 @@ import math
 import os
 from collections.abc import Callable, Sequence
 from functools import cache
-from threading import Lock
 from typing import TYPE_CHECKING
 
 from radartrack.validation import RealArray
@@ -50,6 +49,8 @@ def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArra
 
 def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
     """On all cores, this thread's among them; each takes the next item when it is ready for it."""
+    from threading import Lock  # noqa: PLC0415 - it costs more to load than small arrays do
+
     waiting, turn = iter(items), Lock()
 
     def run() -> None:

@@ -8,7 +8,6 @@ than 1e-12 m, counts as zero.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
@@ -228,7 +227,7 @@ def _require_derivatives(sensor: SensorName, mean: RealArray) -> None:
     axes = 3 if sensor == "ruv" else 2
     place = "the radar" if axes == len(_STATES[sensor]) or sensor == "polar_doppler" else "the vertical axis"
     offset = np.abs(mean[..., :axes]).max(axis=-1)
-    away = replace(POSITION, signed=False, smallest=POLE[mean.dtype], reason="there is no derivative nearer to it")
+    away = POSITION._replace(signed=False, smallest=POLE[mean.dtype], reason="there is no derivative nearer to it")
     require_within(f"mean's distance from {place}", offset, away)
 
 

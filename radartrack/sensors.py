@@ -1,7 +1,6 @@
 """What the measurement models are called in public, and which values their arguments may have."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from importlib import import_module
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
@@ -38,8 +37,7 @@ class Argument(NamedTuple):
     domain: Domain
 
 
-@dataclass(frozen=True, slots=True)
-class Sensor:
+class Sensor(NamedTuple):
     """The public arguments of a measurement model, by name, and the formulas for it.
 
     Attributes:

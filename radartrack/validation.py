@@ -9,12 +9,10 @@ The computation is in float32 where every array given is float32, and otherwise 
 and float16. Python's own int and float adapt to the arrays beside them, as they do in NumPy.
 """
 
-import difflib
 import math
 import reprlib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,8 +22,7 @@ Choice = TypeVar("Choice", bound=str)
 SINGLE, DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
 
 
-@dataclass(frozen=True, slots=True)
-class Domain:
+class Domain(NamedTuple):
     """The interval that an argument may come from.
 
     It ends at `largest`, in float32 at `largest_single`; it begins at `smallest` or, where signed, at the
@@ -79,6 +76,8 @@ def one_of(name: str, given: str | None, allowed: Iterable[Choice]) -> Choice:
     for word in words:
         if word == given:
             return word
+    import difflib  # noqa: PLC0415 - only this message needs it
+
     words.sort(key=lambda word: difflib.SequenceMatcher(None, given.lower(), word).ratio(), reverse=True)
     raise ValueError(f"{name} must be one of {words}; got {given!r}")
 

@@ -7,7 +7,6 @@ ratios do not depend on how the axes lie, nor on where the azimuth is counted fr
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Literal, TypeAlias, get_args
 
 import numpy as np
@@ -197,11 +196,11 @@ def _ratios(name: SensorName, given: Mapping[str, ArrayLike], formulas: Formulas
         if argument == "r" or argument.endswith("_std"):
             require_within(argument, arrays[argument], _positive(domain))
         elif argument == "range_rate":
-            require_within(argument, arrays[argument], replace(domain, largest=LARGEST))
+            require_within(argument, arrays[argument], domain._replace(largest=LARGEST))
     # Powers of the deviations, up to the eighth, underflow in float32.
     values = {symbol: array.astype(np.float64) for symbol, array in sensor.read(arrays).items()}
     return sensor.evaluate(f"validity_{word}", values).astype(arrays["r"].dtype, copy=False)
 
 
 def _positive(domain: Domain) -> Domain:
-    return replace(domain, smallest=SMALLEST, largest=min(domain.largest, LARGEST), reason="a ratio to zero is none")
+    return domain._replace(smallest=SMALLEST, largest=min(domain.largest, LARGEST), reason="a ratio to zero is none")
