@@ -72,7 +72,8 @@ def test_shapes_and_strides_are_free(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_few_plots_and_single_precision_are_not_worth_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "conversion", lambda name: pytest.fail(f"{name} was compiled"))
-    convert.polar(1e4, 0.1, 10.0, 1e-3)
+    few = np.ones(compiled.COMPILED_FROM - 1)
+    assert convert.polar(few, few, few, few / 100).mean.shape == (*few.shape, 2)
     single = np.ones(SIZE, np.float32)
     assert convert.polar(single, single, single, single / 100).mean.dtype == np.float32
 
