@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from itertools import permutations
 from operator import itemgetter, mul, neg, sub, truediv
 from typing import TypeAlias
 
@@ -170,6 +171,11 @@ class Screen:
                 return [combined(neg, needed)]
             case Power(base, exponent):
                 return self._required_of_power(self(base), self(exponent), needed)
+            case Call("atan2", (above, below)):
+                slope = combined(math.tan, needed)
+                return [combined(mul, slope, self(below)), combined(truediv, self(above), slope)]
+            case Call("hypot", (first, second)):
+                return [combined(_leg, needed, self(other), self(leg)) for leg, other in permutations((first, second))]
             case Call("abs", (argument,)):
                 return [combined(math.copysign, needed, self(argument))]
             case Call(function) if function in INVERSES:
@@ -238,6 +244,11 @@ def _reader(tree: Tree) -> Callable[[Mapping[str, float]], float]:
         return itemgetter(tree.name)
     number = _number(tree) if isinstance(tree, Number | Constant) else math.nan
     return lambda _: number
+
+
+def _leg(hypotenuse: float, other: float, leg: float) -> float:
+    """The leg of a right triangle, with the sign that it has."""
+    return math.copysign(math.sqrt(hypotenuse**2 - other**2), leg)
 
 
 def _exponent(power: float, base: float) -> float:

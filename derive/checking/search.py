@@ -41,6 +41,8 @@ from radartrack.derive.formula.tree import (
 QUICK = 2  # points that rule out nearly every edit
 FACTORS = 13
 FIRST_EDITS = 150
+LIKELY = 1.2  # the cost of an edit that may be one of two
+PLAIN = 2.0  # the cost of one edit that is likelier than any two
 LARGE = 60  # nodes from which two edits at once are not looked for
 HUGE = 500  # nodes from which one edit in one place is enough
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
@@ -104,14 +106,14 @@ class Search:
         self._derived = derived
 
     def edits(self, tree: Tree) -> list[Candidate]:
-        """One edit, or one that runs through the formula; where there is none, two."""
+        """One edit, or one that runs through the formula; where there is no likely one, two."""
         size = sum(1 for _ in walk(tree))
         found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
         found = found or list(self._single(tree))
         if not found or size <= HUGE:
             found += self._everywhere(tree)
-        if not found and size <= LARGE:
-            found = list(self._double(tree))
+        if size <= LARGE and not any(candidate.cost <= PLAIN for candidate in found):
+            found += self._double(tree)
         return sorted(found, key=lambda candidate: candidate.cost)
 
     def _right_terms(self, tree: Tree) -> Terms:
@@ -147,7 +149,7 @@ class Search:
             Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
             for path, node in walk(tree)
             for edit in (*alternatives(node, self._kinds), *exchanged(node), *other_numbers(node))
-            if edit.cost <= 1.1
+            if edit.cost <= LIKELY
         ]
         for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
             if self._is_worth(first.tree, self._target):

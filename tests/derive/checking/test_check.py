@@ -134,6 +134,9 @@ def test_another_entry_of_the_same_quantity_is_named() -> None:
             "60*(k - 2)*sigma_r**2/(T*k*(k + 1)*(60*C + k**2 - 4))",
             "T should be T**2",
         ),
+        ("observe.polar.map[1]", "atan2(y, x)/2", "an extra divisor: 2"),
+        ("observe.polar.map[1]", "atan2(y, x*y)", "an extra factor: y"),
+        ("polar.bias.second_order[0]", "-r*sigma_beta**2*cos(7*beta)/2", "an extra factor: 7"),
         ("observe.polar.jacobian[1,0]", "y/(x**2 + y**2)", "the sign"),
         ("fusion.weights.two[0]", "sigma_1**2/(sigma_1**2 + sigma_2**2)", "sigma_1 should be sigma_2"),
         ("taylor.mean_shift", "1/2*(f_xx*D_1 + 2*f_xy*K_12 + f_yy*D_1)", "D_1 should be D_2"),
@@ -186,6 +189,10 @@ def test_two_slips_at_once_are_found() -> None:
     )
     assert verdict.suggestions
     assert check("polar.covariance.linear[0,1]", verdict.suggestions[0].formula, given=INDEPENDENT).is_equal
+
+
+def test_two_likely_slips_are_named_beside_one_that_is_unlikely() -> None:
+    assert "atan2(y, x)" in [one.formula for one in check("observe.polar.map[1]", "atan2(y/3, x*x)").suggestions[:3]]
 
 
 def test_metres_added_to_square_metres_are_wrong_dimensions() -> None:

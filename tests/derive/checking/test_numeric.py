@@ -2,6 +2,7 @@
 
 import math
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -53,6 +54,15 @@ def _near(first: tuple[float, ...], second: tuple[float, ...]) -> bool:
 def _has_other_branches(node: Tree) -> bool:
     """Even powers and periodic functions have several inverses, of which one is chosen."""
     return not isinstance(node, Number) and bool(names(node)) and type(node).__name__ in {"Power", "Call"}
+
+
+@pytest.mark.parametrize("formula", ["atan2(r, {})", "atan2({}, r)", "hypot(r, {})", "hypot({}, r)"])
+def test_what_a_side_of_a_triangle_would_have_to_be_follows_from_the_angle_and_the_hypotenuse(formula: str) -> None:
+    screen = Screen({"r": (0.3, 1.7, 0.9), "s": (0.4, 1.1, 2.5)}, SIZE)
+    needed = screen(read_text(formula.format("s"), {"r", "s"}))
+    assert needed is not None
+    printed = read_text(formula.format("3*s"), {"r", "s"})
+    assert any(close(required, (0.4, 1.1, 2.5)) for required in screen.required(printed, needed))
 
 
 def test_a_fit_finds_the_powers_and_sees_what_is_no_monomial() -> None:
