@@ -300,13 +300,9 @@ class FiniteSampleFilter:
 
     def _banded(self, used: _Observed, ends: range, length: int) -> Product:
         """All estimates as products with one matrix, which is zero where a scan is outside a window."""
-        band = self._band(ends, max(ends.start - length, 0), length)
-        fitted, is_finite = _product(used.ranges, band[0])
-        if used.rates is not None:
-            by_rates = _product(used.rates, band[1])
-            with np.errstate(invalid="ignore", over="ignore"):
-                fitted += by_rates.values
-            is_finite = is_finite and by_rates.is_finite
+        parts = [part for part in (used.ranges, used.rates) if part is not None]
+        band = self._band(ends, max(ends.start - length, 0), length).astype(used.ranges.dtype, copy=False)
+        fitted, is_finite = rowwise_product(parts, band)
         return Product(fitted.reshape(*fitted.shape[:-1], len(ends), self.degree + 1), is_finite)
 
     def _shared(self, fitted: RealArray, ends: range, length: int) -> Run:
@@ -324,20 +320,20 @@ class FiniteSampleFilter:
             np.broadcast_to(degrees, (*tracks, *degrees.shape)),
         )
 
-    def _band(self, ends: range, first: int, length: int) -> list[RealArray]:
-        """The weights of the scans from `first` on, one column for each component of each estimate.
+    def _band(self, ends: range, first: int, length: int) -> RealArray:
+        """The weights of the ranges, then of the rates, from scan `first` on.
 
-        They are NaN for components that the scans do not determine.
+        There is a column for each component of each estimate, NaN for components that the scans do not determine.
         """
         size = self.degree + 1
-        bands = [np.zeros((ends.stop - 1 - first, len(ends), size)) for _ in range(1 + (self.rate_std is not None))]
+        bands = np.zeros((1 + (self.rate_std is not None), ends.stop - 1 - first, len(ends), size))
         for n, end in enumerate(ends):
             closed = self._closed(min(end, length))
             for band, weights in zip(bands, closed.weights, strict=False):
                 if weights is not None:
                     band[max(end - length, 0) - first : end - first, n, : closed.degree + 1] = weights.T
                     band[:, n, closed.degree + 1 :] = np.nan
-        return [band.reshape(len(band), -1) for band in bands]
+        return bands.reshape(-1, len(ends) * size)
 
     def _closed(self, k: int) -> _Closed:
         """The filter of the highest degree that k scans support."""
@@ -486,10 +482,6 @@ def _computed(of: FiniteSampleFilter, k: int, degree: int) -> _Closed:
         array.flags.writeable = False
     covariance = getattr(formulas, f"{prefix}covariance")(sigma_r=float(of.range_std), **arguments)
     return _Closed(degree, Weights(weights[0], weights[1] if len(weights) > 1 else None), covariance)
-
-
-def _product(rows: RealArray, matrix: RealArray) -> Product:
-    return rowwise_product(rows, matrix.astype(rows.dtype, copy=False))
 
 
 def _distinct(sample: Sample) -> tuple[Sample, NDArray[np.int64]]:

@@ -10,7 +10,7 @@ from radartrack.rowwise import BLOCK, rowwise_product
 def test_the_product_is_right(shape: tuple[int, ...]) -> None:
     rows = np.random.default_rng(0).normal(size=shape)
     matrix = np.random.default_rng(1).normal(size=(shape[-1], 3))
-    product = rowwise_product(rows, matrix)
+    product = rowwise_product([rows], matrix)
     assert np.allclose(product.values, rows @ matrix, rtol=1e-13, atol=1e-13)
     assert product.values.shape == (rows @ matrix).shape
     assert product.is_finite
@@ -20,12 +20,14 @@ def test_the_product_is_right(shape: tuple[int, ...]) -> None:
 def test_a_row_has_the_same_bits_in_any_company_and_layout(columns: int) -> None:
     rows = np.random.default_rng(0).normal(size=(5 * BLOCK + 77, 23))
     matrix = np.random.default_rng(1).normal(size=(23, columns))
-    many = rowwise_product(rows, matrix).values
+    many = rowwise_product([rows], matrix).values
     for n in range(0, len(rows), 13):
-        assert rowwise_product(rows[n], matrix).values.tobytes() == many[n].tobytes()
-    assert np.array_equal(rowwise_product(np.asfortranarray(rows), matrix).values, many)
+        assert rowwise_product([rows[n]], matrix).values.tobytes() == many[n].tobytes()
+    assert np.array_equal(rowwise_product([np.asfortranarray(rows)], matrix).values, many)
     wide = np.concatenate([rows, rows], axis=1)
-    assert np.array_equal(rowwise_product(wide[:, :23], matrix).values, many)
+    assert np.array_equal(rowwise_product([wide[:, :23]], matrix).values, many)
+    joined = rowwise_product([rows[:, :9], rows[:, 9:]], matrix)
+    assert np.array_equal(joined.values, many)
 
 
 @pytest.mark.parametrize("columns", [3, 60])
@@ -34,4 +36,4 @@ def test_a_row_has_the_same_bits_in_any_company_and_layout(columns: int) -> None
 def test_what_is_not_finite_shows(columns: int, bad: list[float], place: int) -> None:
     rows = np.ones((3 * BLOCK + 5, 23))
     rows[place, 7:9] = bad
-    assert not rowwise_product(rows, np.ones((23, columns))).is_finite
+    assert not rowwise_product([rows], np.ones((23, columns))).is_finite
