@@ -8,7 +8,7 @@ over the rational functions, and those of different rational constants over the 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import mul
 
 from radartrack.derive import symbolic as sp
@@ -60,7 +60,7 @@ class ExponentialPolynomial:
     def __add__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
         terms = dict(self.terms)
         for exponent, coefficient in other.terms.items():
-            terms[exponent] = terms.get(exponent, self.ring.zero) + coefficient
+            terms[exponent] = terms[exponent] + coefficient if exponent in terms else coefficient
         return ExponentialPolynomial(self.ring, terms)
 
     def __neg__(self) -> ExponentialPolynomial:
@@ -73,8 +73,9 @@ class ExponentialPolynomial:
         terms: dict[PolyElement, PolyElement] = {}
         for exponent, coefficient in self.terms.items():
             for other_exponent, other_coefficient in other.terms.items():
-                exponents = exponent + other_exponent
-                terms[exponents] = terms.get(exponents, self.ring.zero) + coefficient * other_coefficient
+                total = _sum(exponent, other_exponent)
+                product = coefficient * other_coefficient
+                terms[total] = terms[total] + product if total in terms else product
         return ExponentialPolynomial(self.ring, terms)
 
     def __pow__(self, exponent: int) -> ExponentialPolynomial:
@@ -134,6 +135,12 @@ class ExponentialPolynomial:
         raise NotExponentialPolynomial("a sum has no inverse among the exponential polynomials")
 
 
+@lru_cache(maxsize=1 << 14)
+def _sum(first: PolyElement, second: PolyElement) -> PolyElement:
+    """Few different ones are met; a sum that was met before knows its hash, a new one has to find it."""
+    return first + second
+
+
 def split(exponent: PolyElement) -> tuple[PolyElement, PolyElement]:
     """An exponent's real part (growth or decay) and imaginary part (frequency), both with real coefficients."""
     ring = exponent.ring
@@ -187,7 +194,7 @@ class _Reader:
 
 def _atom(expression: Expr, ring: PolyRing) -> PolyElement:
     if isinstance(expression, Symbol) and expression in ring.symbols:
-        return ring(expression)
+        return ring.gens[ring.symbols.index(expression)]
     if isinstance(expression, sp.Rational):
         return ring(sp.QQ_I(sp.QQ(int(expression.p), int(expression.q)), 0))
     if isinstance(expression, sp.ImaginaryUnit):

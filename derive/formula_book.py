@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import chain, groupby
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.forms import without_expm1
@@ -17,6 +17,7 @@ from radartrack.derive.variable import Variable
 
 LONGEST = 6000
 LINE = 220
+NEW_LINE = " \\\\\n"
 LETTERS = {"attenuation": "q", "shortfall": "u"}
 INTRODUCTION = """\
 # Formula book
@@ -58,12 +59,23 @@ def formula(quantity: Quantity, form: StableForm) -> str:
     """The formula typeset over its intermediates, equal entries once; a long one is only named."""
     definitions, entries = _without_waves(form)
     names = {symbol: latex_name(symbol) for symbol in quantity.symbols} | _letters(definitions)
-    lines = [_equation(names[symbol], definition, names) for symbol, definition in definitions.items()]
-    lines += [_equation(place, entry, names) for place, entry in _places(entries)]
-    body = " \\\\\n".join(lines)
+    equations = chain(((names[symbol], value) for symbol, value in definitions.items()), _places(entries))
+    body = _aligned(equations, names)
     if len(body) > LONGEST:
         return f"Too long to print here: `radartrack show {quantity.name}` does."
     return f"```math\n\\begin{{aligned}}\n{body}\n\\end{{aligned}}\n```"
+
+
+def _aligned(equations: Iterable[tuple[str, Expr]], names: Mapping[Symbol, str]) -> str:
+    """The lines of an aligned block; where it is too long only its beginning, as typesetting takes long."""
+    body = ""
+    for left, right in equations:
+        body += f"{NEW_LINE if body else ''}{left} &= "
+        for piece in _pieces(right, names):
+            body += piece
+            if len(body) > LONGEST:
+                return body
+    return body
 
 
 def _letters(definitions: Iterable[Symbol]) -> dict[Symbol, str]:
@@ -104,19 +116,21 @@ def _places(entries: Tensor[Expr]) -> Iterator[tuple[str, Expr]]:
         yield " = ".join(where) if len(where) < 4 or entry != 0 else "\\text{else}", entry
 
 
-def _equation(left: str, right: Expr, names: Mapping[Symbol, str]) -> str:
-    """An equation of an aligned block; a long sum goes over several lines."""
-    whole = sp.latex(right, symbol_names=names)
-    if len(whole) <= LINE or not right.is_Add:
-        return f"{left} &= {whole}"
-    lines: list[str] = []
-    for term in (sp.latex(term, symbol_names=names) for term in right.as_ordered_terms()):
-        signed = term if term.startswith("-") else f"+ {term}"
-        if lines and len(lines[-1]) + len(signed) <= LINE:
-            lines[-1] += f" {signed}"
-        else:
-            lines.append(signed)
-    return f"{left} &= " + " \\\\\n&\\quad ".join(lines).removeprefix("+ ")
+def _pieces(expression: Expr, names: Mapping[Symbol, str]) -> Iterator[str]:
+    """An expression in pieces; a long sum goes over several lines."""
+    terms = expression.as_ordered_terms() if expression.is_Add else [expression]
+    length = 0
+    for number, term in enumerate(terms):
+        typeset = sp.latex(term, symbol_names=names)
+        if number:
+            typeset = f"- {typeset[1:].lstrip()}" if typeset.startswith("-") else f"+ {typeset}"
+        if length and length + len(typeset) > LINE:
+            yield f"{NEW_LINE}&\\quad "
+            length = 0
+        elif number:
+            typeset = f" {typeset}"
+        yield typeset
+        length += len(typeset)
 
 
 def _chapter(module: str, pages: Sequence[Page], names: Sequence[str]) -> str:
