@@ -3,6 +3,8 @@
 SymPy carries no type information, so every other module takes its symbolic algebra from here.
 """
 
+from functools import lru_cache
+
 from sympy import (
     QQ,
     QQ_I,
@@ -32,7 +34,6 @@ from sympy import (
     erf,
     exp,
     expand,
-    factor,
     factor_list,
     factor_terms,
     fraction,
@@ -48,6 +49,7 @@ from sympy import (
     together,
 )
 from sympy import Float as _Float
+from sympy import factor as _factor
 from sympy.core.numbers import Exp1, ImaginaryUnit, NumberSymbol
 from sympy.polys.rings import PolyElement, PolyRing
 from sympy.printing.str import StrPrinter
@@ -133,6 +135,12 @@ class ratio(Function):
     """x/y where y is not zero, and zero where it is: for derivatives that do not exist everywhere."""
 
     nargs = 2
+
+
+@lru_cache(maxsize=1 << 12)
+def factor(expression: Expr) -> Expr:
+    """The product of factors over the rationals; many quantities share their parts, and finding them takes long."""
+    return _factor(expression)
 
 
 def unguarded(expression: Expr) -> Expr:
