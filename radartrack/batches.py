@@ -42,7 +42,7 @@ def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArra
         function(*(array[part] for array in (*inputs, *outputs)))
 
     if count == 1:
-        fill_block(0)
+        function(*inputs, *outputs)
     else:
         _side_by_side(fill_block, range(count))
 
