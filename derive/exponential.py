@@ -26,7 +26,13 @@ class NotExponentialPolynomial(ValueError):
 
 def ring_over(symbols: Iterable[Symbol]) -> PolyRing:
     """The ring of polynomials in these symbols with coefficients in Q(i), in an order that depends on names alone."""
-    return PolyRing(sorted(set(symbols), key=lambda symbol: symbol.name), sp.QQ_I)
+    return _ring(*sorted(set(symbols), key=lambda symbol: symbol.name))
+
+
+@lru_cache(maxsize=256)
+def _ring(*symbols: Symbol) -> PolyRing:
+    """One ring for the same symbols: elements of one and the same are compared sooner."""
+    return PolyRing(symbols, sp.QQ_I)
 
 
 class ExponentialPolynomial:
@@ -57,11 +63,17 @@ class ExponentialPolynomial:
         """
         return _Reader(ring, known or {}).read(expression)
 
+    @classmethod
+    def total(cls, ring: PolyRing, values: Iterable[ExponentialPolynomial]) -> ExponentialPolynomial:
+        """The sum of elements over one ring."""
+        terms: dict[PolyElement, PolyElement] = {}
+        for value in values:
+            for exponent, coefficient in value.terms.items():
+                terms[exponent] = terms[exponent] + coefficient if exponent in terms else coefficient
+        return cls(ring, terms)
+
     def __add__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
-        terms = dict(self.terms)
-        for exponent, coefficient in other.terms.items():
-            terms[exponent] = terms[exponent] + coefficient if exponent in terms else coefficient
-        return ExponentialPolynomial(self.ring, terms)
+        return self.total(self.ring, (self, other))
 
     def __neg__(self) -> ExponentialPolynomial:
         return ExponentialPolynomial(self.ring, {e: -c for e, c in self.terms.items()})
@@ -173,7 +185,7 @@ class _Reader:
     def _read(self, expression: Expr) -> ExponentialPolynomial:
         ring = self.ring
         if isinstance(expression, sp.Add):
-            return sum(map(self.read, expression.args), ExponentialPolynomial(ring, {}))
+            return ExponentialPolynomial.total(ring, map(self.read, expression.args))
         if isinstance(expression, sp.Mul):
             return reduce(mul, map(self.read, expression.args))
         if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):

@@ -9,7 +9,7 @@ coordinate axes lie: along range it is √3/2 · r σ_β²/σ_r for the linear p
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import combinations_with_replacement
 from math import factorial, prod
 from operator import mul
@@ -41,6 +41,7 @@ def validity(model: Model, formulas: str = "linear") -> Tensor[Expr]:
     return validity_form(model, formulas).expanded()
 
 
+@lru_cache(maxsize=16)
 def validity_form(model: Model, formulas: str) -> StableForm:
     """The same over named intermediates, as it is written; it raises the same."""
     if formulas not in NEGLECTED:

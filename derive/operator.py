@@ -30,12 +30,13 @@ class GaussianOperator:
 
     def generator(self, value: ExponentialPolynomial) -> ExponentialPolynomial:
         """L f."""
-        total = ExponentialPolynomial(value.ring, {})
-        for row, first in zip(self.covariance, self.variables, strict=True):
-            for weight, second in zip(row, self.variables, strict=True):
-                if weight != 0:
-                    total = total + value.differentiate(first).differentiate(second).scale(weight / 2)
-        return total
+        parts = (
+            value.differentiate(first).differentiate(second).scale(weight / 2)
+            for row, first in zip(self.covariance, self.variables, strict=True)
+            for weight, second in zip(row, self.variables, strict=True)
+            if weight != 0
+        )
+        return ExponentialPolynomial.total(value.ring, parts)
 
     def exponential(self, value: ExponentialPolynomial, time: Fraction | int = 1) -> ExponentialPolynomial:
         """e^(tL) f in closed form.
@@ -43,10 +44,8 @@ class GaussianOperator:
         Raises:
             NotExponentialPolynomial: when an exponent of `value` is not linear in the variables.
         """
-        total = ExponentialPolynomial(value.ring, {})
-        for exponent, coefficient in value.terms.items():
-            total = total + self._exponential_of_term(exponent, coefficient, Fraction(time))
-        return total
+        parts = (self._exponential_of_term(*term, Fraction(time)) for term in value.terms.items())
+        return ExponentialPolynomial.total(value.ring, parts)
 
     def _exponential_of_term(
         self, exponent: PolyElement, coefficient: PolyElement, time: Fraction
