@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import gc
 import importlib.util
 import json
 import math
@@ -31,6 +30,7 @@ from radartrack.derive.formula_book import Page, book, formula
 from radartrack.derive.model import Model
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.writer import Function, body, module_text
+from radartrack.deriving_process import prepare
 from radartrack.directory_swap import replace_directory, replace_file
 from radartrack.verification.sampling import sample
 from radartrack.verification.ulp import errors
@@ -138,8 +138,7 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
     """
     tasks = _tasks(quantities)
     if quantities == catalogue():
-        # Workers end soon, and what SymPy makes is kept: looking for garbage takes a tenth of the time.
-        with ProcessPoolExecutor(mp_context=get_context("spawn"), initializer=gc.disable) as pool:
+        with ProcessPoolExecutor(mp_context=get_context("spawn"), initializer=prepare) as pool:
             done = _told(tasks, pool.map(_of_catalogue, tasks, chunksize=CHUNK), step)
     else:
         done = _told(tasks, (_done(task, quantities) for task in tasks), step)
