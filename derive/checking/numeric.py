@@ -102,10 +102,10 @@ def _operation(tree: Tree) -> Callable[..., float]:
     return FUNCTIONS[tree.function] if isinstance(tree, Call) else OPERATIONS[type(tree)]
 
 
-def _number(tree: Number | Constant) -> float:
+def _number(tree: Tree) -> float:
     if isinstance(tree, Constant):
         return math.pi if tree.name == "pi" else math.e
-    return float(tree.text)
+    return float(tree.text) if isinstance(tree, Number) else math.nan
 
 
 def close(first: Values | None, second: Values | None) -> bool:
@@ -242,7 +242,7 @@ def _reader(tree: Tree) -> Callable[[Mapping[str, float]], float]:
     """What gives the value of a leaf."""
     if isinstance(tree, Name):
         return itemgetter(tree.name)
-    number = _number(tree) if isinstance(tree, Number | Constant) else math.nan
+    number = _number(tree)
     return lambda _: number
 
 

@@ -104,7 +104,7 @@ class Reader:
             case _:
                 return self._read_scalar(tree)
 
-    def _read_scalar(self, tree: Tree) -> Expr:
+    def _read_scalar(self, tree: Number | Constant | Name | Power | Call) -> Expr:
         match tree:
             case Number():
                 return sp.Rational(tree.value)
