@@ -7,6 +7,7 @@ import pytest
 
 from radartrack import compiled, convert
 from radartrack.convert import Converted
+from tests.radartrack.plots import COORDINATES, DEVIATIONS, OF_THE_PLOT, SENSORS
 
 SIZE = compiled.COMPILED_FROM + 3
 
@@ -17,9 +18,16 @@ def plots(seed: int) -> dict[str, np.ndarray]:
         "r": generator.uniform(1e3, 1e5, SIZE),
         "azimuth": generator.uniform(-3, 3, SIZE),
         "elevation": generator.uniform(-1, 1, SIZE),
+        "range_rate": generator.uniform(-300, 300, SIZE),
+        "u": generator.uniform(-0.6, 0.6, SIZE),
+        "v": generator.uniform(-0.6, 0.6, SIZE),
         "range_std": generator.uniform(1, 100, SIZE),
         "azimuth_std": 10 ** generator.uniform(-7, -0.5, SIZE),
         "elevation_std": 10 ** generator.uniform(-7, -0.5, SIZE),
+        "range_rate_std": generator.uniform(0.1, 10, SIZE),
+        "u_std": 10 ** generator.uniform(-7, -2, SIZE),
+        "v_std": 10 ** generator.uniform(-7, -2, SIZE),
+        "correlation": generator.uniform(-1, 1, SIZE),
     }
 
 
@@ -37,13 +45,18 @@ def assert_same(found: Converted, expected: Converted) -> None:
     assert (np.abs(found.covariance - expected.covariance) <= 32 * np.spacing(scale)).all()
 
 
-@pytest.mark.parametrize("method", ["averaged", "unbiased"])
-@pytest.mark.parametrize("azimuth_from", ["x", "y"])
-def test_polar(monkeypatch: pytest.MonkeyPatch, method: str, azimuth_from: str) -> None:
+@pytest.mark.parametrize("method", OF_THE_PLOT)
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_every_conversion(monkeypatch: pytest.MonkeyPatch, sensor: str, method: str) -> None:
     given = plots(1)
-    names = ("r", "azimuth", "range_std", "azimuth_std")
-    arguments = [given[name] for name in names]
-    assert_same(*both(monkeypatch, "polar", *arguments, method=method, azimuth_from=azimuth_from))
+    names = (*COORDINATES[sensor], *DEVIATIONS[sensor], "correlation")
+    assert_same(*both(monkeypatch, sensor, *(given[name] for name in names), method=method))
+
+
+def test_azimuths_from_the_other_axis(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = plots(6)
+    arguments = [given[name] for name in ("r", "azimuth", "range_std", "azimuth_std", "correlation")]
+    assert_same(*both(monkeypatch, "polar", *arguments, azimuth_from="y"))
 
 
 def test_spherical_with_deviations_that_all_plots_share(monkeypatch: pytest.MonkeyPatch) -> None:
