@@ -27,11 +27,11 @@ class TestPolar:
         timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
-        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, rounds=20)
+        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, rounds=60)
 
     def test_fused(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
         arrays = [*(plots[n] for n in POLAR), np.zeros(PLOTS)]
-        timed(fused_loop(f"polar_{method}", 2), *arrays, items=PLOTS, rounds=20)
+        timed(fused_loop(f"polar_{method}", 2), *arrays, items=PLOTS, rounds=60)
 
 
 class TestPolarPeers:
