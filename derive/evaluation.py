@@ -75,14 +75,18 @@ class Evaluator:
         self._results = [self._add(entry) for entry in entries]
         self._shape = entries.shape
 
-    def __call__(self, point: Mapping[str, float] | Sequence[float]) -> Tensor[Number]:
+    def __call__(self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0) -> Tensor[Number]:
         """The entries at one point, given in the order of the symbols; floats are taken as exact.
+
+        Args:
+            point: the values of the symbols.
+            more_digits: beyond those for which this was made.
 
         Raises:
             OverflowError: for an exponential of more than a million.
         """
         values = point.values() if isinstance(point, Mapping) else point
-        with mpmath.workdps(self._precision):
+        with mpmath.workdps(self._precision + more_digits):
             slots: list[Number] = [mpmath.mpf(value) for value in values]
             for operation, operands in self._steps:
                 slots.append(operation(*(slots[i] for i in operands)))

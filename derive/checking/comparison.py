@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import mpmath
 
 from radartrack.derive.checking.points import Point
-from radartrack.derive.evaluation import DIGITS, Evaluator, Number
+from radartrack.derive.evaluation import Evaluator, Number
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 
@@ -50,17 +50,15 @@ class Comparison:
 
     def __init__(self, printed: Expr, derived: Expr, symbols: Sequence[Symbol]) -> None:
         self._names = [symbol.name for symbol in symbols]
-        pair = Tensor((2,), (printed, derived))
-        self._evaluator = Evaluator(pair, symbols)
-        self._fine = Evaluator(pair, symbols, DIGITS + MORE_DIGITS)
+        self._evaluator = Evaluator(Tensor((2,), (printed, derived)), symbols)
 
     def at(self, point: Point) -> Values | None:
         """Both values; None where one of them is not a finite real number."""
-        return _values(self._evaluator, self._names, point)
+        return self._values(point)
 
     def imaginary_at(self, point: Point) -> Imaginary | None:
         """What was derived, where that is a real number and what is printed is none."""
-        pair, fine = (_evaluated(one, self._names, point) for one in (self._evaluator, self._fine))
+        pair, fine = (self._evaluated(point, more) for more in (0, MORE_DIGITS))
         if pair is None or fine is None or not is_real(pair[1]):
             return None
         rough, exact = (abs(mpmath.im(printed)) for printed, _ in (pair, fine))
@@ -74,23 +72,21 @@ class Comparison:
         values = self.at(point)
         if values is None or values.relative <= NOISE:
             return None
-        fine = _values(self._fine, self._names, point)
+        fine = self._values(point, MORE_DIGITS)
         if fine is None or abs(fine.difference) < abs(values.difference) / 2:
             return None
         return fine
 
+    def _values(self, point: Point, more_digits: int = 0) -> Values | None:
+        pair = self._evaluated(point, more_digits)
+        return Values(point, *pair) if pair is not None and all(map(is_real, pair)) else None
 
-def _values(evaluator: Evaluator, names: Sequence[str], point: Point) -> Values | None:
-    pair = _evaluated(evaluator, names, point)
-    return Values(point, *pair) if pair is not None and all(map(is_real, pair)) else None
-
-
-def _evaluated(evaluator: Evaluator, names: Sequence[str], point: Point) -> tuple[Number, Number] | None:
-    try:
-        printed, derived = evaluator([point[name] for name in names])
-    except (ArithmeticError, ValueError):
-        return None
-    return printed, derived
+    def _evaluated(self, point: Point, more_digits: int) -> tuple[Number, Number] | None:
+        try:
+            printed, derived = self._evaluator([point[name] for name in self._names], more_digits)
+        except (ArithmeticError, ValueError):
+            return None
+        return printed, derived
 
 
 def is_real(value: Number) -> bool:

@@ -17,8 +17,7 @@ class Pieces:
 
     def __init__(self, trees: Iterable[Tree], screen: Screen) -> None:
         self._known: dict[int, list[tuple[Tree, Values]]] = {}
-        nodes = dict.fromkeys(node for tree in trees for _, node in walk(tree))
-        for node in list(nodes)[:MOST]:
+        for node in _first_different(node for tree in trees for _, node in walk(tree)):
             if not isinstance(node, Number | Name | Negation | Array):
                 self._add(node, screen(node))
 
@@ -35,6 +34,15 @@ class Pieces:
     def _add(self, tree: Tree, values: Values | None) -> None:
         if values and values[0]:
             self._known.setdefault(_key(values), []).append((tree, values))
+
+
+def _first_different(nodes: Iterable[Tree]) -> dict[Tree, None]:
+    found: dict[Tree, None] = {}
+    for node in nodes:
+        if len(found) == MOST:
+            break
+        found[node] = None
+    return found
 
 
 def _key(values: Values) -> int:

@@ -13,7 +13,7 @@ from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.numeric import Screen, Values
 from radartrack.derive.checking.points import domain_points, generic_points
 from radartrack.derive.checking.printed import Names
-from radartrack.derive.checking.rough import Bounded, RoughEvaluator
+from radartrack.derive.checking.rough import RoughEvaluator
 from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
@@ -81,19 +81,14 @@ def _read(text: str, names: frozenset[str]) -> Tree | None:
 
 def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
     rough = RoughEvaluator([expression], symbols)
-    exact = Evaluator(Tensor((), (expression,)), symbols, DIGITS)
+    found = [rough(point) for point in points]
     try:
-        return tuple(_value(rough(point), exact, point) for point in points)
+        if all(one and one[0][1] <= GOOD * abs(one[0][0]) for one in found):
+            return tuple(one[0][0] for one in found if one)
+        exact = Evaluator(Tensor((), (expression,)), symbols, DIGITS)
+        return tuple(float(exact(point).entries[0]) for point in points)
     except (ArithmeticError, TypeError, ValueError):
         return None
-
-
-def _value(rough: Sequence[Bounded] | None, exact: Evaluator, point: Sequence[float]) -> float:
-    """The rough value where it is good enough."""
-    for value, error in rough or ():
-        if error <= GOOD * abs(value):
-            return value
-    return float(exact(point).entries[0])
 
 
 def _confirmed(

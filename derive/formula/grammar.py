@@ -125,7 +125,16 @@ def check_tree(tree: Tree, magnitudes: Magnitudes | None = None) -> Tree:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    (magnitudes or Magnitudes())(tree)
+    return check_meaning(tree, magnitudes or Magnitudes())
+
+
+def check_meaning(tree: Tree, magnitudes: Magnitudes) -> Tree:
+    """Let through a tree of allowed size that has a meaning.
+
+    Raises:
+        FormulaError: when it has none, or its powers and numbers are too large.
+    """
+    magnitudes(tree)
     shape(tree)
     return tree
 

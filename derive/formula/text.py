@@ -12,8 +12,9 @@ from lark import Lark, Token, UnexpectedInput, UnexpectedToken
 from radartrack.derive.formula.characters import check_characters
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS
-from radartrack.derive.formula.grammar import Part, TreeBuilder, call, check_tree, place, trees
+from radartrack.derive.formula.grammar import Part, TreeBuilder, call, check_meaning, place, trees
 from radartrack.derive.formula.limits import check_brackets, check_count, check_size
+from radartrack.derive.formula.magnitude import Magnitudes
 from radartrack.derive.formula.names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.formula.text_hints import hint
 from radartrack.derive.formula.tree import Constant, Name, Tree, rebuild
@@ -36,7 +37,7 @@ def read_text(text: str, names: Collection[str]) -> Tree:
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
         tree = _parse(text, allowed)
         check_size(tree)
-        return check_tree(rebuild(tree, lambda node: _resolved(node, allowed)))
+        return check_meaning(rebuild(tree, lambda node: _resolved(node, allowed)), Magnitudes())
     except FormulaError as error:
         raise error.within(text) from None
 
