@@ -32,6 +32,7 @@ FAMILIES = (
     ("tan", "tanh"),
 )
 PERIODIC = {"sin", "cos", "tan"}
+LONG_ANGLE = 60  # nodes
 SHOWN = 50
 NEAR = 3  # terms among which a bracket closes, unless it is at the end
 
@@ -230,9 +231,11 @@ def _out_of_call(call: Call) -> Iterator[Alternative]:
 
 def _in_call(call: Call, kinds: Mapping[str, object]) -> Iterator[Alternative]:
     """Another angle: from the sine that is wanted it does not follow."""
-    if call.function not in PERIODIC:
+    inside = list(walk(call.arguments[0])) if call.function in PERIODIC else []
+    # Of functions of functions all edits would be taken as often as they are nested, of a long sum each with all of it.
+    if len(inside) > LONG_ANGLE or any(isinstance(node, Call) for _, node in inside):
         return
-    for path, node in walk(call.arguments[0]):
+    for path, node in inside:
         for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node)):
             yield replace(edit, tree=replace_at(call, (0, *path), edit.tree))
 

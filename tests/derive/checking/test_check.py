@@ -317,6 +317,15 @@ def test_a_verdict_on_a_long_formula_with_a_slip_is_quick() -> None:
     assert verdict.suggestions[0].formula == formula
 
 
+@pytest.mark.parametrize(
+    "formula", [f"r*{'sin(' * 40}beta{')' * 40}", f"r*cos({' + '.join(f'{n}*beta/{n + 1}' for n in range(1, 500))})"]
+)
+def test_odd_angles_take_no_longer_than_other_formulas(formula: str) -> None:
+    start = time.process_time()
+    assert check("polar.map[0]", formula).verdict is Outcome.DIFFERS
+    assert time.process_time() - start < 4
+
+
 def test_a_slip_that_makes_a_term_of_a_long_formula_another_of_its_terms_is_found() -> None:
     name = "spherical.unbiased.covariance[0,0]"
     formula = check(name, "0").derived
