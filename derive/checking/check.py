@@ -130,9 +130,8 @@ class Question:
 
     def _wrong(self, entry: Index, values: Values | Imaginary) -> Finding:
         try:
-            check_dimension(
-                self.printed.entries[entry], self.printed.names.dimensions, self.reference.dimensions[entry]
-            )
+            found = self.printed.names.dimension_of(self.printed.entries[entry])
+            check_dimension(found, self.reference.dimensions[entry])
         except WrongDimensions as error:
             return Finding(entry, Outcome.WRONG_DIMENSIONS, values, str(error))
         reason = "the printed formula is not real everywhere" if isinstance(values, Imaginary) else ""

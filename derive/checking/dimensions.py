@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
     Array,
@@ -82,42 +83,46 @@ _GROWING = {"cosh", "coth", "exp", "expm1", "sinh", "tanh"}
 _TO_ANGLE = {"acos", "asin", "atan"}
 
 
-def check_dimension(tree: Tree, known: Mapping[str, Dimension], expected: Dimension) -> None:
-    """Compare the dimension of a scalar formula with that of a quantity.
+def dimensions(known: Mapping[str, Dimension]) -> Fold[Dimension]:
+    """Finds the dimensions of scalar formulas in names of known dimension.
+
+    What it returns raises `WrongDimensions` for a formula that has none.
+    """
+
+    def step(tree: Tree, below: Sequence[Dimension]) -> Dimension:
+        return known[tree.name] if isinstance(tree, Name) else _dimension(tree, below)
+
+    return Fold(step)
+
+
+def check_dimension(found: Dimension, expected: Dimension) -> None:
+    """Compare the dimension of a formula with that of a quantity.
 
     Raises:
         WrongDimensions: saying what does not fit.
     """
-    found = dimension_of(tree, known)
     if not found.free and not found.agrees(expected):
         raise WrongDimensions(f"the formula has the unit {found}, the quantity {expected}")
 
 
-def dimension_of(tree: Tree, known: Mapping[str, Dimension]) -> Dimension:
-    """The dimension of a scalar formula.
-
-    Raises:
-        WrongDimensions: when it has none.
-    """
+def _dimension(tree: Tree, below: Sequence[Dimension]) -> Dimension:
     match tree:
-        case Number() | Constant():
-            return FREE
-        case Name(name):
-            return known[name]
         case Sum(terms):
-            return _sum(terms, known)
-        case Product(factors):
-            return _product([dimension_of(factor, known) for factor in factors])
-        case Quotient(numerator, denominator):
-            return _product([dimension_of(numerator, known), dimension_of(denominator, known) ** -1])
-        case Negation(operand):
-            return dimension_of(operand, known)
+            return _sum(terms, below)
+        case Product():
+            return _product(below)
+        case Quotient():
+            return below[0] * below[1] ** -1
+        case Negation():
+            return below[0]
         case Power(base, exponent):
-            return _power(base, exponent, known)
+            return _power(base, exponent, *below)
         case Call(function, arguments):
-            return _call(function, arguments, known)
+            return _call(function, arguments, below)
         case Array():
             raise WrongDimensions("an array has no dimension of its own")
+        case _:
+            return FREE
 
 
 def _product(parts: Sequence[Dimension]) -> Dimension:
@@ -127,8 +132,8 @@ def _product(parts: Sequence[Dimension]) -> Dimension:
     return result
 
 
-def _sum(terms: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
-    found = [(term, dimension_of(term, known)) for term in terms if not _is_zero(term)]
+def _sum(terms: Sequence[Tree], below: Sequence[Dimension]) -> Dimension:
+    found = [(term, dimension) for term, dimension in zip(terms, below, strict=True) if not _is_zero(term)]
     if not found:
         return FREE
     first_term, first = found[0]
@@ -140,10 +145,9 @@ def _sum(terms: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
     return Dimension(first.metre, first.second, radian, all(dimension.free for _, dimension in found))
 
 
-def _power(base: Tree, exponent: Tree, known: Mapping[str, Dimension]) -> Dimension:
+def _power(base: Tree, exponent: Tree, dimension: Dimension, power: Dimension) -> Dimension:
     if base == Constant("e"):
-        return _call("exp", (exponent,), known)
-    dimension, power = dimension_of(base, known), dimension_of(exponent, known)
+        return _call("exp", (exponent,), (power,))
     if not power.is_number:
         raise WrongDimensions(f"the exponent {_shown(exponent)} has the unit {power}")
     value = _value(exponent)
@@ -154,8 +158,7 @@ def _power(base: Tree, exponent: Tree, known: Mapping[str, Dimension]) -> Dimens
     return dimension**value
 
 
-def _call(function: str, arguments: Sequence[Tree], known: Mapping[str, Dimension]) -> Dimension:
-    given = [dimension_of(argument, known) for argument in arguments]
+def _call(function: str, arguments: Sequence[Tree], given: Sequence[Dimension]) -> Dimension:
     if function == "abs":
         return given[0]
     if function == "sqrt":

@@ -8,6 +8,7 @@ from itertools import permutations
 from operator import itemgetter, mul, neg, sub, truediv
 from typing import TypeAlias
 
+from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -121,14 +122,12 @@ class Screen:
     Args:
         names: the values of every symbol that a tree may use.
         size: how many points there are.
-        whole: the screen whose first points these are.
     """
 
-    def __init__(self, names: Mapping[str, Values], size: int, whole: Screen | None = None) -> None:
+    def __init__(self, names: Mapping[str, Values], size: int) -> None:
         self.names = names
         self.size = size
-        self._whole = whole
-        self._known: dict[int, tuple[Tree, Values | None]] = {}
+        self._values = Fold(self._step)
         self._running: dict[int, tuple[Tree, Running, Running]] = {}
 
     def constant(self, value: float) -> Values:
@@ -137,25 +136,15 @@ class Screen:
 
     def __call__(self, tree: Tree) -> Values | None:
         """The values of a tree; None when it is not a real number everywhere."""
-        known = self._known.get(id(tree))  # to hash a tree would take as long as to evaluate it
-        if known is None:
-            known = self._known[id(tree)] = (tree, self._evaluate(tree))
-        return known[1]
-
-    def known(self, tree: Tree) -> Values | None:
-        """The values of a tree that was evaluated before."""
-        return self._known[id(tree)][1] if id(tree) in self._known else None
+        return self._values(tree)
 
     def first(self, size: int) -> Screen:
         """The first of the points alone."""
-        return Screen({name: values[:size] for name, values in self.names.items()}, size, self)
+        return Screen({name: values[:size] for name, values in self.names.items()}, size)
 
-    def _evaluate(self, tree: Tree) -> Values | None:
-        if self._whole and (known := self._whole.known(tree)):
-            return known[: self.size]
-        below = children(tree)
+    def _step(self, tree: Tree, below: Sequence[Values | None]) -> Values | None:
         if below:
-            return combined(_operation(tree), *map(self, below))
+            return combined(_operation(tree), *below)
         return self.names[tree.name] if isinstance(tree, Name) else self.constant(_number(tree))
 
     def required(self, tree: Tree, needed: Values) -> list[Values | None]:

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
+from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.reference import Reference
 from radartrack.derive.checking.scalar import only_scalar
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.expression import Reader
+from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.latex import read_latex
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import shape
@@ -36,9 +37,21 @@ class Names:
         """A scalar tree in the quantity's symbols."""
         return only_scalar(self._reader(tree), tree)
 
+    def dimension_of(self, tree: Tree) -> Dimension:
+        """The dimension of a scalar tree.
+
+        Raises:
+            WrongDimensions: when it has none.
+        """
+        return self._dimension_of(tree)
+
     @cached_property
     def _reader(self) -> Reader:
         return Reader(self.values)
+
+    @cached_property
+    def _dimension_of(self) -> Fold[Dimension]:
+        return dimensions(self.dimensions)
 
 
 @dataclass(frozen=True)
@@ -69,7 +82,7 @@ class Printed:
 
     def _dimension(self, entry: Tree) -> Dimension | None:
         try:
-            return dimension_of(entry, self.names.dimensions)
+            return self.names.dimension_of(entry)
         except WrongDimensions:
             return None
 
@@ -163,7 +176,7 @@ def _scalar(tree: Tree, where: str) -> Tree:
 
 def _dimension(tree: Tree, known: Names) -> Dimension:
     try:
-        return dimension_of(tree, known.dimensions)
+        return known.dimension_of(tree)
     except WrongDimensions as error:
         raise FormulaError(f"a definition has no dimension: {error}") from None
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from radartrack.derive import catalogue
-from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimension_of
+from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.scalar import scalar_expression
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.text import read_text
@@ -100,7 +100,7 @@ class Reference:
     def _dimension(self, index: Index) -> Dimension:
         known = {symbol.name: Dimension.of(symbol.unit) for symbol in self.symbols}
         known |= {name: part.dimension(index) for name, part in self.parts.items()}
-        return dimension_of(self.tree, known)
+        return dimensions(known)(self.tree)
 
 
 def refer(text: str) -> Reference:

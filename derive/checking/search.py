@@ -18,6 +18,7 @@ from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
 from radartrack.derive.checking.numeric import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.checking.pieces import Pieces
 from radartrack.derive.checking.printed import Names
+from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.tree import (
     Call,
     Name,
@@ -30,7 +31,6 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     children,
-    rebuild,
     replace_at,
     walk,
 )

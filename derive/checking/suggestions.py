@@ -17,16 +17,12 @@ from radartrack.derive.checking.rough import RoughEvaluator
 from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.grammar import check_tree
-from radartrack.derive.formula.magnitude import Magnitudes
+from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.text import read_text
-from radartrack.derive.formula.tree import (
-    Number,
-    Power,
-    Tree,
-    rebuild,
-)
+from radartrack.derive.formula.tree import Number, Power, Tree
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
@@ -100,7 +96,7 @@ def _confirmed(
 ) -> Iterator[Edited]:
     """Those that can be read and are proved, the best first and each formula once; others are said to be unproved."""
     seen: set[str] = set()
-    magnitudes = Magnitudes()
+    measure = magnitudes()
     best = math.inf
     for candidate in candidates:
         if len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
@@ -109,7 +105,7 @@ def _confirmed(
         if formula in seen:
             continue
         try:
-            expression = names.read(check_tree(candidate.tree, magnitudes)).xreplace(conditions)
+            expression = names.read(check_tree(candidate.tree, measure)).xreplace(conditions)
         except FormulaError:
             continue
         seen.add(formula)

@@ -6,6 +6,7 @@ and `to_expression` makes algebra of it. What cannot be read, is ambiguous or to
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.expression import Expression, to_expression
+from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.latex import read_latex
 from radartrack.derive.formula.printing import to_latex, to_text
 from radartrack.derive.formula.shape import shape
@@ -24,7 +25,6 @@ from radartrack.derive.formula.tree import (
     Tree,
     children,
     names,
-    rebuild,
     replace_at,
     subtree,
     walk,

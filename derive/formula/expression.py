@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.names import unknown_name
 from radartrack.derive.formula.tree import (
     Array,
@@ -21,6 +22,7 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
+    children,
 )
 from radartrack.derive.symbolic import Expr
 
@@ -74,7 +76,7 @@ class Reader:
 
     def __init__(self, symbols: Mapping[str, Expr]) -> None:
         self._symbols = symbols
-        self._known: dict[int, tuple[Tree, Expression]] = {}  # by identity; the tree is kept for as long
+        self._expression = Fold(self._step)
 
     def __call__(self, tree: Tree) -> Expression:
         """As `to_expression`."""
@@ -83,28 +85,24 @@ class Reader:
             raise FormulaError("this is not a real number, whatever the symbols are", span=tree.span)
         return expression
 
-    def _expression(self, tree: Tree) -> Expression:
-        known = self._known.get(id(tree))
-        if known is None:
-            known = self._known[id(tree)] = tree, self._read(tree)
-        return known[1]
-
-    def _read(self, tree: Tree) -> Expression:
+    def _step(self, tree: Tree, below: Sequence[Expression]) -> Expression:
         match tree:
-            case Array(entries):
-                return tuple(map(self._expression, entries))
-            case Sum(terms):
-                return _added(list(map(self._expression, terms)))
-            case Product(factors):
-                return _multiplied(list(map(self._expression, factors)))
-            case Quotient(numerator, denominator):
-                return _multiplied([self._expression(numerator), 1 / self._scalar(denominator)])
-            case Negation(operand):
-                return _multiplied([sp.Integer(-1), self._expression(operand)])
-            case _:
-                return self._read_scalar(tree)
+            case Array():
+                return tuple(below)
+            case Sum():
+                return _added(below)
+            case Product():
+                return _multiplied(below)
+            case Quotient(_, denominator):
+                return _multiplied([below[0], 1 / _scalar(denominator, below[1])])
+            case Negation():
+                return _multiplied([sp.Integer(-1), *below])
+            case Number() | Constant() | Name():
+                return self._leaf(tree)
+            case Power() | Call():
+                return _applied(tree, [_scalar(*pair) for pair in zip(children(tree), below, strict=True)])
 
-    def _read_scalar(self, tree: Number | Constant | Name | Power | Call) -> Expr:
+    def _leaf(self, tree: Number | Constant | Name) -> Expr:
         match tree:
             case Number():
                 return sp.Rational(tree.value)
@@ -114,18 +112,22 @@ class Reader:
                 raise FormulaError(unknown_name(name, self._symbols), span=tree.span)
             case Name(name):
                 return self._symbols[name]
-            case Power(Constant("e"), exponent):
-                return sp.exp(self._scalar(exponent))
-            case Power(base, exponent):
-                return self._scalar(base) ** self._scalar(exponent)
-            case Call(function, arguments):
-                return _FUNCTIONS[function](*map(self._scalar, arguments))
 
-    def _scalar(self, tree: Tree) -> Expr:
-        expression = self._expression(tree)
-        if isinstance(expression, tuple):
-            raise FormulaError("a vector or matrix cannot stand here", span=tree.span)
-        return expression
+
+def _applied(tree: Power | Call, operands: Sequence[Expr]) -> Expr:
+    match tree:
+        case Power(Constant("e")):
+            return sp.exp(operands[1])
+        case Power():
+            return operands[0] ** operands[1]
+        case Call(function):
+            return _FUNCTIONS[function](*operands)
+
+
+def _scalar(tree: Tree, expression: Expression) -> Expr:
+    if isinstance(expression, tuple):
+        raise FormulaError("a vector or matrix cannot stand here", span=tree.span)
+    return expression
 
 
 def _added(terms: Sequence[Expression]) -> Expression:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeAlias
 
 from lark import Token, Transformer
 
 from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.fold import Fold, shared
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.limits import check_number, check_size
-from radartrack.derive.formula.magnitude import Magnitudes
+from radartrack.derive.formula.magnitude import Measure, magnitudes
 from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.tree import (
     Array,
@@ -114,27 +115,41 @@ def place(parts: Sequence[Part]) -> Span:
     return _span(parts[0])[0], _span(parts[-1])[1]
 
 
-def check_tree(tree: Tree, magnitudes: Magnitudes | None = None) -> Tree:
-    """Let through a tree that is safe to work on.
+def finished(tree: Tree, resolved: Callable[[Tree], Tree] = lambda node: node) -> Tree:
+    """A tree as a parser made it, let through when it is safe to work on, with one object for all equal parts.
 
     Args:
         tree: the formula.
-        magnitudes: those of formulas that share parts with it.
+        resolved: makes of each node what it means.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return check_meaning(tree, magnitudes or Magnitudes())
+    return check_meaning(shared(tree, resolved), magnitudes())
 
 
-def check_meaning(tree: Tree, magnitudes: Magnitudes) -> Tree:
+def check_tree(tree: Tree, measure: Fold[Measure] | None = None) -> Tree:
+    """Let through a tree that is safe to work on.
+
+    Args:
+        tree: the formula.
+        measure: the magnitudes of formulas that share parts with it.
+
+    Raises:
+        FormulaError: when it is too large, or has no meaning.
+    """
+    check_size(tree)
+    return check_meaning(tree, measure or magnitudes())
+
+
+def check_meaning(tree: Tree, measure: Fold[Measure]) -> Tree:
     """Let through a tree of allowed size that has a meaning.
 
     Raises:
         FormulaError: when it has none, or its powers and numbers are too large.
     """
-    magnitudes(tree)
+    measure(tree)
     shape(tree)
     return tree
 

@@ -10,7 +10,7 @@ from lark import Lark, Token, UnexpectedToken
 
 from radartrack.derive.formula.characters import check_characters
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.grammar import Part, TreeBuilder, call, check_tree, place, trees
+from radartrack.derive.formula.grammar import Part, TreeBuilder, call, finished, place, trees
 from radartrack.derive.formula.latex_hints import hint
 from radartrack.derive.formula.latex_tokens import WORDS, tokens
 from radartrack.derive.formula.names import check_names
@@ -40,7 +40,7 @@ def read_latex(text: str, names: Collection[str]) -> Tree:
     allowed = check_names(names)
     check_characters(text, allowed, latex=True)
     try:
-        return check_tree(_parse(tokens(text, allowed), len(text)))
+        return finished(_parse(tokens(text, allowed), len(text)))
     except FormulaError as error:
         raise error.within(text) from None
 

@@ -15,6 +15,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.functions import EXPONENTIAL
 from radartrack.derive.formula.tree import (
     Array,
@@ -28,7 +29,6 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
-    children,
 )
 
 MAX_EXPONENT = 64
@@ -86,27 +86,18 @@ class Measure:
 _SYMBOL = Measure(degree=1, digits=0, value=None, has_logarithm=False)
 
 
-class Magnitudes:
-    """Measures formulas; a subtree that several of them share is measured once."""
+def magnitudes() -> Fold[Measure]:
+    """Measures formulas; what two of them share is measured once.
 
-    def __init__(self) -> None:
-        self._known: dict[int, tuple[Tree, Measure]] = {}  # by identity; the tree is kept for as long
-
-    def __call__(self, tree: Tree) -> Measure:
-        """Refuse exponents, degrees and numbers that are too large, and numbers that are not real.
-
-        Raises:
-            FormulaError: naming the limit.
-        """
-        if isinstance(tree, Name):
-            return _SYMBOL
-        known = self._known.get(id(tree))
-        if known is None:
-            known = self._known[id(tree)] = tree, _measure(tree, list(map(self, children(tree))))
-        return known[1]
+    What it returns refuses exponents, degrees and numbers that are too large, and numbers that are not real: it
+    raises `FormulaError`, naming the limit.
+    """
+    return Fold(_measure)
 
 
 def _measure(tree: Tree, parts: Sequence[Measure]) -> Measure:
+    if isinstance(tree, Name):
+        return _SYMBOL
     if isinstance(tree, Power):
         _check_power(tree, *parts)
     if isinstance(tree, Call) and tree.function in EXPONENTIAL:

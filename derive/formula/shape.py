@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TypeAlias
 
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.tree import Array, Negation, Product, Quotient, Sum, Tree, children
+from radartrack.derive.formula.fold import Fold
+from radartrack.derive.formula.tree import Array, Negation, Product, Quotient, Sum, Tree
 
 MAX_RANK = 3
 
@@ -18,7 +20,10 @@ def shape(tree: Tree) -> Shape:
     Raises:
         FormulaError: where an array stands that has no meaning there, or its rows are of different lengths.
     """
-    shapes = [shape(child) for child in children(tree)]
+    return Fold(_shape)(tree)
+
+
+def _shape(tree: Tree, shapes: Sequence[Shape]) -> Shape:
     match tree:
         case Array():
             return _stacked(tree, shapes)
@@ -38,7 +43,7 @@ def shape(tree: Tree) -> Shape:
             return ()
 
 
-def _stacked(tree: Array, shapes: list[Shape]) -> Shape:
+def _stacked(tree: Array, shapes: Sequence[Shape]) -> Shape:
     if len(set(shapes)) > 1:
         raise FormulaError("the rows of this array differ in length", span=tree.span)
     if len(shapes[0]) >= MAX_RANK:
@@ -46,14 +51,14 @@ def _stacked(tree: Array, shapes: list[Shape]) -> Shape:
     return (len(shapes), *shapes[0])
 
 
-def _common(tree: Sum, shapes: list[Shape]) -> Shape:
+def _common(tree: Sum, shapes: Sequence[Shape]) -> Shape:
     if len(set(shapes)) > 1:
         different = " and ".join(dict.fromkeys(map(_spoken, shapes)))
         raise FormulaError(f"{different} cannot be added", span=tree.span)
     return shapes[0]
 
 
-def _scaled(tree: Product, shapes: list[Shape]) -> Shape:
+def _scaled(tree: Product, shapes: Sequence[Shape]) -> Shape:
     arrays = [factor for factor in shapes if factor]
     if len(arrays) > 1:
         raise FormulaError("a product holds at most one vector or matrix: write out its entries", span=tree.span)

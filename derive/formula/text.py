@@ -12,12 +12,11 @@ from lark import Lark, Token, UnexpectedInput, UnexpectedToken
 from radartrack.derive.formula.characters import check_characters
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS
-from radartrack.derive.formula.grammar import Part, TreeBuilder, call, check_meaning, place, trees
-from radartrack.derive.formula.limits import check_brackets, check_count, check_size
-from radartrack.derive.formula.magnitude import Magnitudes
+from radartrack.derive.formula.grammar import Part, TreeBuilder, call, finished, place, trees
+from radartrack.derive.formula.limits import check_brackets, check_count
 from radartrack.derive.formula.names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.formula.text_hints import hint
-from radartrack.derive.formula.tree import Constant, Name, Tree, rebuild
+from radartrack.derive.formula.tree import Constant, Name, Tree
 
 _BRACKETS = {"(": ")", "[": "]"}
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*)")
@@ -35,9 +34,7 @@ def read_text(text: str, names: Collection[str]) -> Tree:
     try:
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
-        tree = _parse(text, allowed)
-        check_size(tree)
-        return check_meaning(rebuild(tree, lambda node: _resolved(node, allowed)), Magnitudes())
+        return finished(_parse(text, allowed), lambda node: _resolved(node, allowed))
     except FormulaError as error:
         raise error.within(text) from None
 

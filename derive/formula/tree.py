@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
-from operator import attrgetter, is_
+from operator import attrgetter
 from types import MappingProxyType
 from typing import TypeAlias, TypeVar
 
@@ -192,13 +192,18 @@ def replace_at(tree: Tree, path: Path, new: Tree) -> Tree:
     return with_children(tree, tuple(below))
 
 
-def rebuild(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
-    """The tree with `change` applied to every node, leaves first; what does not change stays the same object."""
-    below = children(tree)
-    new = tuple(rebuild(child, change) for child in below)
-    return change(tree if all(map(is_, below, new)) else with_children(tree, new))
+def parts(*trees: Tree) -> Iterator[Tree]:
+    """Every subtree, each object once however often it stands there, the whole trees first."""
+    seen: set[int] = set()
+    waiting = list(reversed(trees))
+    while waiting:
+        node = waiting.pop()
+        if id(node) not in seen:
+            seen.add(id(node))
+            yield node
+            waiting.extend(reversed(children(node)))
 
 
 def names(tree: Tree) -> frozenset[str]:
     """The symbols that occur; the constants pi and e are none."""
-    return frozenset(node.name for _, node in walk(tree) if isinstance(node, Name))
+    return frozenset(node.name for node in parts(tree) if isinstance(node, Name))

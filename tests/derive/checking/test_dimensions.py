@@ -1,6 +1,6 @@
 import pytest
 
-from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, check_dimension, dimension_of
+from radartrack.derive.checking.dimensions import Dimension, WrongDimensions, check_dimension, dimensions
 from radartrack.derive.formula.text import read_text
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND, Unit
 
@@ -44,16 +44,16 @@ WRONG: list[tuple[str, Unit]] = [
 
 @pytest.mark.parametrize(("formula", "unit"), RIGHT)
 def test_formulas_with_the_right_unit_pass(formula: str, unit: Unit) -> None:
-    check_dimension(read_text(formula, UNITS), KNOWN, Dimension.of(unit))
+    check_dimension(dimensions(KNOWN)(read_text(formula, UNITS)), Dimension.of(unit))
 
 
 @pytest.mark.parametrize(("formula", "unit"), WRONG)
 def test_formulas_with_another_unit_or_none_are_refused(formula: str, unit: Unit) -> None:
     with pytest.raises(WrongDimensions):
-        check_dimension(read_text(formula, UNITS), KNOWN, Dimension.of(unit))
+        check_dimension(dimensions(KNOWN)(read_text(formula, UNITS)), Dimension.of(unit))
 
 
 def test_the_refusal_names_both_terms_and_their_units() -> None:
     with pytest.raises(WrongDimensions, match=r"v\*\*2 \[m\^2/s\^2\]") as refused:
-        dimension_of(read_text("1 + v**2", UNITS), KNOWN)
+        dimensions(KNOWN)(read_text("1 + v**2", UNITS))
     assert "1 [no unit]" in str(refused.value)
