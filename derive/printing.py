@@ -5,6 +5,8 @@ from __future__ import annotations
 from radartrack.derive import symbolic as sp
 from radartrack.derive.common import with_common_parts
 from radartrack.derive.forms import form_of, readable
+from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.numpy_code import code
 from radartrack.derive.quantity import Quantity
 from radartrack.derive.symbolic import Symbol
@@ -37,7 +39,8 @@ def heading(quantity: Quantity) -> list[str]:
 def text(quantity: Quantity, index: Index | None = None) -> str:
     """The formula as the checker reads it; a whole tensor as nested lists."""
     entries = readable(quantity)
-    return nested(entries) if index is None else str(entries[index])
+    wanted = entries if index is None else Tensor((), (entries[index],))
+    return nested(wanted.map(lambda entry: to_text(to_tree(entry))))
 
 
 def latex(quantity: Quantity, index: Index | None = None) -> str:

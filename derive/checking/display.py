@@ -1,4 +1,4 @@
-"""Derived formulas as short text that the reader takes back."""
+"""Derived formulas as short ones that the reader takes back."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from functools import lru_cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.exponential import NotExponentialPolynomial
+from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import Tree
 from radartrack.derive.stable import stable_form
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tensor import Tensor
@@ -17,27 +20,25 @@ LONG = 600  # characters from which a derivation is shown as it came
 def shown(entries: Tensor[Expr]) -> str:
     """A formula, or nested lists of formulas."""
     if not entries.shape:
-        return _entry(entries.entries[0])
+        return to_text(as_printed(entries.entries[0]))
     return "[" + ", ".join(shown(part) for part in entries.parts()) + "]"
 
 
-def _entry(expression: Expr) -> str:
-    derived = _text(expression)
-    if len(derived) > LONG:
+@lru_cache(maxsize=256)
+def as_printed(expression: Expr) -> Tree:
+    """A derived formula as it came, or its stable form where that is shorter."""
+    derived = to_tree(_spelled(expression))
+    if len(to_text(derived)) > LONG:
         return derived
     try:
         stable = stable_form(Tensor((), (expression,))).expanded().entries[0]
     except NotExponentialPolynomial:
         return derived
-    return min(derived, _text(stable), key=len)
+    return min(derived, to_tree(_spelled(stable)), key=lambda tree: len(to_text(tree)))
 
 
-def _text(expression: Expr) -> str:
-    return str(expression.xreplace(_spelled(expression))).replace("Abs(", "abs(")
-
-
-def _spelled(expression: Expr) -> dict[Expr, Expr]:
-    """Functions that the writer knows, as those that people write."""
+def _spelled(expression: Expr) -> Expr:
+    """The formula in functions that people write."""
     calls: dict[Expr, Expr] = {-call: 1 - sp.exp(call.args[0]) for call in expression.atoms(sp.expm1)}
     calls |= {call: sp.exp(call.args[0]) - 1 for call in expression.atoms(sp.expm1)}
-    return calls
+    return expression.xreplace(calls)

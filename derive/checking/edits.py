@@ -35,6 +35,7 @@ PERIODIC = {"sin", "cos", "tan"}
 LONG_ANGLE = 60  # nodes
 SHOWN = 50
 NEAR = 3  # terms among which a bracket closes, unless it is at the end
+FAR = 40  # terms before an end that is too far
 
 
 @dataclass(frozen=True)
@@ -299,8 +300,9 @@ def _swallowed(term: Tree, rest: tuple[Tree, ...]) -> Iterator[Tree]:
 
 
 def _ends(first: int, last: int) -> list[int]:
-    """Where a misplaced bracket may close: soon, or at the very end."""
-    return sorted({*range(first, min(first + NEAR, last + 1)), last} if first <= last else ())
+    """Where a misplaced bracket may close: soon, or at the very end where that is not far."""
+    near = range(first, min(first + NEAR, last + 1))
+    return [*near, last] if near.stop <= last < first + FAR else [*near]
 
 
 def _sum(first: Tree, rest: tuple[Tree, ...]) -> Sum:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from radartrack.derive.checking.numeric import Screen, Values, close
-from radartrack.derive.formula.tree import Array, Name, Negation, Number, Tree, walk
+from radartrack.derive.formula.tree import Array, Name, Negation, Number, Tree, parts
 
 SCALE = 1e7  # digits of a size that are looked at
 MOST = 2000
@@ -17,7 +17,7 @@ class Pieces:
 
     def __init__(self, trees: Iterable[Tree], screen: Screen) -> None:
         self._known: dict[int, list[tuple[Tree, Values]]] = {}
-        for node in _first_different(node for tree in trees for _, node in walk(tree)):
+        for node in _first_different(parts(*trees)):
             if not isinstance(node, Number | Name | Negation | Array):
                 self._add(node, screen(node))
 

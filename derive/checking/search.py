@@ -18,7 +18,7 @@ from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
 from radartrack.derive.checking.numeric import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.checking.pieces import Pieces
 from radartrack.derive.checking.printed import Names
-from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.tree import (
     Call,
     Name,
@@ -31,6 +31,7 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     children,
+    parts,
     replace_at,
     walk,
 )
@@ -107,7 +108,7 @@ class Search:
 
     def edits(self, tree: Tree) -> list[Candidate]:
         """One edit, or one that runs through the formula; where there is no likely one, two."""
-        size = sum(1 for _ in walk(tree))
+        size = Fold[int](lambda _, below: 1 + sum(below))(tree)
         found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
         found = found or list(self._single(tree))
         if not found or size <= HUGE:
@@ -117,12 +118,19 @@ class Search:
         return sorted(found, key=lambda candidate: candidate.cost)
 
     def _right_terms(self, tree: Tree) -> Terms:
-        """Those that stand in sums of the formula no more often than in sums of the derived one."""
+        """Those that stand in different sums of the formula no more often than in those of the derived one."""
         printed, derived = (
-            Counter(_rounded(self._quick(term)) for one in trees for term in _all_terms(one))
+            Counter(
+                _rounded(self._quick(term)) for node in parts(*trees) if isinstance(node, Sum) for term in node.terms
+            )
             for trees in ([tree], self._derived)
         )
         return frozenset(term for term, count in printed.items() if count <= derived[term])
+
+    def _terms(self, trees: Sequence[Tree]) -> Counter[Values | None]:
+        """How often terms of these values stand in different sums."""
+        sums = [node for node in parts(*trees) if isinstance(node, Sum)]
+        return Counter(_rounded(self._quick(term)) for node in sums for term in node.terms)
 
     def _everywhere(self, tree: Tree) -> Iterator[Candidate]:
         program = Program(tree)
@@ -276,18 +284,13 @@ class Search:
 
     def _factors(self, symbols: Sequence[str], trees: Sequence[Tree]) -> list[tuple[Tree, Values]]:
         """What a missing factor may consist of: the symbols, and functions like those that occur."""
-        nodes = [node for tree in trees for _, node in walk(tree)]
+        nodes = list(parts(*trees))
         calls = [node for node in nodes if isinstance(node, Call) and node.function in PARTNERS]
         partners = [Call(PARTNERS[call.function], call.arguments) for call in calls]
         growth = [node for node in nodes if isinstance(node, Call) and node.function == "exp"]
         factors: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
         found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
-
-
-def _all_terms(tree: Tree) -> Iterator[Tree]:
-    """Those of every sum."""
-    return (term for _, node in walk(tree) if isinstance(node, Sum) for term in node.terms)
 
 
 def _rounded(values: Values | None) -> Values | None:

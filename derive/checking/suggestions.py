@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 from radartrack.derive.checking.comparison import Comparison
-from radartrack.derive.checking.display import shown
+from radartrack.derive.checking.display import as_printed
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.numeric import Screen, Values
 from radartrack.derive.checking.points import domain_points, generic_points
@@ -18,18 +17,18 @@ from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.grammar import check_tree
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.text import read_text
-from radartrack.derive.formula.tree import Number, Power, Tree
+from radartrack.derive.formula.tree import Call, Number, Power, Tree, parts
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
 
 SIZE = 18
 DIGITS = 20
-GOOD = 1e-12  # relative error of a value that edits are screened by
+GOOD = 1e-10  # relative error of a value that edits are screened by
 ENOUGH = 5
 EVERYWHERE = 12  # points of the domain, where signs and branches are others
 FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
@@ -55,24 +54,16 @@ def suggest(
     if target is None:
         return []
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
-    search = Search(screen, target, names, printed, _derived_trees(derived, names))
+    search = Search(screen, target, names, printed, _derived_trees(derived))
     found = search.edits(printed)
     return list(_confirmed(found, names, derived, symbols, conditions))
 
 
-def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
-    """The derived formula as it would be printed, unless it is too long."""
-    tree = _read(shown(Tensor((), (derived,))), frozenset(names.values))
-    return [tree] if tree else []
-
-
-@lru_cache(maxsize=64)
-def _read(text: str, names: frozenset[str]) -> Tree | None:
-    """The formula, where it is one that is read."""
-    try:
-        return read_text(text, names)
-    except FormulaError:
-        return None
+def _derived_trees(derived: Expr) -> list[Tree]:
+    """The derived formula as it would be printed, where the readers know its functions."""
+    tree = as_printed(derived)
+    calls = (node.function for node in parts(tree) if isinstance(node, Call))
+    return [tree] if NUMBER_OF_ARGUMENTS.keys() >= set(calls) else []
 
 
 def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:

@@ -7,17 +7,16 @@ from hypothesis import strategies as st
 
 from radartrack.derive.formula import (
     Name,
-    Number,
     Tree,
     children,
     names,
     read_text,
-    rebuild,
     replace_at,
     subtree,
     walk,
     with_children,
 )
+from radartrack.derive.formula.tree import parts
 from tests.derive.formula.random_trees import trees
 
 
@@ -42,21 +41,18 @@ def test_replacing_changes_one_place_and_no_other(tree: Tree, data: st.DataObjec
 
 
 @given(trees)
-def test_rebuilding_with_no_change_gives_the_same_tree(tree: Tree):
-    assert rebuild(tree, lambda node: node) == tree
-
-
-@given(trees)
-def test_rebuilding_reaches_every_leaf(tree: Tree):
-    numbered = rebuild(tree, lambda node: Number("7") if isinstance(node, Name) else node)
-    assert not names(numbered)
-
-
-@given(trees)
 def test_trees_survive_the_way_between_processes(tree: Tree):
     again = pickle.loads(pickle.dumps(tree))  # noqa: S301 - made in this line
     assert again == tree
     assert hash(again) == hash(tree)
+
+
+@given(trees)
+def test_the_parts_are_the_nodes_of_a_walk_each_once(tree: Tree):
+    found = list(parts(tree, tree))
+    assert len({id(node) for node in found}) == len(found)
+    assert {id(node) for node in found} == {id(node) for _, node in walk(tree)}
+    assert found[0] is tree
 
 
 def test_names_are_symbols_and_no_constants():
