@@ -119,6 +119,8 @@ class Question:
     def finding(self, entry: Index) -> Finding:
         """What is found out about one entry: a difference, a proof, or neither."""
         printed, derived = self.printed_entry(entry), self.derived_entry(entry)
+        if printed == derived:
+            return Finding(entry, Outcome.EQUAL)
         comparison = Comparison(printed, derived, self.symbols)
         values = find_difference(comparison, self.symbols)
         if values is not None:
