@@ -98,9 +98,8 @@ def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
     for name, definition in let.items():
         if name in values:
             raise FormulaError(f"let {name}: {name} is already a symbol of {reference.text}")
-        tree = _scalar(_definition("let", name, definition, values), f"let {name}")
         known = Names(dict(values), dict(dimensions))
-        values[name] = known.read(tree)
+        tree, values[name] = _definition("let", name, definition, known)
         dimensions[name] = _dimension(tree, known)
     return Names(values, dimensions)
 
@@ -116,8 +115,7 @@ def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbo
     for name, value in given.items():
         if name not in symbols:
             raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
-        tree = _scalar(_definition("given", name, value, symbols), f"given {name}")
-        conditions[symbols[name]] = Names(symbols, {}).read(tree)
+        _, conditions[symbols[name]] = _definition("given", name, value, Names(symbols, {}))
     return conditions
 
 
@@ -132,7 +130,10 @@ def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) ->
     if found != expected:
         raise FormulaError(f"the formula is {_spoken(found)}, the quantity is {_spoken(expected)}")
     entries = Tensor.build(expected, lambda *index: entry_of(tree, index))
-    return Printed(tree, entries, entries.map(names.read), names)
+    try:
+        return Printed(tree, entries, entries.map(names.read), names)
+    except FormulaError as error:
+        raise error.within(formula) from None
 
 
 def entry_of(tree: Tree, index: Index) -> Tree:
@@ -161,17 +162,12 @@ def _factors(factors: tuple[Tree, ...], index: Index) -> Tree:
     return flat[0] if len(flat) == 1 else Product(flat)
 
 
-def _definition(kind: str, name: str, text: str, known: Mapping[str, Expr]) -> Tree:
+def _definition(kind: str, name: str, text: str, known: Names) -> tuple[Tree, Expr]:
     try:
-        return read_text(text, known)
+        tree = read_text(text, known.values)
+        return tree, known.read(tree)
     except FormulaError as error:
-        raise FormulaError(f"{kind} {name}: {error.message}", error.source, error.span) from None
-
-
-def _scalar(tree: Tree, where: str) -> Tree:
-    if shape(tree):
-        raise FormulaError(f"{where}: this must be a scalar")
-    return tree
+        raise FormulaError(f"{kind} {name}: {error.message}", error.source or text, error.span) from None
 
 
 def _dimension(tree: Tree, known: Names) -> Dimension:

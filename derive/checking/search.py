@@ -13,7 +13,15 @@ from dataclasses import dataclass
 from operator import sub, truediv
 from typing import TypeAlias
 
-from radartrack.derive.checking.edits import Alternative, alternatives, everywhere, exchanged, exchanges, other_numbers
+from radartrack.derive.checking.edits import (
+    PERIODIC,
+    Alternative,
+    alternatives,
+    everywhere,
+    exchanged,
+    exchanges,
+    other_numbers,
+)
 from radartrack.derive.checking.monomials import Fitter, Monomial, number_tree
 from radartrack.derive.checking.numeric import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.checking.pieces import Pieces
@@ -283,12 +291,18 @@ class Search:
             yield Alternative(term.signed(), "{} should be {}", cost, (part.node, term.signed()))
 
     def _factors(self, symbols: Sequence[str], trees: Sequence[Tree]) -> list[tuple[Tree, Values]]:
-        """What a missing factor may consist of: the symbols, and functions like those that occur."""
-        nodes = list(parts(*trees))
-        calls = [node for node in nodes if isinstance(node, Call) and node.function in PARTNERS]
-        partners = [Call(PARTNERS[call.function], call.arguments) for call in calls]
-        growth = [node for node in nodes if isinstance(node, Call) and node.function == "exp"]
-        factors: list[Tree] = [*map(Name, symbols), *calls, *partners, *growth]
+        """What a missing factor may consist of: the symbols, and functions like those that occur.
+
+        A factor that follows from earlier ones is not seen. A function therefore comes with its partner: sin(2*x)
+        follows from sin(x) and cos(x). An angle comes last: its powers are nearly those of its sine and cosine.
+        """
+        calls = [node for node in parts(*trees) if isinstance(node, Call)]
+        paired = [call for call in calls if call.function in PARTNERS]
+        pairs = [one for call in paired for one in (call, Call(PARTNERS[call.function], call.arguments))]
+        growth = [call for call in calls if call.function == "exp"]
+        angles = frozenset[str]().union(*(names_of(call) for call in paired if call.function in PERIODIC))
+        first, last = ([Name(name) for name in symbols if (name in angles) is is_angle] for is_angle in (False, True))
+        factors: list[Tree] = [*first, *pairs, *growth, *last]
         found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
 

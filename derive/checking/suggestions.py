@@ -21,7 +21,7 @@ from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.grammar import check_tree
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Number, Power, Tree, parts
+from radartrack.derive.formula.tree import Call, Number, Power, Sum, Tree, parts
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
@@ -107,8 +107,18 @@ def _confirmed(
 
 
 def _tidied(tree: Tree) -> Tree:
-    """The tree with x for x**1."""
-    return rebuild(tree, lambda node: node.base if isinstance(node, Power) and node.exponent == Number("1") else node)
+    """The tree with x for x**1 and for 0 + x."""
+    return rebuild(tree, _plain)
+
+
+def _plain(node: Tree) -> Tree:
+    match node:
+        case Power(base, Number("1")):
+            return base
+        case Sum(terms) if kept := tuple(term for term in terms if term != Number("0")):
+            return kept[0] if len(kept) == 1 else Sum(kept)
+        case _:
+            return node
 
 
 def _confirmed_by_numbers(expression: Expr, derived: Expr, symbols: Sequence[Variable]) -> bool:

@@ -23,6 +23,7 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     children,
+    parts,
 )
 from radartrack.derive.symbolic import Expr
 
@@ -82,8 +83,13 @@ class Reader:
         """As `to_expression`."""
         expression = self._expression(tree)
         if not _is_real(expression):
-            raise FormulaError("this is not a real number, whatever the symbols are", span=tree.span)
+            raise FormulaError("this is not a real number, whatever the symbols are", span=self._unreal(tree).span)
         return expression
+
+    def _unreal(self, tree: Tree) -> Tree:
+        """The first part that is not real although all that it is made of is."""
+        unreal = (node for node in parts(tree) if not _is_real(self._expression(node)))
+        return next(node for node in unreal if all(_is_real(self._expression(child)) for child in children(node)))
 
     def _step(self, tree: Tree, below: Sequence[Expression]) -> Expression:
         match tree:

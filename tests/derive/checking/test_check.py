@@ -93,6 +93,13 @@ def test_a_number_is_not_taken_for_another_quantity() -> None:
     assert not any(edit.startswith("this is") for edit in _edits(check("polar.jacobian[0,0]", "1")))
 
 
+def test_a_missing_term_is_named_and_a_zero_that_stood_for_it_is_gone() -> None:
+    (lost, *_) = check("polar.bias.truth[0]", "-r*(1 - exp(-sigma_beta^2/2))*cos(beta)").suggestions
+    assert lost.formula.endswith(" - sigma_r*sigma_beta*rho*sin(beta)*exp(-sigma_beta**2/2)")
+    (whole, *_) = check("polar.covariance.linear[0,1]", "0", given=INDEPENDENT).suggestions
+    assert whole.formula == "(-r**2*sigma_beta**2/2 + sigma_r**2/2)*sin(2*beta)"
+
+
 def test_the_whole_derived_formula_is_no_edit_of_the_printed_one() -> None:
     verdict = check("polar.bias.averaged[0]", "-r*sigma_beta**2/2*cos(beta)", given=INDEPENDENT)
     assert _edits(verdict) == ["this is polar.bias.second_order[0], not polar.bias.averaged[0]"]
@@ -139,6 +146,8 @@ def test_another_entry_of_the_same_quantity_is_named() -> None:
         ("polar.bias.second_order[0]", "-r*sigma_beta**2*cos(7*beta)/2", "an extra factor: 7"),
         ("observe.polar.jacobian[1,0]", "y/(x**2 + y**2)", "the sign"),
         ("fusion.weights.two[0]", "sigma_1**2/(sigma_1**2 + sigma_2**2)", "sigma_1 should be sigma_2"),
+        ("polar.covariance.linear[0,0]", "0", "a missing term r**2*sigma_beta**2*sin(beta)**2"),
+        ("polar.covariance.linear[0,1]", "(sigma_r**2 - r**2*sigma_beta**2)*sin(beta)", "a missing factor cos(beta)"),
         ("taylor.mean_shift", "1/2*(f_xx*D_1 + 2*f_xy*K_12 + f_yy*D_1)", "D_1 should be D_2"),
     ],
 )

@@ -172,3 +172,18 @@ def test_a_name_without_a_symbol_is_refused():
 def test_what_is_infinite_or_imaginary_is_refused(formula: str):
     with pytest.raises(FormulaError, match="this is not a real number"):
         to_expression(read_text(formula, ["t"]), SYMBOLS)
+
+
+@pytest.mark.parametrize(
+    ("formula", "fault"),
+    [
+        ("2*t + cos(1/(t - t))", "1/(t - t)"),
+        ("[t, t**2*(1 + sqrt(-t))]", "sqrt(-t)"),
+        ("t/(t - t) + log(t - t)", "t/(t - t)"),
+    ],
+)
+def test_the_first_part_that_is_not_real_is_pointed_at(formula: str, fault: str):
+    with pytest.raises(FormulaError) as refused:
+        to_expression(read_text(formula, ["t"]), SYMBOLS)
+    assert refused.value.span is not None
+    assert formula[slice(*refused.value.span)] == fault
