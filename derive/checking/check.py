@@ -143,6 +143,7 @@ class Question:
         first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
         edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
         asked = Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions)
+        conditions = conditions_that_help(asked)
         order = orders(
             self.printed_entry(first.entry) - self.derived_entry(first.entry),
             self.derived_entry(first.entry),
@@ -152,9 +153,9 @@ class Question:
             verdict,
             reason=verdict.reason + (f": {edits[0].edit}" if edits and first.outcome is Outcome.DIFFERS else ""),
             counterexample=self._counterexample(first),
-            suggestions=(*edits, *other_quantities(asked)),
+            suggestions=(*edits, *other_quantities(asked, uncorrelated=not conditions)),
             order=order,
-            remarks=conditions_that_help(asked),
+            remarks=conditions,
         )
 
     def _suggestions(self, entry: Index) -> list[Suggestion]:

@@ -99,17 +99,22 @@ def conditions_that_help(asked: Asked) -> tuple[str, ...]:
     return (f"equal{trial.when}",) if alike and trial.proves(asked.reference.entries) else ()
 
 
-def other_quantities(asked: Asked) -> tuple[Suggestion, ...]:
-    """The quantity of the same model that the formula equals, up to a sign: the one nearest by name."""
+def other_quantities(asked: Asked, *, uncorrelated: bool) -> tuple[Suggestion, ...]:
+    """The quantity of the same model that the formula equals, up to a sign: the one nearest by name.
+
+    Args:
+        asked: what is printed, and what it was compared with.
+        uncorrelated: whether it may equal that only where all correlations are zero.
+    """
     part = asked.reference.part
     if part is None or not any(expression.free_symbols for expression in asked.printed):
         return ()  # a number is many things
-    found = next(_others(asked, part), None)
+    trials = [_as_asked(asked), _without_correlation(asked) if uncorrelated else None]
+    found = next(_others(asked, part, [trial for trial in trials if trial]), None)
     return (Suggestion(found, f"this is {found}, not {asked.reference.text}", proved=True),) if found else ()
 
 
-def _others(asked: Asked, part: Part) -> Iterator[str]:
-    trials = [trial for trial in (_as_asked(asked), _without_correlation(asked)) if trial]
+def _others(asked: Asked, part: Part, trials: Sequence[_Trial]) -> Iterator[str]:
     deadline = time.monotonic() + SECONDS
     for quantity in _candidates(part.quantity):
         for places, name in _slices(part, quantity):
@@ -125,7 +130,7 @@ def _equalities(trials: Sequence[_Trial], quantity: Quantity, places: Sequence[I
         yield from ((prefix, trial) for trial in trials if trial.equals(quantity, places, sign))
 
 
-def _as_asked(asked: Asked) -> _Trial | None:
+def _as_asked(asked: Asked) -> _Trial:
     return _trial(asked, asked.conditions, "")
 
 

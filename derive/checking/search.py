@@ -231,8 +231,8 @@ class Search:
             yield Alternative(_signed(Quotient(part.node, piece), sign), "a missing divisor {}", 2.0, (piece,))
 
     def _piece_as_term(self, part: _Part) -> Iterator[Alternative]:
-        """A part of the derived formula that is missing as a term."""
-        if isinstance(part.parent, Sum):
+        """A part of the derived formula that is missing as a term; of a sum it is one, whatever its sign."""
+        if isinstance(part.parent, Sum | Negation):
             return
         for piece, sign in self._pieces.find(self._by(sub, part)):
             yield Alternative(Sum((*_terms(part.node), _signed(piece, sign))), "a missing term {}", 2.0, (piece,))

@@ -105,6 +105,29 @@ def test_the_whole_derived_formula_is_no_edit_of_the_printed_one() -> None:
     assert _edits(verdict) == ["this is polar.bias.second_order[0], not polar.bias.averaged[0]"]
 
 
+def test_what_is_right_without_correlation_is_not_said_to_be_another_quantity_there() -> None:
+    formula = "sin(beta)*cos(beta)*(sigma_r**2 - r**2*sigma_beta**2)"
+    verdict = check("polar.covariance.linear[0,1]", formula)
+    assert verdict.remarks == ("equal when rho = 0",)
+    assert not any("this is" in edit for edit in _edits(verdict))
+    assert (
+        "this is polar.covariance.linear[0,1] when rho = 0"
+        in _edits(check("polar.covariance.linear[0,0]", formula))[-1]
+    )
+
+
+def test_a_missing_term_is_suggested_once_whatever_the_signs_around_it() -> None:
+    name, right = "polar.covariance.averaged[0,0]", "cosh(2*s) - cosh(s)"
+    entry = (
+        f"exp(-2*s)*(r**2*(cos(beta)**2*({right}) + sin(beta)**2*(sinh(2*s) - sinh(s)))"
+        f" + sigma_r**2*(cos(beta)**2*({right} + cosh(2*s)) + sin(beta)**2*(2*sinh(2*s) - sinh(s))))"
+    )
+    options = {"given": INDEPENDENT, "let": {"s": "sigma_beta**2"}}
+    assert check(name, entry, **options).verdict is Outcome.EQUAL
+    edits = _edits(check(name, entry.replace(f"{right} + cosh(2*s)", right), **options))
+    assert edits.count("a missing term cosh(2*s)") == 1
+
+
 def test_another_entry_of_the_same_quantity_is_named() -> None:
     verdict = check("polar.covariance.linear[1,1]", LINEAR, given=INDEPENDENT)
     assert any("polar.covariance.linear[0,0]" in edit for edit in _edits(verdict))
