@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
+from radartrack.derive.checking.conventions import conditions_that_help
 from radartrack.derive.checking.counterexample import (
     MATTERS,
     Relative,
@@ -22,9 +23,10 @@ from radartrack.derive.checking.order import orders
 from radartrack.derive.checking.points import domain_points, generic_points, round_points
 from radartrack.derive.checking.printed import Printed, conditions_for, names_for, read_printed
 from radartrack.derive.checking.reference import Reference, refer
-from radartrack.derive.checking.relatives import Asked, conditions_that_help, other_quantities
+from radartrack.derive.checking.relatives import other_quantities
 from radartrack.derive.checking.scale import squared_scale
 from radartrack.derive.checking.suggestions import suggest
+from radartrack.derive.checking.trial import Asked
 from radartrack.derive.checking.verdict import Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Index

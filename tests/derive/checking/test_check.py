@@ -116,6 +116,34 @@ def test_what_is_right_without_correlation_is_not_said_to_be_another_quantity_th
     )
 
 
+@pytest.mark.parametrize(
+    ("name", "formula", "remark"),
+    [
+        ("polar.map", "[r*sin(beta), r*cos(beta)]", "pi/2 - beta for beta"),
+        (
+            "spherical.map",
+            "[r*sin(epsilon)*cos(beta), r*sin(epsilon)*sin(beta), r*cos(epsilon)]",
+            "pi/2 - beta for beta and pi/2 - epsilon for epsilon",
+        ),
+        (
+            "polar.covariance.linear[0,0]",
+            "sigma_r**2*sin(beta)**2 + r**2*sigma_beta**2*cos(beta)**2",
+            "pi/2 - beta for beta when rho = 0",
+        ),
+        (
+            "polar.covariance.linear[0,0]",
+            "sigma_r**2*sin(beta)**2 + r**2*sigma_beta**2*cos(beta)**2 + r*rho*sigma_r*sigma_beta*sin(2*beta)",
+            "pi/2 - beta for beta and -rho for rho",
+        ),
+    ],
+)
+def test_an_angle_that_is_counted_from_the_other_axis_is_noticed(name: str, formula: str, remark: str) -> None:
+    verdict = check(name, formula)
+    assert verdict.verdict is Outcome.DIFFERS
+    assert verdict.remarks == (f"equal with {remark}: counted from the other axis",)
+    assert check(name, formula.replace("sin(beta)", "2*sin(beta)")).remarks == ()
+
+
 def test_a_missing_term_is_suggested_once_whatever_the_signs_around_it() -> None:
     name, right = "polar.covariance.averaged[0,0]", "cosh(2*s) - cosh(s)"
     entry = (
