@@ -52,6 +52,7 @@ FACTORS = 13
 FIRST_EDITS = 150
 LIKELY = 1.2  # the cost of an edit that may be one of two
 PLAIN = 2.0  # the cost of one edit that is likelier than any two
+SCATTERED = 0.6  # the cost of each different symbol of a factor after the second
 LARGE = 60  # nodes from which two edits at once are not looked for
 HUGE = 500  # nodes from which one edit in one place is enough
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
@@ -268,7 +269,8 @@ class Search:
             signed = node.operand if isinstance(node, Negation) else Negation(node)
         if not ratio.is_number or abs(ratio.number) != 1:
             kind = "a missing factor" if ratio.number > 0 else "a factor"
-            yield Alternative(_times(signed, ratio), f"{kind} {{}}", 1.5 + 0.3 * ratio.complexity, (ratio.signed(),))
+            cost = 1.5 + 0.3 * ratio.complexity + SCATTERED * max(len(ratio.powers) - 2, 0)
+            yield Alternative(_times(signed, ratio), f"{kind} {{}}", cost, (ratio.signed(),))
         elif ratio.number < 0 and not isinstance(part.parent, Sum):
             cost = 1.4 if isinstance(part.parent, Call | Power) else 1.0
             yield Alternative(signed, "the sign of {}", cost, (node,))
