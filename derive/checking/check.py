@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
 from radartrack.derive.checking.conventions import conditions_that_help
 from radartrack.derive.checking.counterexample import (
@@ -161,9 +162,19 @@ class Question:
         )
 
     def _suggestions(self, entry: Index) -> list[Suggestion]:
-        symbols = [symbol for symbol in self.reference.symbols if symbol not in self.conditions]
-        printed, derived = self.printed.entries[entry], self.derived_entry(entry)
-        found = suggest(printed, self.printed.names, derived, symbols, self.conditions)
+        """The smallest edits; where there is none and the print has no correlation, those without correlation."""
+        found = self._edited(entry, self.conditions)
+        free = {symbol for symbol in self.symbols if symbol.is_correlation}
+        if found or not free or free & self.printed_entry(entry).free_symbols:
+            return found
+        zero: dict[Symbol, Expr] = {symbol: sp.Integer(0) for symbol in free}
+        when = " when " + " and ".join(f"{symbol} = 0" for symbol in self.symbols if symbol in free)
+        return [replace(one, edit=one.edit + when) for one in self._edited(entry, {**self.conditions, **zero})]
+
+    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
+        symbols = [symbol for symbol in self.reference.symbols if symbol not in conditions]
+        derived = self.reference.entries[entry].xreplace(conditions)
+        found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
         return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
 
     def _counterexample(self, finding: Finding) -> Counterexample | None:

@@ -100,6 +100,7 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
         case Call(function, arguments):
             yield from _other_functions(function, arguments)
             yield from _powers(tree)
+            yield from _without_root(tree)
             yield from _out_of_call(tree)
             yield from _in_call(tree, kinds)
         case Negation(operand):
@@ -107,6 +108,8 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
             yield from _sign_of_sum(operand)
         case Power() | Product() | Quotient():
             yield from _of_an_operation(tree)
+        case Sum():
+            yield from _of_a_sum(tree)
         case _:
             return
 
@@ -212,6 +215,18 @@ def _powers(tree: Tree) -> Iterator[Alternative]:
     for exponent in ("2", "3", "4"):
         power = Power(tree, Number(exponent))
         yield Alternative(power, "{} should be {}", 1.1, (tree, power))
+
+
+def _of_a_sum(tree: Sum) -> Iterator[Alternative]:
+    """Its bracket may have lost a root or an exponent."""
+    root, square = Call("sqrt", (tree,)), Power(tree, Number("2"))
+    yield Alternative(root, "a missing root: {}", 1.3, (root,))
+    yield Alternative(square, "a missing square: {}", 1.3, (square,))
+
+
+def _without_root(call: Call) -> Iterator[Alternative]:
+    if call.function == "sqrt":
+        yield Alternative(call.arguments[0], "an extra root: {}", 1.3, (call,))
 
 
 def _out_of_call(call: Call) -> Iterator[Alternative]:

@@ -270,7 +270,8 @@ class Search:
         if not ratio.is_number or abs(ratio.number) != 1:
             kind = "a missing factor" if ratio.number > 0 else "a factor"
             cost = 1.5 + 0.3 * ratio.complexity + SCATTERED * max(len(ratio.powers) - 2, 0)
-            yield Alternative(_times(signed, ratio), f"{kind} {{}}", cost, (ratio.signed(),))
+            where, about = ("", ()) if part.is_all else (" of {}", (node,))
+            yield Alternative(_times(signed, ratio), f"{kind} {{}}{where}", cost, (ratio.signed(), *about))
         elif ratio.number < 0 and not isinstance(part.parent, Sum):
             cost = 1.4 if isinstance(part.parent, Call | Power) else 1.0
             yield Alternative(signed, "the sign of {}", cost, (node,))

@@ -144,6 +144,13 @@ def test_an_angle_that_is_counted_from_the_other_axis_is_noticed(name: str, form
     assert check(name, formula.replace("sin(beta)", "2*sin(beta)")).remarks == ()
 
 
+def test_a_slip_in_a_formula_without_correlation_is_found_though_nobody_said_so() -> None:
+    verdict = check("polar_doppler.covariance.linear[2,2]", "r**2*sigma_rdot**2 + rdot*sigma_r**2")
+    assert _edits(verdict)[0] == "rdot should be rdot**2 when rho = 0"
+    assert verdict.suggestions[0].formula == "r**2*sigma_rdot**2 + rdot**2*sigma_r**2"
+    assert verdict.suggestions[0].proved
+
+
 def test_a_missing_term_is_suggested_once_whatever_the_signs_around_it() -> None:
     name, right = "polar.covariance.averaged[0,0]", "cosh(2*s) - cosh(s)"
     entry = (
@@ -199,6 +206,8 @@ def test_another_entry_of_the_same_quantity_is_named() -> None:
         ("fusion.weights.two[0]", "sigma_1**2/(sigma_1**2 + sigma_2**2)", "sigma_1 should be sigma_2"),
         ("polar.covariance.linear[0,0]", "0", "a missing term r**2*sigma_beta**2*sin(beta)**2"),
         ("polar.covariance.linear[0,1]", "(sigma_r**2 - r**2*sigma_beta**2)*sin(beta)", "a missing factor cos(beta)"),
+        ("ruv.map[2]", "r*(1 - u**2 - v**2)", "a missing root: sqrt(1 - u**2 - v**2)"),
+        ("observe.polar.map[0]", "x**2 + y**2", "a missing root: sqrt(x**2 + y**2)"),
         ("taylor.mean_shift", "1/2*(f_xx*D_1 + 2*f_xy*K_12 + f_yy*D_1)", "D_1 should be D_2"),
     ],
 )
