@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.checking.arrangement import arrangement
 from radartrack.derive.checking.trial import Asked, Trial, trial, without_correlation
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import RADIAN
@@ -13,9 +14,16 @@ from radartrack.derive.variable import Variable
 
 
 def conditions_that_help(asked: Asked) -> tuple[str, ...]:
-    """`equal when rho = 0`, or with an angle counted from the other axis, where that is proved."""
-    trials = chain(without_correlation(asked), _from_other_axes(asked))
-    return next(((f"equal{one.words}",) for one in trials if one.equals(asked.reference.entries)), ())
+    """`equal when rho = 0`, in another order, or with an angle counted from the other axis, where that is proved."""
+    entries = asked.reference.entries
+    uncorrelated = without_correlation(asked)
+    for one in chain(uncorrelated, _from_other_axes(asked)):
+        if one.equals(entries):
+            return (f"equal{one.words}",)
+    for one in (trial(asked), *uncorrelated):
+        if (words := arrangement(one, entries)) is not None:
+            return (f"equal {words}{one.words}",)
+    return ()
 
 
 def _from_other_axes(asked: Asked) -> Iterator[Trial]:

@@ -195,7 +195,9 @@ class Search:
                 yield edit
         yield from self._exchanges(part)
         yield from self._number(part)
-        yield from self._zero(part)
+        if close(part.needed, self._screen.constant(0)):
+            yield Alternative(Number("0"), "{} should be 0", 1.2, (part.node,))
+            return
         ratio = self._fitter.fit(self._by(truediv, part))
         if ratio is not None:
             yield from self._sign_or_factor(part, ratio)
@@ -245,10 +247,6 @@ class Search:
         for piece, sign in self._pieces.find(part.needed):
             tree = _signed(piece, sign)
             yield Alternative(tree, "{} should be {}", 2.5, (part.node, tree))
-
-    def _zero(self, part: _Part) -> Iterator[Alternative]:
-        if close(part.needed, self._screen.constant(0)):
-            yield Alternative(Number("0"), "{} should be 0", 1.2, (part.node,))
 
     def _number(self, part: _Part) -> Iterator[Alternative]:
         """A number that should be another."""

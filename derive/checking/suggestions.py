@@ -16,12 +16,12 @@ from radartrack.derive.checking.rough import RoughEvaluator
 from radartrack.derive.checking.search import Candidate, Search
 from radartrack.derive.evaluation import Evaluator
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.grammar import check_tree
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Number, Power, Sum, Tree, parts
+from radartrack.derive.formula.tree import Call, Number, Power, Product, Sum, Tree, parts
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
@@ -85,25 +85,37 @@ def _confirmed(
     symbols: Sequence[Variable],
     conditions: Mapping[Symbol, Expr],
 ) -> Iterator[Edited]:
-    """Those that can be read and are proved, the best first and each formula once; others are said to be unproved."""
+    """Those that can be read and are right, the best first; those that are not proved are said to be so.
+
+    Each formula comes once, in whatever order its terms and factors stand.
+    """
     seen: set[str] = set()
-    measure = magnitudes()
+    measure, written = magnitudes(), Fold(_in_any_order)
     best = math.inf
     for candidate in candidates:
         if len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
             return
-        formula = to_text(_tidied(candidate.tree))
-        if formula in seen:
+        tidied = _tidied(candidate.tree)
+        if written(tidied) in seen:
             continue
         try:
             expression = names.read(check_tree(candidate.tree, measure)).xreplace(conditions)
         except FormulaError:
             continue
-        seen.add(formula)
+        seen.add(written(tidied))
         proved = proved_equal(expression, derived)
         if proved or _confirmed_by_numbers(expression, derived, symbols):
             best = min(best, candidate.cost)
-            yield Edited(formula, candidate.words, candidate.cost, proved)
+            yield Edited(to_text(tidied), candidate.words, candidate.cost, proved)
+
+
+def _in_any_order(node: Tree, below: Sequence[str]) -> str:
+    """The same for formulas that differ in the order of terms and factors."""
+    if not below:
+        return to_text(node)
+    kind = node.function if isinstance(node, Call) else type(node).__name__
+    ordered = sorted(below) if isinstance(node, Sum | Product) else below
+    return f"{kind}({', '.join(ordered)})"
 
 
 def _tidied(tree: Tree) -> Tree:

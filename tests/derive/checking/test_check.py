@@ -144,6 +144,38 @@ def test_an_angle_that_is_counted_from_the_other_axis_is_noticed(name: str, form
     assert check(name, formula.replace("sin(beta)", "2*sin(beta)")).remarks == ()
 
 
+@pytest.mark.parametrize(
+    ("name", "formula", "remark"),
+    [
+        ("polar.jacobian", "[[cos(beta), sin(beta)], [-r*sin(beta), r*cos(beta)]]", "when transposed"),
+        ("observe.polar.map", "[atan2(y, x), hypot(x, y)]", "with the entries in the order 1, 0"),
+        (
+            "kinematics.plane.transition",
+            "[[1, 0, T, 0], [0, 1, 0, T], [0, 0, 1, 0], [0, 0, 0, 1]]",
+            "with rows and columns in the order 0, 2, 1, 3",
+        ),
+        (
+            "polar.jacobian",
+            "[[-r*sin(beta), cos(beta)], [r*cos(beta), sin(beta)]]",
+            "with the columns in the order 1, 0",
+        ),
+        (
+            "polar_doppler.jacobian",
+            "[[rdot, 0, r], [cos(beta), -r*sin(beta), 0], [sin(beta), r*cos(beta), 0]]",
+            "with the rows in the order 2, 0, 1",
+        ),
+        ("polar.jacobian", "[[cos(beta), sin(beta)], [-r*sin(beta), 2*r*cos(beta)]]", ""),
+    ],
+)
+def test_entries_in_another_order_are_noticed(name: str, formula: str, remark: str) -> None:
+    assert check(name, formula).remarks == ((f"equal {remark}",) if remark else ())
+
+
+def test_a_formula_is_suggested_once_however_it_is_written() -> None:
+    edits = _edits(check("polar.covariance.linear[0,1]", "(sigma_r**2 - r**2*sigma_beta**2)*sin(beta)*cos(beta)"))
+    assert sum(edit.startswith("a missing term") for edit in edits) == 1
+
+
 def test_a_slip_in_a_formula_without_correlation_is_found_though_nobody_said_so() -> None:
     verdict = check("polar_doppler.covariance.linear[2,2]", "r**2*sigma_rdot**2 + rdot*sigma_r**2")
     assert _edits(verdict)[0] == "rdot should be rdot**2 when rho = 0"
