@@ -1,0 +1,70 @@
+"""A formula that differs may be right under a condition, in another convention, or in another order of its entries."""
+
+import pytest
+
+from radartrack.derive import check
+from radartrack.derive.checking.verdict import Outcome
+
+
+def test_what_is_right_without_correlation_is_not_said_to_be_another_quantity_there() -> None:
+    formula = "sin(beta)*cos(beta)*(sigma_r**2 - r**2*sigma_beta**2)"
+    right = check("polar.covariance.linear[0,1]", formula)
+    assert right.remarks == ("equal when rho = 0",)
+    assert not any("this is" in suggestion.edit for suggestion in right.suggestions)
+    other = check("polar.covariance.linear[0,0]", formula).suggestions[-1]
+    assert other.formula == "polar.covariance.linear[0,1] when rho = 0"
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "remark"),
+    [
+        ("polar.map", "[r*sin(beta), r*cos(beta)]", "pi/2 - beta for beta"),
+        (
+            "spherical.map",
+            "[r*sin(epsilon)*cos(beta), r*sin(epsilon)*sin(beta), r*cos(epsilon)]",
+            "pi/2 - beta for beta and pi/2 - epsilon for epsilon",
+        ),
+        (
+            "polar.covariance.linear[0,0]",
+            "sigma_r**2*sin(beta)**2 + r**2*sigma_beta**2*cos(beta)**2",
+            "pi/2 - beta for beta when rho = 0",
+        ),
+        (
+            "polar.covariance.linear[0,0]",
+            "sigma_r**2*sin(beta)**2 + r**2*sigma_beta**2*cos(beta)**2 + r*rho*sigma_r*sigma_beta*sin(2*beta)",
+            "pi/2 - beta for beta and -rho for rho",
+        ),
+    ],
+)
+def test_an_angle_that_is_counted_from_the_other_axis_is_noticed(name: str, formula: str, remark: str) -> None:
+    verdict = check(name, formula)
+    assert verdict.verdict is Outcome.DIFFERS
+    assert verdict.remarks == (f"equal with {remark}: counted from the other axis",)
+    assert check(name, formula.replace("sin(beta)", "2*sin(beta)")).remarks == ()
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "remark"),
+    [
+        ("polar.jacobian", "[[cos(beta), sin(beta)], [-r*sin(beta), r*cos(beta)]]", "when transposed"),
+        ("observe.polar.map", "[atan2(y, x), hypot(x, y)]", "with the entries in the order 1, 0"),
+        (
+            "kinematics.plane.transition",
+            "[[1, 0, T, 0], [0, 1, 0, T], [0, 0, 1, 0], [0, 0, 0, 1]]",
+            "with rows and columns in the order 0, 2, 1, 3",
+        ),
+        (
+            "polar.jacobian",
+            "[[-r*sin(beta), cos(beta)], [r*cos(beta), sin(beta)]]",
+            "with the columns in the order 1, 0",
+        ),
+        (
+            "polar_doppler.jacobian",
+            "[[rdot, 0, r], [cos(beta), -r*sin(beta), 0], [sin(beta), r*cos(beta), 0]]",
+            "with the rows in the order 2, 0, 1",
+        ),
+        ("polar.jacobian", "[[cos(beta), sin(beta)], [-r*sin(beta), 2*r*cos(beta)]]", ""),
+    ],
+)
+def test_entries_in_another_order_are_noticed(name: str, formula: str, remark: str) -> None:
+    assert check(name, formula).remarks == ((f"equal {remark}",) if remark else ())
