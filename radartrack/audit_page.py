@@ -5,7 +5,6 @@ Formulas are MathML, which browsers typeset by themselves.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import Any
@@ -69,11 +68,9 @@ def _contents(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experim
 
 def _paper(audit: Mapping[str, Any], number: int) -> str:
     records = audit["claims"]
-    counts = Counter(audit_text.WORDS[record["verdict"]] for record in records)
-    said = ", ".join(f"{count} {words}" for words, count in counts.items())
     articles = "\n".join(map(_claim, records))
     heading = f"<h2>{escape(audit['paper'])}</h2>"
-    counted = f'<p class="counts">{len(records)} claims: {escape(said)}</p>'
+    counted = f'<p class="counts">{escape(audit_text.summary(records))}</p>'
     return f'<section id="formulas-{number}">\n{heading}\n{counted}\n{articles}\n</section>'
 
 

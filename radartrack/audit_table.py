@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
 from textwrap import shorten, wrap
@@ -43,7 +42,7 @@ def show(paper: Mapping[str, Any], console: Console) -> None:
     for record in records:
         if record["verdict"] in audit_text.WRONG:
             _explain(record, console)
-    console.print(_summary(records), highlight=False)
+    console.print(f"\n{audit_text.summary(records)}", highlight=False)
 
 
 def _lines(records: Sequence[Record], width: int) -> Iterator[Text]:
@@ -120,8 +119,3 @@ def _explain(record: Record, console: Console) -> None:
     for name, text in lines:
         details.add_row(name, escape(text))
     console.print(Padding(details, (0, 0, 0, 2)), highlight=False)
-
-
-def _summary(records: Sequence[Record]) -> str:
-    counts = Counter(audit_text.WORDS[record["verdict"]] for record in records)
-    return f"\n{len(records)} claims: " + ", ".join(f"{count} {words}" for words, count in counts.items())

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 Record = Mapping[str, Any]
@@ -17,6 +18,13 @@ WORDS = {
 }
 WRONG = ("differs", "wrong_dimensions")
 HUGE = 1e4
+
+
+def summary(records: Sequence[Record]) -> str:
+    """How many claims there are, and how many of each verdict."""
+    counts = Counter(WORDS[record["verdict"]] for record in records)
+    claims = "1 claim" if len(records) == 1 else f"{len(records)} claims"
+    return f"{claims}: " + ", ".join(f"{count} {words}" for words, count in counts.items())
 
 
 def headline(record: Record) -> tuple[str, str]:
@@ -42,7 +50,8 @@ def explanation(record: Record) -> Iterator[tuple[str, str]]:
     if record["order"]:
         yield "order", order(*record["order"])
     for remark in record["remarks"]:
-        yield "but", remark
+        if remark not in record["reason"]:
+            yield "but", remark
     for suggestion in record["suggestions"]:
         yield "perhaps meant", _suggestion(suggestion)
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
-from radartrack.derive.checking.conventions import conditions_that_help
+from radartrack.derive.checking.conventions import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.counterexample import (
     MATTERS,
     Relative,
@@ -146,7 +146,9 @@ class Question:
         first = max(wrong, key=lambda finding: _GRAVITY.index(finding.outcome))
         edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
         asked = Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions)
-        conditions = conditions_that_help(asked)
+        condition = condition_that_helps(asked)
+        convention = None if condition else convention_that_helps(asked)
+        found = condition or (convention if len(wrong) > 1 or not edits else None)
         order = orders(
             self.printed_entry(first.entry) - self.derived_entry(first.entry),
             self.derived_entry(first.entry),
@@ -154,11 +156,11 @@ class Question:
         )
         return replace(
             verdict,
-            reason=verdict.reason + (f": {edits[0].edit}" if edits and first.outcome is Outcome.DIFFERS else ""),
+            reason=verdict.reason + (f", but {found}" if found else _edit(first, edits)),
             counterexample=self._counterexample(first),
-            suggestions=(*edits, *other_quantities(asked, uncorrelated=not conditions)),
+            suggestions=(*edits, *other_quantities(asked, uncorrelated=condition is None)),
             order=order,
-            remarks=conditions,
+            remarks=tuple(remark for remark in (condition, convention) if remark),
         )
 
     def _suggestions(self, entry: Index) -> list[Suggestion]:
@@ -218,6 +220,10 @@ def _without_proof(entry: Index, comparison: Comparison, symbols: Sequence[Varia
     if not compared:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")
     return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {len(compared)} points")
+
+
+def _edit(finding: Finding, edits: Sequence[Suggestion]) -> str:
+    return f": {edits[0].edit}" if edits and finding.outcome is Outcome.DIFFERS else ""
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:

@@ -13,17 +13,25 @@ from radartrack.derive.units import RADIAN
 from radartrack.derive.variable import Variable
 
 
-def conditions_that_help(asked: Asked) -> tuple[str, ...]:
-    """`equal when rho = 0`, in another order, or with an angle counted from the other axis, where that is proved."""
-    entries = asked.reference.entries
-    uncorrelated = without_correlation(asked)
-    for one in chain(uncorrelated, _from_other_axes(asked)):
-        if one.equals(entries):
-            return (f"equal{one.words}",)
-    for one in (trial(asked), *uncorrelated):
-        if (words := arrangement(one, entries)) is not None:
-            return (f"equal {words}{one.words}",)
-    return ()
+def condition_that_helps(asked: Asked) -> str | None:
+    """`equal when rho = 0`, where that is proved."""
+    return next((f"equal{one.words}" for one in without_correlation(asked) if _is_equal(one, asked)), None)
+
+
+def convention_that_helps(asked: Asked) -> str | None:
+    """Equal with an angle counted from the other axis, or with the entries in another order, where that is proved."""
+    turned = next((f"equal{one.words}" for one in _from_other_axes(asked) if _is_equal(one, asked)), None)
+    return turned or next(_other_orders(asked), None)
+
+
+def _is_equal(one: Trial, asked: Asked) -> bool:
+    return one.equals(asked.reference.entries)
+
+
+def _other_orders(asked: Asked) -> Iterator[str]:
+    for one in (trial(asked), *without_correlation(asked)):
+        if (words := arrangement(one, asked.reference.entries)) is not None:
+            yield f"equal {words}{one.words}"
 
 
 def _from_other_axes(asked: Asked) -> Iterator[Trial]:

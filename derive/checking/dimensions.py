@@ -102,7 +102,12 @@ def check_dimension(found: Dimension, expected: Dimension) -> None:
         WrongDimensions: saying what does not fit.
     """
     if not found.free and not found.agrees(expected):
-        raise WrongDimensions(f"the formula has the unit {found}, the quantity {expected}")
+        raise WrongDimensions(f"the formula has {_unit(found)}, the quantity {_unit(expected)}")
+
+
+def _unit(dimension: Dimension) -> str:
+    """In words after "has"."""
+    return str(dimension) if dimension.is_number and not dimension.radian else f"the unit {dimension}"
 
 
 def _dimension(tree: Tree, below: Sequence[Dimension]) -> Dimension:
