@@ -59,7 +59,8 @@ def _turned(asked: Asked, angles: Sequence[Variable]) -> Iterator[Trial]:
 def _trial(
     asked: Asked, angles: Sequence[Variable], *, negated: Sequence[Variable] = (), zero: Sequence[Variable] = ()
 ) -> Trial:
-    changes: dict[Symbol, Expr] = {angle: sp.pi / 2 - angle for angle in angles} | {one: -one for one in negated}
+    changes: dict[Symbol, Expr] = {angle: sp.pi / 2 - angle for angle in angles}
+    changes.update({one: -one for one in negated})
     replaced = " and ".join([*(f"pi/2 - {one} for {one}" for one in angles), *(f"-{one} for {one}" for one in negated)])
     when = " when " + " and ".join(f"{one} = 0" for one in zero) if zero else ""
     return trial(asked, f" with {replaced}{when}: counted from the other axis", zero=zero, changes=changes)

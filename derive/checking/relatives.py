@@ -56,7 +56,9 @@ def _equalities(trials: Sequence[Trial], quantity: Quantity, places: Sequence[In
 def _is(one: Trial, quantity: Quantity, places: Sequence[Index], sign: int) -> bool:
     """Whether the formula is proved to be these entries of a quantity, with this sign."""
     values = _values(quantity, one.point)
-    return one.is_worth(values and [values[place] for place in places], sign) and one.proves(
+    if values is None:
+        return False
+    return one.is_worth([values[place] for place in places], sign) and one.proves(
         Tensor(one.printed.shape, tuple(sign * quantity.expression[place] for place in places))
     )
 

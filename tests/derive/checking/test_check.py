@@ -9,6 +9,7 @@ from radartrack.derive.catalogue import UnknownQuantity
 from radartrack.derive.checking import relatives
 from radartrack.derive.checking.display import shown
 from radartrack.derive.checking.reference import UnknownEntry, refer
+from radartrack.derive.checking.trial import Point
 from radartrack.derive.checking.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.quantity import Quantity
@@ -123,9 +124,9 @@ def test_a_missing_term_is_suggested_once_whatever_the_signs_around_it() -> None
         f"exp(-2*s)*(r**2*(cos(beta)**2*({right}) + sin(beta)**2*(sinh(2*s) - sinh(s)))"
         f" + sigma_r**2*(cos(beta)**2*({right} + cosh(2*s)) + sin(beta)**2*(2*sinh(2*s) - sinh(s))))"
     )
-    options = {"given": INDEPENDENT, "let": {"s": "sigma_beta**2"}}
-    assert check(name, entry, **options).verdict is Outcome.EQUAL
-    edits = _edits(check(name, entry.replace(f"{right} + cosh(2*s)", right), **options))
+    let = {"s": "sigma_beta**2"}
+    assert check(name, entry, given=INDEPENDENT, let=let).verdict is Outcome.EQUAL
+    edits = _edits(check(name, entry.replace(f"{right} + cosh(2*s)", right), given=INDEPENDENT, let=let))
     assert edits.count("a missing term cosh(2*s)") == 1
 
 
@@ -202,7 +203,7 @@ def test_only_quantities_of_the_printed_dimension_and_symbols_are_derived(monkey
     asked: list[Quantity] = []
     values = relatives._values
 
-    def noted(quantity: Quantity, point: relatives.Point) -> object:
+    def noted(quantity: Quantity, point: Point) -> object:
         asked.append(quantity)
         return values(quantity, point)
 
