@@ -8,6 +8,7 @@ from functools import cached_property
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
+from radartrack.derive.checking.conditions import under
 from radartrack.derive.checking.conventions import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.counterexample import (
     MATTERS,
@@ -91,7 +92,7 @@ class Question:
         """Those that the conditions leave and that occur."""
         part = self.reference.part
         derived = [*self.reference.entries, *(part.quantity.expression if part else ())]
-        expressions = (expression.xreplace(self.conditions) for expression in (*derived, *self.printed.expressions))
+        expressions = (under(self.conditions, expression) for expression in (*derived, *self.printed.expressions))
         used = set[Symbol]().union(*(expression.free_symbols for expression in expressions))
         return tuple(symbol for symbol in self.reference.symbols if symbol in used)
 
@@ -104,7 +105,7 @@ class Question:
             verdict=worst.outcome,
             quantity=self.reference.text,
             printed=self.printed.text,
-            derived=shown(self.reference.entries.map(lambda entry: entry.xreplace(self.conditions))),
+            derived=shown(self.reference.entries.map(lambda entry: under(self.conditions, entry))),
             reason=_reason(worst, findings, conditions),
             conditions=conditions,
         )
@@ -113,11 +114,11 @@ class Question:
 
     def derived_entry(self, entry: Index) -> Expr:
         """The derived formula under the conditions."""
-        return self.reference.entries[entry].xreplace(self.conditions)
+        return under(self.conditions, self.reference.entries[entry])
 
     def printed_entry(self, entry: Index) -> Expr:
         """The printed formula under the conditions."""
-        return self.printed.expressions[entry].xreplace(self.conditions)
+        return under(self.conditions, self.printed.expressions[entry])
 
     def finding(self, entry: Index) -> Finding:
         """What is found out about one entry: a difference, a proof, or neither."""
@@ -175,7 +176,7 @@ class Question:
 
     def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
         symbols = [symbol for symbol in self.reference.symbols if symbol not in conditions]
-        derived = self.reference.entries[entry].xreplace(conditions)
+        derived = under(conditions, self.reference.entries[entry])
         found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
         return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
 
@@ -190,7 +191,7 @@ class Question:
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)
-        scale = squared_scale(self.reference, entry).xreplace(self.conditions)
+        scale = under(self.conditions, squared_scale(self.reference, entry))
         worst = worst_over_domain(Relative(*pair, scale, self.symbols), self.symbols, values.point)
         if values.relative < MATTERS <= worst.relative:
             values = Comparison(*pair, self.symbols).differ_at(worst.point) or values

@@ -39,6 +39,7 @@ def as_printed(expression: Expr) -> Tree:
 
 def _spelled(expression: Expr) -> Expr:
     """The formula in functions that people write."""
-    calls: dict[Expr, Expr] = {-call: 1 - sp.exp(call.args[0]) for call in expression.atoms(sp.expm1)}
-    calls |= {call: sp.exp(call.args[0]) - 1 for call in expression.atoms(sp.expm1)}
-    return expression.xreplace(calls)
+    found = expression.atoms(sp.expm1)
+    calls: dict[Expr, Expr] = {-call: 1 - sp.exp(call.args[0]) for call in found}
+    calls |= {call: sp.exp(call.args[0]) - 1 for call in found}
+    return expression.xreplace(calls) if calls else expression

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive.checking.comparison import Comparison
+from radartrack.derive.checking.conditions import under
 from radartrack.derive.checking.display import as_printed
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.numeric import Screen, Values
@@ -49,7 +50,7 @@ def suggest(
 ) -> list[Edited]:
     """The edits that make a printed formula equal to the derived one, the smallest first."""
     points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
-    values = {name: _values(value.xreplace(conditions), symbols, points) for name, value in names.values.items()}
+    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.values.items()}
     target = _values(derived, symbols, points)
     if target is None:
         return []
@@ -99,7 +100,7 @@ def _confirmed(
         if written(tidied) in seen:
             continue
         try:
-            expression = names.read(check_tree(candidate.tree, measure)).xreplace(conditions)
+            expression = under(conditions, names.read(check_tree(candidate.tree, measure)))
         except FormulaError:
             continue
         seen.add(written(tidied))

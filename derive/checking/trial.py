@@ -8,6 +8,7 @@ from functools import cached_property
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.conditions import under
 from radartrack.derive.checking.dimensions import Dimension
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.points import generic_points
@@ -56,7 +57,7 @@ class Asked:
     @cached_property
     def _symbols(self) -> set[Symbol]:
         """Those that stay, whatever is set to zero."""
-        used = set[Symbol]().union(*(entry.xreplace(self.conditions).free_symbols for entry in self.printed))
+        used = set[Symbol]().union(*(under(self.conditions, entry).free_symbols for entry in self.printed))
         return used - {symbol for symbol in self.reference.symbols if symbol.is_correlation}
 
 
@@ -93,7 +94,7 @@ class Trial:
     def proves(self, entries: Tensor[Expr]) -> bool:
         """Whether there is a proof that the formula equals these entries."""
         pairs = zip(self.printed, entries, strict=True)
-        return all(proved_equal(a.xreplace(self.conditions), b.xreplace(self.conditions)) for a, b in pairs)
+        return all(proved_equal(under(self.conditions, a), under(self.conditions, b)) for a, b in pairs)
 
 
 def trial(
@@ -105,7 +106,7 @@ def trial(
     replaced = evaluated(Tensor((len(conditions),), tuple(conditions.values())), asked.family, tuple(values.items()))
     names = [symbol.name for symbol in conditions]
     point = tuple((values | dict(zip(names, replaced or (), strict=False))).items())
-    printed = asked.printed.map(lambda entry: entry.xreplace(changes)) if changes else asked.printed
+    printed = asked.printed.map(lambda entry: under(changes or {}, entry))
     return Trial(conditions, words, printed, asked.family, point, evaluated(printed, asked.family, point))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -161,4 +161,16 @@ def _is_real(expression: Expression) -> bool:
     """Whether no infinity, undefined value or imaginary unit arose."""
     if isinstance(expression, tuple):
         return all(map(_is_real, expression))
-    return all(atom.is_Symbol or atom.is_real for atom in expression.atoms())
+    return all(part.args or part.is_Symbol or part.is_real for part in _parts(expression))
+
+
+def _parts(expression: Expr) -> Iterator[Expr]:
+    """The expression and all within it, each once: SymPy's own walk takes a part as often as it stands there."""
+    seen = {expression}
+    waiting = [expression]
+    while waiting:
+        part = waiting.pop()
+        yield part
+        new = [below for below in part.args if below not in seen]
+        seen.update(new)
+        waiting.extend(new)
