@@ -54,6 +54,11 @@ class Variable(Symbol):
         return self.low > 0
 
     @property
+    def is_angle(self) -> bool:
+        """Whether it is a direction; the deviation of one is no angle, though its unit is the same."""
+        return self.unit == RADIAN and not self.logarithmic
+
+    @property
     def symbol(self) -> Symbol:
         """A plain symbol of this name; SymPy's code printers, which have a Variable of their own, ask for it."""
         return Symbol(self.name)

@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
-from radartrack.derive.checking.conditions import under
+from radartrack.derive.checking.conditions import under, when_zero, zero
 from radartrack.derive.checking.conventions import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.counterexample import (
     MATTERS,
@@ -167,12 +166,11 @@ class Question:
     def _suggestions(self, entry: Index) -> list[Suggestion]:
         """The smallest edits; where there is none and the print has no correlation, those without correlation."""
         found = self._edited(entry, self.conditions)
-        free = {symbol for symbol in self.symbols if symbol.is_correlation}
-        if found or not free or free & self.printed_entry(entry).free_symbols:
+        free = [symbol for symbol in self.symbols if symbol.is_correlation]
+        if found or not free or self.printed_entry(entry).free_symbols & set(free):
             return found
-        zero: dict[Symbol, Expr] = {symbol: sp.Integer(0) for symbol in free}
-        when = " when " + " and ".join(f"{symbol} = 0" for symbol in self.symbols if symbol in free)
-        return [replace(one, edit=one.edit + when) for one in self._edited(entry, {**self.conditions, **zero})]
+        uncorrelated = self._edited(entry, {**self.conditions, **zero(free)})
+        return [replace(one, edit=one.edit + when_zero(free)) for one in uncorrelated]
 
     def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
         symbols = [symbol for symbol in self.reference.symbols if symbol not in conditions]
@@ -228,16 +226,16 @@ def _edit(finding: Finding, edits: Sequence[Suggestion]) -> str:
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:
-    under = f" when {' and '.join(conditions)}" if conditions else ""
+    when = f" when {' and '.join(conditions)}" if conditions else ""
     where = f" in entry {list(worst.entry)}" if worst.entry else ""
     wrong = sum(finding.outcome in _WRONG for finding in findings)
     count = f" ({wrong} of {len(findings)} entries are wrong)" if wrong and len(findings) > 1 else ""
     match worst.outcome:
         case Outcome.EQUAL:
-            return f"proved equal{under}"
+            return f"proved equal{when}"
         case Outcome.EQUAL_NUMERICALLY:
-            return f"{worst.reason}{under}{where}, not proved"
+            return f"{worst.reason}{when}{where}, not proved"
         case Outcome.DIFFERS:
-            return f"{worst.reason or 'not equal'}{under}{where}{count}"
+            return f"{worst.reason or 'not equal'}{when}{where}{count}"
         case _:
-            return f"{worst.reason}{under}{where}{count}"
+            return f"{worst.reason}{when}{where}{count}"

@@ -7,9 +7,9 @@ from itertools import chain, combinations
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.arrangement import arrangement
+from radartrack.derive.checking.conditions import when_zero
 from radartrack.derive.checking.trial import Asked, Trial, trial, without_correlation
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import RADIAN
 from radartrack.derive.variable import Variable
 
 
@@ -36,7 +36,7 @@ def _other_orders(asked: Asked) -> Iterator[str]:
 
 def _from_other_axes(asked: Asked) -> Iterator[Trial]:
     """With any of the printed angles counted from the other axis."""
-    angles = [one for one in asked.reference.symbols if _is_angle(one) and one in _used(asked) - set(asked.conditions)]
+    angles = [one for one in asked.reference.symbols if one.is_angle and one in _used(asked) - set(asked.conditions)]
     names = list(dict.fromkeys(_name(angle) for angle in angles))
     for turned in chain.from_iterable(combinations(names, count + 1) for count in range(len(names))):
         yield from _turned(asked, [angle for angle in angles if _name(angle) in turned])
@@ -49,7 +49,7 @@ def _turned(asked: Asked, angles: Sequence[Variable]) -> Iterator[Trial]:
     """
     correlations = asked.correlations
     if correlations and not _used(asked) & set(correlations):
-        yield _trial(asked, angles, zero=correlations)
+        yield _trial(asked, angles, vanishing=correlations)
         return
     yield _trial(asked, angles)
     if correlations:
@@ -57,13 +57,13 @@ def _turned(asked: Asked, angles: Sequence[Variable]) -> Iterator[Trial]:
 
 
 def _trial(
-    asked: Asked, angles: Sequence[Variable], *, negated: Sequence[Variable] = (), zero: Sequence[Variable] = ()
+    asked: Asked, angles: Sequence[Variable], *, negated: Sequence[Variable] = (), vanishing: Sequence[Variable] = ()
 ) -> Trial:
     changes: dict[Symbol, Expr] = {angle: sp.pi / 2 - angle for angle in angles}
     changes.update({one: -one for one in negated})
     replaced = " and ".join([*(f"pi/2 - {one} for {one}" for one in angles), *(f"-{one} for {one}" for one in negated)])
-    when = " when " + " and ".join(f"{one} = 0" for one in zero) if zero else ""
-    return trial(asked, f" with {replaced}{when}: counted from the other axis", zero=zero, changes=changes)
+    words = f" with {replaced}{when_zero(vanishing)}: counted from the other axis"
+    return trial(asked, words, vanishing=vanishing, changes=changes)
 
 
 def _used(asked: Asked) -> set[Symbol]:
@@ -73,7 +73,3 @@ def _used(asked: Asked) -> set[Symbol]:
 def _name(angle: Variable) -> str:
     """A predicted angle is counted as the measured one is."""
     return angle.name.removeprefix("predicted_")
-
-
-def _is_angle(symbol: Variable) -> bool:
-    return symbol.unit == RADIAN and symbol.low < 0

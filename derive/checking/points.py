@@ -115,7 +115,7 @@ def _between(low: float, high: float, fraction: float) -> float:
 
 def _ordinary(symbol: Variable) -> tuple[float, float]:
     """An interval of ordinary numbers inside the domain."""
-    if symbol.unit == RADIAN and not symbol.name.startswith(("sigma", "predicted_sigma")):
+    if symbol.is_angle:
         return 0.13, 0.38
     if symbol.whole:
         low = max(symbol.low, 1.0) + (0.3 if symbol.at_most else 3.3)

@@ -128,12 +128,7 @@ class Search:
 
     def _right_terms(self, tree: Tree) -> Terms:
         """Those that stand in different sums of the formula no more often than in those of the derived one."""
-        printed, derived = (
-            Counter(
-                _rounded(self._quick(term)) for node in parts(*trees) if isinstance(node, Sum) for term in node.terms
-            )
-            for trees in ([tree], self._derived)
-        )
+        printed, derived = self._terms([tree]), self._terms(self._derived)
         return frozenset(term for term, count in printed.items() if count <= derived[term])
 
     def _terms(self, trees: Sequence[Tree]) -> Counter[Values | None]:

@@ -27,6 +27,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.tensor import Tensor
 from radartrack.derive.variable import Variable
 
+ZERO = Number("0")
 SIZE = 18
 DIGITS = 20
 GOOD = 1e-10  # relative error of a value that edits are screened by
@@ -128,7 +129,8 @@ def _plain(node: Tree) -> Tree:
     match node:
         case Power(base, Number("1")):
             return base
-        case Sum(terms) if kept := tuple(term for term in terms if term != Number("0")):
+        case Sum(terms) if ZERO in terms:
+            kept = tuple(term for term in terms if term != ZERO) or (ZERO,)
             return kept[0] if len(kept) == 1 else Sum(kept)
         case _:
             return node

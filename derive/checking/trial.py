@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.conditions import under
+from radartrack.derive.checking.conditions import under, when_zero, zero
 from radartrack.derive.checking.dimensions import Dimension
 from radartrack.derive.checking.equality import proved_equal
 from radartrack.derive.checking.points import generic_points
@@ -98,11 +97,11 @@ class Trial:
 
 
 def trial(
-    asked: Asked, words: str = "", *, zero: Sequence[Symbol] = (), changes: Mapping[Symbol, Expr] | None = None
+    asked: Asked, words: str = "", *, vanishing: Sequence[Symbol] = (), changes: Mapping[Symbol, Expr] | None = None
 ) -> Trial:
-    """What was asked, with some symbols zero, and others in the print replaced."""
+    """What was asked, with some symbols vanishing, and others in the print replaced."""
     (values,) = generic_points(asked.family, 1)
-    conditions: dict[Symbol, Expr] = {**asked.conditions, **{symbol: sp.Integer(0) for symbol in zero}}
+    conditions = {**asked.conditions, **zero(vanishing)}
     replaced = evaluated(Tensor((len(conditions),), tuple(conditions.values())), asked.family, tuple(values.items()))
     names = [symbol.name for symbol in conditions]
     point = tuple((values | dict(zip(names, replaced or (), strict=False))).items())
@@ -112,8 +111,8 @@ def trial(
 
 def without_correlation(asked: Asked) -> list[Trial]:
     """What was asked, with all correlations zero; nothing where there is none to set."""
-    zero = asked.correlations
-    return [trial(asked, " when " + " and ".join(f"{one} = 0" for one in zero), zero=zero)] if zero else []
+    free = asked.correlations
+    return [trial(asked, when_zero(free), vanishing=free)] if free else []
 
 
 def evaluated(entries: Tensor[Expr], symbols: Sequence[Variable], point: Point) -> tuple[Number, ...] | None:

@@ -126,7 +126,7 @@ def finished(tree: Tree, resolved: Callable[[Tree], Tree] = lambda node: node) -
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return check_meaning(shared(tree, resolved), magnitudes())
+    return _check_meaning(shared(tree, resolved), magnitudes())
 
 
 def check_tree(tree: Tree, measure: Fold[Measure] | None = None) -> Tree:
@@ -140,10 +140,10 @@ def check_tree(tree: Tree, measure: Fold[Measure] | None = None) -> Tree:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return check_meaning(tree, measure or magnitudes())
+    return _check_meaning(tree, measure or magnitudes())
 
 
-def check_meaning(tree: Tree, measure: Fold[Measure]) -> Tree:
+def _check_meaning(tree: Tree, measure: Fold[Measure]) -> Tree:
     """Let through a tree of allowed size that has a meaning.
 
     Raises:
