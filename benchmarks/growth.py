@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from radartrack import convert
+from radartrack._regeneration.regeneration import written
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.finite_sample import FiniteSample
-from radartrack.regeneration import written
+from radartrack.derive.finite_sample.least_squares_filter import FiniteSample
 
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7)
 SHORTEST = 10**6  # plots in all, so that a pause of the machine does not count

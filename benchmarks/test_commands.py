@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import sympy
 
-from radartrack import regeneration
+from radartrack._regeneration import regeneration
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
 

@@ -10,7 +10,8 @@ from filterpy.kalman import MerweScaledSigmaPoints, unscented_transform
 from benchmarks.conftest import PLOTS, Floats
 from benchmarks.fused_loop import fused_loop
 from benchmarks.stone_soup import stone_soup_plot
-from radartrack import compiled, convert
+from radartrack import convert
+from radartrack._arrays import machine_code
 
 POLAR = ("r", "azimuth", "range_std", "azimuth_std")
 SPHERICAL = ("r", "azimuth", "elevation", "range_std", "azimuth_std", "elevation_std")
@@ -23,7 +24,7 @@ class TestPolar:
     """convert.polar with deviations of each plot."""
 
     def test_numpy(self, timed: Timed, plots: dict[str, Floats], method: str, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(compiled, "is_available", lambda: False)
+        monkeypatch.setattr(machine_code, "is_available", lambda: False)
         timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
@@ -48,7 +49,7 @@ class TestSpherical:
     """convert.spherical with deviations of each plot."""
 
     def test_numpy(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(compiled, "is_available", lambda: False)
+        monkeypatch.setattr(machine_code, "is_available", lambda: False)
         timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:

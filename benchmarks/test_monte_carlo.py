@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from radartrack import compiled
+from radartrack._arrays import machine_code
 from radartrack.derive.catalogue import catalogue
 from radartrack.generated import polar
-from radartrack.verification.experiments import trials
-from radartrack.verification.simulation import BLOCK, CHUNK, Experiment, Sums, simulate
+from radartrack.verification.simulation.draws import BLOCK, CHUNK, Experiment, Sums, simulate
+from radartrack.verification.simulation.experiments import trials
 
 Timed = Callable[..., Any]
 NAME = "polar.covariance.truth"
@@ -24,7 +24,7 @@ class TestMonteCarlo:
         timed(by_radartrack, experiment(), items=SAMPLES, rounds=3)
 
     def test_numpy(self, timed: Timed, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(compiled, "is_available", lambda: False)
+        monkeypatch.setattr(machine_code, "is_available", lambda: False)
         timed(by_radartrack, experiment(), items=SAMPLES, rounds=3)
 
     def test_normals(self, timed: Timed) -> None:

@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from radartrack.derive.catalogue import find
     from radartrack.derive.checking.check import check
-    from radartrack.derive.conversion import quantities_of, word_to_order
-    from radartrack.derive.model import Model
-    from radartrack.derive.neglected import validity
-    from radartrack.derive.quantity import Quantity, Source
-    from radartrack.derive.variable import Variable, angle, correlation, deviation, length, speed
+    from radartrack.derive.language.model import Model
+    from radartrack.derive.language.quantity import Quantity, Source
+    from radartrack.derive.language.variable import Variable, angle, correlation, deviation, length, speed
+    from radartrack.derive.moments.conversion_quantities import quantities_of, word_to_order
+    from radartrack.derive.moments.validity_of_linearisation import validity
 
 _HOMES = {
     "catalogue": ("find",),
     "checking.check": ("check",),
-    "conversion": ("quantities_of", "word_to_order"),
-    "model": ("Model",),
-    "neglected": ("validity",),
-    "quantity": ("Quantity", "Source"),
-    "variable": ("Variable", "angle", "correlation", "deviation", "length", "speed"),
+    "moments.conversion_quantities": ("quantities_of", "word_to_order"),
+    "language.model": ("Model",),
+    "moments.validity_of_linearisation": ("validity",),
+    "language.quantity": ("Quantity", "Source"),
+    "language.variable": ("Variable", "angle", "correlation", "deviation", "length", "speed"),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

@@ -6,31 +6,24 @@ from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 from functools import cache
 
-from radartrack.derive import (
-    conversion,
-    expansion,
-    finite_sample_quantities,
-    fusion,
-    kinematics,
-    line,
-    observation,
-    plane_motion,
-    regression,
-    straight_track,
-)
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.finite_sample import filter_quantities
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.moments import taylor_quantities
+from radartrack.derive.motion import plane_motion, polynomial_motion
+from radartrack.derive.sensors import converted_measurements, observation_maps
+from radartrack.derive.tracks import deviation_from_line, fusion_weights, least_squares_line, line_over_time
 
 FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
-    conversion.quantities,
-    observation.quantities,
-    line.quantities,
-    regression.quantities,
-    straight_track.quantities,
-    fusion.quantities,
-    finite_sample_quantities.quantities,
-    kinematics.quantities,
+    converted_measurements.quantities,
+    observation_maps.quantities,
+    least_squares_line.quantities,
+    line_over_time.quantities,
+    deviation_from_line.quantities,
+    fusion_weights.quantities,
+    filter_quantities.quantities,
+    polynomial_motion.quantities,
     plane_motion.quantities,
-    expansion.quantities,
+    taylor_quantities.quantities,
 )
 
 

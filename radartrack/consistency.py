@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import convert
+from radartrack._arrays.prediction import Predicted
+from radartrack._arrays.sensors import SENSORS, Sensor, SensorName
+from radartrack._arrays.validation import RealArray, one_of, real_arrays
 from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
-from radartrack.prediction import Predicted
-from radartrack.sensors import SENSORS, Sensor, SensorName
 from radartrack.simulate import noise_covariance, scatter
-from radartrack.validation import RealArray, one_of, real_arrays
 
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 

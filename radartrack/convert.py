@@ -20,13 +20,13 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack import compiled
-from radartrack.batches import BLOCK, fill
+from radartrack._arrays import machine_code
+from radartrack._arrays.batches import BLOCK, fill
+from radartrack._arrays.one_plot import one_plot
+from radartrack._arrays.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments
+from radartrack._arrays.sensors import SENSORS, AzimuthFrom, Sensor
+from radartrack._arrays.validation import RealArray, broadcast_shape, common_shape, one_of, real_arrays
 from radartrack.generated import conversions
-from radartrack.one_plot import one_plot
-from radartrack.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments
-from radartrack.sensors import SENSORS, AzimuthFrom, Sensor
-from radartrack.validation import RealArray, broadcast_shape, common_shape, one_of, real_arrays
 
 Method: TypeAlias = Literal["linear", "second_order", "averaged", "unbiased", "posterior", "decorrelated"]
 
@@ -335,8 +335,8 @@ def _function(sensor: Sensor, method: Method, count: int, dtype: np.dtype[Any]) 
     """The conversion without a prediction, and the size of its blocks; compiled where that is worth while."""
     decorrelated = method == _NEEDS_PREDICTION
     name = f"{sensor.module}_{'unbiased' if decorrelated else method}"
-    if count >= compiled.COMPILED_FROM and dtype == np.float64 and compiled.is_available():
-        function, block = compiled.conversion(name), compiled.BLOCK
+    if count >= machine_code.COMPILED_FROM and dtype == np.float64 and machine_code.is_available():
+        function, block = machine_code.conversion(name), machine_code.BLOCK
     else:
         function, block = getattr(conversions, name), BLOCK
     return function, PREDICTED_BLOCK if decorrelated else block

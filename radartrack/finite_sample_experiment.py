@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from radartrack._arrays.validation import RealArray
 from radartrack.finite_sample_filter import FiniteSampleFilter, Run
 from radartrack.simulate import Accelerated, Radar, Seed, plots
-from radartrack.validation import RealArray
 
 COMPONENTS = ("range", "speed", "acceleration")
 

@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from radartrack import kalman
+from radartrack._arrays.normal_equations import Sample, Solution, solve
+from radartrack._arrays.row_products import Product, rowwise_product
+from radartrack._arrays.validation import RealArray, broadcast_shape, real_arrays
 from radartrack.generated import finite_sample as formulas
-from radartrack.normal_equations import Sample, Solution, solve
-from radartrack.rowwise import Product, rowwise_product
-from radartrack.validation import RealArray, broadcast_shape, real_arrays
 
 HIGHEST_DEGREE = 3
 MOST_SCANS = 1_000_000

@@ -1,8 +1,8 @@
 """Fusion of several radars: weights, straight lines through the plots of all, and covariance-weighted means.
 
 The weights of least variance are inversely proportional to the variances of unbiased, independent
-measurements (`radartrack.derive.fusion` derives them with a Lagrange multiplier). They do not change when all
-deviations are multiplied by one number. The deviations may come from
+measurements (`radartrack.derive.tracks.fusion_weights` derives them with a Lagrange multiplier). They do not change
+when all deviations are multiplied by one number. The deviations may come from
 
 - `stated_std`: the stated deviations of range and azimuth, the same wherever the target is;
 - `propagated_covariance`: the stated deviations carried over to x and y at each plot;
@@ -16,11 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from radartrack import line
-from radartrack.generated import fusion as formulas
-from radartrack.generated import line as line_formulas
-from radartrack.generated import spherical
-from radartrack.line import COORDINATE, TIME, WEIGHT
-from radartrack.validation import (
+from radartrack._arrays.validation import (
     ANGLE,
     ANGLE_STD,
     RANGE,
@@ -31,6 +27,10 @@ from radartrack.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack.generated import fusion as formulas
+from radartrack.generated import line as line_formulas
+from radartrack.generated import spherical
+from radartrack.line import COORDINATE, TIME, WEIGHT
 
 Floats: TypeAlias = NDArray[np.float64]
 FirstLayer: TypeAlias = Literal["equal", "reweighted"]

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from radartrack._arrays.validation import RealArray, real_arrays, require_trailing_shape
 from radartrack.generated import kinematics
-from radartrack.validation import RealArray, real_arrays, require_trailing_shape
 
 MOTIONS = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 

@@ -17,9 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from radartrack import chi_square
-from radartrack.generated import line as formulas
-from radartrack.generated import spherical
-from radartrack.validation import (
+from radartrack._arrays.validation import (
     ANGLE,
     RANGE,
     Domain,
@@ -29,6 +27,8 @@ from radartrack.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack.generated import line as formulas
+from radartrack.generated import spherical
 
 Method: TypeAlias = Literal["ordinary", "perpendicular", "reweighted"]
 StdMethod: TypeAlias = Literal["consistent", "printed"]

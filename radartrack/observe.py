@@ -13,12 +13,11 @@ from typing import Literal, NamedTuple, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack.generated import observe as formulas
-from radartrack.sensors import SENSORS, AzimuthFrom, SensorName
-from radartrack.validation import (
+from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
+from radartrack._arrays.validation import (
     RANGE_RATE as SPEED,
 )
-from radartrack.validation import (
+from radartrack._arrays.validation import (
     Domain,
     RealArray,
     broadcast_shape,
@@ -28,6 +27,7 @@ from radartrack.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack.generated import observe as formulas
 
 Order: TypeAlias = Literal["linear", "second_order"]
 

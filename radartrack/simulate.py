@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import observe
+from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
+from radartrack._arrays.validation import RealArray, one_of, real_arrays, require_within
 from radartrack.line import require_count
-from radartrack.sensors import SENSORS, AzimuthFrom, SensorName
-from radartrack.validation import RealArray, one_of, real_arrays, require_within
 
 Seed: TypeAlias = int | Sequence[int]
 

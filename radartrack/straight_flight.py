@@ -12,10 +12,11 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from radartrack import estimates, fusion, line
-from radartrack.estimates import Estimate
+from radartrack import fusion, line
+from radartrack._arrays import repeated_trials
+from radartrack._arrays.repeated_trials import Estimate
+from radartrack._arrays.validation import RealArray
 from radartrack.simulate import Radar, Seed, Straight, plots
-from radartrack.validation import RealArray
 
 Floats: TypeAlias = NDArray[np.float64]
 REFERENCE_RANGE = 100e3
@@ -118,7 +119,7 @@ def compare(
     *,
     runs: int = 1000,
     seed: int = 0,
-    confidence: float = estimates.CONFIDENCE,
+    confidence: float = repeated_trials.CONFIDENCE,
 ) -> Comparison:
     """Fuse the plots of all radars in many runs with weights from each source, and compare the lines.
 
@@ -143,8 +144,8 @@ def compare(
         name: np.mean(np.sum((motion.at(times) - truth) ** 2, axis=-1), axis=-1) for name, motion in motions.items()
     }
     return Comparison(
-        {name: estimates.root_mean(errors, confidence) for name, errors in squares.items()},
-        {name: estimates.excess(errors, squares["propagated"], confidence) for name, errors in squares.items()},
+        {name: repeated_trials.root_mean(errors, confidence) for name, errors in squares.items()},
+        {name: repeated_trials.excess(errors, squares["propagated"], confidence) for name, errors in squares.items()},
     )
 
 

@@ -18,8 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from radartrack import line
-from radartrack.generated import line as formulas
-from radartrack.validation import (
+from radartrack._arrays.validation import (
     ANGLE,
     RANGE,
     Domain,
@@ -28,6 +27,7 @@ from radartrack.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack.generated import line as formulas
 
 Floats: TypeAlias = NDArray[np.float64]
 Columns: TypeAlias = Mapping[str, NDArray[Any]]

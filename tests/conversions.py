@@ -8,10 +8,10 @@ import numpy as np
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.models import models
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.sensors import models
 from radartrack.derive.units import ONE, RADIAN
-from radartrack.derive.variable import Variable
 
 QUANTITIES = [quantity for quantity in catalogue().values() if quantity.module in models()]
 

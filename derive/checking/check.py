@@ -6,10 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from radartrack.derive.checking.comparison import Comparison, Imaginary, Values
-from radartrack.derive.checking.conditions import under, when_zero, zero
-from radartrack.derive.checking.conventions import condition_that_helps, convention_that_helps
-from radartrack.derive.checking.counterexample import (
+from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.checking.comparing.counterexample import (
     MATTERS,
     Relative,
     counterexample,
@@ -17,21 +15,23 @@ from radartrack.derive.checking.counterexample import (
     unreal_counterexample,
     worst_over_domain,
 )
-from radartrack.derive.checking.dimensions import WrongDimensions, check_dimension
+from radartrack.derive.checking.comparing.difference_scale import squared_scale
+from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values
+from radartrack.derive.checking.comparing.order_of_difference import orders
+from radartrack.derive.checking.comparing.points import domain_points, generic_points, round_points
+from radartrack.derive.checking.conventions.altered_question import Asked
+from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
+from radartrack.derive.checking.conventions.other_quantity import other_quantities
 from radartrack.derive.checking.display import shown
-from radartrack.derive.checking.equality import proved_equal
-from radartrack.derive.checking.order import orders
-from radartrack.derive.checking.points import domain_points, generic_points, round_points
-from radartrack.derive.checking.printed import Printed, conditions_for, names_for, read_printed
-from radartrack.derive.checking.reference import Reference, refer
-from radartrack.derive.checking.relatives import other_quantities
-from radartrack.derive.checking.scale import squared_scale
-from radartrack.derive.checking.suggestions import suggest
-from radartrack.derive.checking.trial import Asked
+from radartrack.derive.checking.question.compared_quantity import Reference, refer
+from radartrack.derive.checking.question.conditions import under, when_zero, zero
+from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
+from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.language.tensor import Index
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.tensor import Index
-from radartrack.derive.variable import Variable
 
 POINTS = 20
 SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions

@@ -5,13 +5,13 @@ from __future__ import annotations
 from functools import lru_cache
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.exponential import NotExponentialPolynomial
+from radartrack.derive.algebra.exponential_polynomial import NotExponentialPolynomial
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Tree
-from radartrack.derive.stable import stable_form
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.stable.attenuation import stable_form
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tensor import Tensor
 
 LONG = 600  # characters from which a derivation is shown as it came
 

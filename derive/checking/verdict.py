@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from radartrack.derive.tensor import Index
+from radartrack.derive.language.tensor import Index
 
 
 class Outcome(StrEnum):

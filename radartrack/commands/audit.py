@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
-    from radartrack.derive.checking.claims import Claim, ClaimsFile
+    from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile
 
 PROCESSES = 2
 PLAIN_WIDTH = 120  # in a file or a pipe
@@ -33,8 +33,8 @@ def audit(
 
     Exit 0, or 2 when a file or a claim in it cannot be read.
     """
-    from radartrack import audit_page, audit_table
-    from radartrack.derive.checking.claims import ClaimsError, read_claims, shipped
+    from radartrack._reports import audit_page, audit_table
+    from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims, shipped
 
     try:
         papers = [read_claims(path) for path in files or shipped()]
@@ -67,8 +67,8 @@ def decided(papers: list[ClaimsFile], timeout: float, *, typeset: bool) -> tuple
 
 def _decided(claims: list[Claim], timeout: float, *, typeset: bool) -> tuple[list[dict[str, Any]], list[str]]:
     """A record for each claim, and what is wrong with it where it cannot be read."""
-    from radartrack.derive.checking.claims import UnreadableClaim
-    from radartrack.derive.checking.deadline import decide_all, undecided
+    from radartrack.derive.checking.papers.claims_file import UnreadableClaim
+    from radartrack.derive.checking.papers.deadline import decide_all, undecided
 
     processes = max(1, min(PROCESSES, os.cpu_count() or 1))
     with _progress(len(claims)) as step:

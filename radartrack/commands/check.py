@@ -26,8 +26,8 @@ def check(
 
     Exit 0 when it is equal, 1 when it differs, 2 when it cannot be read, 3 when nothing can be decided in time.
     """
-    from radartrack.derive.checking.claims import Claim, UnreadableClaim
-    from radartrack.derive.checking.deadline import Decider
+    from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+    from radartrack.derive.checking.papers.deadline import Decider
 
     claim = Claim(
         id="formula",
@@ -64,7 +64,7 @@ def _pairs(given: list[str], option: str) -> dict[str, str]:
 
 
 def _tell(record: dict[str, object], *, latex: bool) -> None:
-    from radartrack import audit_text
+    from radartrack._reports import audit_text
 
     verdict = str(record["verdict"])
     if latex:

@@ -7,8 +7,8 @@ import re
 import typer
 
 from radartrack.derive.catalogue import UnknownQuantity, find
-from radartrack.derive.quantity import Quantity
-from radartrack.derive.tensor import Index
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.tensor import Index
 
 PATTERN = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?")
 

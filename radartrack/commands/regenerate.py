@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.progress import MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
-    from radartrack.derive.quantity import Quantity
+    from radartrack.derive.language.quantity import Quantity
 
 
 def regenerate(
@@ -21,8 +21,8 @@ def regenerate(
     model: Annotated[Path | None, typer.Option(help="Python file of your own that defines MODEL; wants --out.")] = None,
 ) -> None:
     """Derive everything and write generated/ and the formula book; with --check, exit 1 where they differ from that."""
-    from radartrack import regeneration
-    from radartrack.derive.stable import NotProved
+    from radartrack._regeneration import regeneration
+    from radartrack.derive.language.stable_form import NotProved
 
     directory = _directory(out, model)
     quantities = _quantities(model)
@@ -54,7 +54,7 @@ def _directory(out: Path | None, model: Path | None) -> Path:
     Raises:
         typer.Exit: when that is not said, or is a place with files that no derivation wrote.
     """
-    from radartrack import regeneration
+    from radartrack._regeneration import regeneration
 
     if out is None:
         source = None if model else regeneration.source_directory()
@@ -70,9 +70,9 @@ def _directory(out: Path | None, model: Path | None) -> Path:
 
 
 def _quantities(model: Path | None) -> Mapping[str, Quantity]:
-    from radartrack import regeneration
+    from radartrack._regeneration import regeneration
     from radartrack.derive.catalogue import catalogue
-    from radartrack.derive.conversion import quantities_of
+    from radartrack.derive.moments.conversion_quantities import quantities_of
 
     if model is None:
         return catalogue()

@@ -18,7 +18,7 @@ from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 if TYPE_CHECKING:
-    from radartrack.experiment_section import Experiment
+    from radartrack._reports.experiment_section import Experiment
     from radartrack.reproduction.papers import Paper
     from radartrack.reproduction.results import Reproduction
 
@@ -76,7 +76,7 @@ def _refuse(reason: str) -> None:
 
 def _written(paper: Paper, found: Reproduction, out: Path) -> Experiment:
     """Write tables and figures; what the report shows of them."""
-    from radartrack.experiment_section import Experiment, Shown
+    from radartrack._reports.experiment_section import Experiment, Shown
 
     for name, table in (*found.tables.items(), ("findings", found.findings_table())):
         table.write(out / f"{found.paper}_{name}.csv")
@@ -89,9 +89,9 @@ def _written(paper: Paper, found: Reproduction, out: Path) -> Experiment:
 
 def _report(names: Sequence[str], experiments: Sequence[Experiment], path: Path) -> None:
     """The experiments and the audit of the same papers on one page."""
-    from radartrack import audit_page
+    from radartrack._reports import audit_page
     from radartrack.commands.audit import decided
-    from radartrack.derive.checking.claims import read_claims, shipped
+    from radartrack.derive.checking.papers.claims_file import read_claims, shipped
 
     files = {file.stem: file for file in shipped()}
     claims = [read_claims(files[name]) for name in names]

@@ -25,10 +25,12 @@ def show(
 ) -> None:
     """Show one formula, its symbols, its conditioning and its source."""
     from radartrack.commands import quantity_name
-    from radartrack.derive import printing
+    from radartrack.derive.writing import quantity_text
 
     quantity, index = quantity_name.read(name)
-    for line in printing.heading(quantity):
+    for line in quantity_text.heading(quantity):
         typer.echo(f"{COMMENT[format]}{line}")
-    formula = {Format.TEXT: printing.text, Format.LATEX: printing.latex, Format.PYTHON: printing.python}[format]
+    formula = {Format.TEXT: quantity_text.text, Format.LATEX: quantity_text.latex, Format.PYTHON: quantity_text.python}[
+        format
+    ]
     typer.echo(f"\n{formula(quantity, index)}")

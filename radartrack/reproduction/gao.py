@@ -10,8 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from radartrack import estimates, line, straight_flight
-from radartrack.estimates import Estimate
+from radartrack import line, straight_flight
+from radartrack._arrays import repeated_trials
+from radartrack._arrays.repeated_trials import Estimate
+from radartrack._arrays.validation import RealArray
 from radartrack.generated import fusion as formulas
 from radartrack.generated import line as line_formulas
 from radartrack.reproduction.results import (
@@ -29,7 +31,6 @@ from radartrack.reproduction.results import (
 )
 from radartrack.simulate import Radar, Seed, Straight, plots
 from radartrack.straight_flight import DURATION, EVALUATED, FLIGHT, Comparison, situations
-from radartrack.validation import RealArray
 
 TITLE = "Gao, Dong and Zhang: two methods for the variance of radar measurements"
 RUNS, TRACKS = 2000, 1000
@@ -110,7 +111,7 @@ def _deviation(tracks: int, seed: int, step: Step) -> Table:
         methods: Sequence[line.StdMethod] = ("printed", "consistent")
         for method in methods:
             found = line.measurement_std(seen.t, seen.measured["r"], seen.measured["r"], method).x
-            row |= columns(f"{method}_m", estimates.mean(found))
+            row |= columns(f"{method}_m", repeated_trials.mean(found))
         row["derived_m"] = float(line_formulas.motion_printed_std(sigma_x=TRUE_STD, v=speed, c=1.0))
         rows.append(row)
     return table(rows)

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from radartrack._arrays.validation import RealArray
 from radartrack.reproduction.gao import SOURCES, TRUE_STD
 from radartrack.reproduction.pictures import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY, Picture, drawing
 from radartrack.reproduction.results import Reproduction, Table
-from radartrack.validation import RealArray
 
 RADAR_COLOURS = (BLUE, ORANGE, GREEN, PURPLE)
 LINES = {"propagated": (BLACK, "--"), "printed": (RED, "-."), "consistent": (SKY, ":")}

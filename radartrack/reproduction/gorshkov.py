@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from radartrack._arrays.validation import RealArray
 from radartrack.finite_sample_experiment import COMPONENTS, Comparison, Errors, compare, radial_radar
 from radartrack.finite_sample_filter import FiniteSampleFilter
 from radartrack.reproduction.results import (
@@ -20,7 +21,6 @@ from radartrack.reproduction.results import (
     table,
 )
 from radartrack.simulate import Radar
-from radartrack.validation import RealArray
 
 TITLE = "Gorshkov and Zavizhenets: filtering over a finite sample with range and range rate"
 SCANS = 20

@@ -13,8 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from radartrack import estimates
-from radartrack.estimates import Estimate
+from radartrack._arrays import repeated_trials
+from radartrack._arrays.repeated_trials import Estimate
+from radartrack._arrays.validation import RealArray
 from radartrack.reproduction import tracking
 from radartrack.reproduction.results import (
     Cell,
@@ -29,7 +30,6 @@ from radartrack.reproduction.results import (
     table,
 )
 from radartrack.reproduction.tracking import CONVERSIONS, Scene, Tracked, Weighting, scene
-from radartrack.validation import RealArray
 
 TITLE = "Prosov: linearisation and the accuracy of a tracking filter"
 DEGREES = (1, 2)
@@ -104,9 +104,9 @@ def _figures(runs: Mapping[tuple[int, str], Tracked]) -> Table:
     rows = []
     for (degrees, name), tracked in runs.items():
         squares, reference = tracked.error**2, runs[degrees, "linear"].error ** 2
-        change = estimates.root_excess(squares[..., 0], reference[..., 0])
-        error, bias = estimates.root_mean(squares), estimates.mean(tracked.error[..., 0])
-        nees = estimates.mean(tracked.nees)
+        change = repeated_trials.root_excess(squares[..., 0], reference[..., 0])
+        error, bias = repeated_trials.root_mean(squares), repeated_trials.mean(tracked.error[..., 0])
+        nees = repeated_trials.mean(tracked.nees)
         for n in range(CYCLES):
             row: dict[str, Cell] = {"azimuth_std_deg": degrees, "method": name, "cycle": n + 1}
             row |= columns("delta_x_percent", change, n, 100.0)
@@ -125,10 +125,10 @@ def _two_biases(trials: int, seed: int, step: Step) -> Table:
             step(f"Prosov: two biases, {name}")
             plot = CONVERSIONS[name].position(view.plots)[:, -1, 0] - view.position[-1, 0]
             row: dict[str, Cell] = {"azimuth_std_deg": degrees, "conversion": name, "r_sigma2_m": unit}
-            row |= columns("one_plot", estimates.mean(plot), (), 1 / unit)
+            row |= columns("one_plot", repeated_trials.mean(plot), (), 1 / unit)
             for weighting in WEIGHTINGS:
                 error = tracking.track(view, CONVERSIONS[name], weighting).error[:, -1, 0]
-                row |= columns(f"weighed_at_{weighting}", estimates.mean(error), (), 1 / unit)
+                row |= columns(f"weighed_at_{weighting}", repeated_trials.mean(error), (), 1 / unit)
             rows.append(row)
     return table(rows)
 
@@ -152,7 +152,7 @@ def _differences(view: Scene) -> Iterator[dict[str, Cell]]:
         reference = tracking.track(view, CONVERSIONS["linear"], weighting).error[..., 0] ** 2
         for version in VERSIONS:
             squares = tracking.track(view, CONVERSIONS[version], weighting).error[..., 0] ** 2
-            change = estimates.root_excess(squares, reference)
+            change = repeated_trials.root_excess(squares, reference)
             for n in range(squares.shape[1]):
                 row: dict[str, Cell] = {"weighting": weighting, "version": version, "cycle": n + 1}
                 yield row | columns("delta_x_percent", change, n, 100.0)
@@ -308,7 +308,7 @@ def _fitting(row: Mapping[str, Cell]) -> str:
 def _printed_transition(trials: int, seed: int) -> Finding:
     view = scene(PERIOD, math.radians(1), OUTWARD, CYCLES, max(trials, 2), seed)
     error = tracking.track(view, CONVERSIONS["linear"], moves=tracking.motion_as_printed(PERIOD)).error[:, -1, 0]
-    found = estimates.root_mean(error**2)
+    found = repeated_trials.root_mean(error**2)
     return Finding(
         f"Root mean square error of x after {CYCLES} cycles with F as printed, σᵦ = 1°",
         "second row of F: 1 1 0 0",

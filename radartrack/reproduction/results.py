@@ -10,8 +10,8 @@ from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
-from radartrack.estimates import Estimate
-from radartrack.validation import RealArray
+from radartrack._arrays.repeated_trials import Estimate
+from radartrack._arrays.validation import RealArray
 
 Verdict: TypeAlias = Literal["agrees", "differs", "depends"]
 Cell: TypeAlias = str | int | float

@@ -13,11 +13,11 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from radartrack import convert, kalman, observe
+from radartrack._arrays.validation import RealArray
 from radartrack.convert import Converted, Method
 from radartrack.generated import kinematics
 from radartrack.kalman import Belief, Motion
 from radartrack.simulate import Plots, Radar, Straight, plots
-from radartrack.validation import RealArray
 
 Weighting: TypeAlias = Literal["measurement", "prediction", "truth"]
 Plot: TypeAlias = Mapping[str, RealArray | float]

@@ -14,10 +14,10 @@ from operator import add, mul
 from typing import Any
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.evaluation import Evaluator
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.tensor import Tensor
-from radartrack.verification.compilation import leaves
+from radartrack.verification.program_compilation import leaves
 
 Ball = Any
 PRECISION = 448  # bits; the textbook form of a fourth power of 1e-9 against 1e8 squared loses some 175

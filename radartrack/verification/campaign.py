@@ -13,19 +13,19 @@ from pathlib import Path
 from typing import Any
 
 from radartrack.derive.catalogue import find
-from radartrack.derive.quantity import Quantity
-from radartrack.verification import monte_carlo
-from radartrack.verification.accuracy import Accuracy
+from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.checkpoint import Checkpoint, digest_of
-from radartrack.verification.dimensions import Dimensions
 from radartrack.verification.engines import Engine
-from radartrack.verification.experiments import Trial, simulated, trials
-from radartrack.verification.identity import Identity
-from radartrack.verification.mutants import Mutants
+from radartrack.verification.layers import monte_carlo
+from radartrack.verification.layers.dimensions import Dimensions
+from radartrack.verification.layers.identity import Identity
+from radartrack.verification.layers.mutants import Mutants
+from radartrack.verification.layers.quadrature import Quadrature
+from radartrack.verification.layers.ulp_search import Accuracy
 from radartrack.verification.outcome import Layer, Outcome, Verdict, examined
-from radartrack.verification.quadrature import Quadrature
-from radartrack.verification.simulation import CHUNK, Draws, Sums, tasks_for
-from radartrack.verification.statistics import FALSE_ALARM
+from radartrack.verification.simulation.draws import CHUNK, Draws, Sums, tasks_for
+from radartrack.verification.simulation.experiments import Trial, simulated, trials
+from radartrack.verification.simulation.statistics import FALSE_ALARM
 from radartrack.verification.subject import NotGenerated, generated
 
 PACKAGES = ("numpy", "sympy", "mpmath", "python-flint")

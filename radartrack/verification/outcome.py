@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any, Protocol
 
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 
 Function = Callable[..., Any]
 

@@ -8,11 +8,11 @@ from importlib import import_module
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.derive.model import Model
-from radartrack.derive.models import models
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.model import Model
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.sensors import models
+from radartrack.verification.domain_points import Points
 from radartrack.verification.outcome import Function
-from radartrack.verification.sampling import Points
 
 Array = npt.NDArray[np.float64]
 

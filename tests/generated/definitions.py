@@ -11,7 +11,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.models import models
+from radartrack.derive.sensors import models
 from radartrack.derive.units import RADIAN
 from tests import maps
 from tests.conversions import generated

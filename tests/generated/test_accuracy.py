@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import radartrack.generated
-from radartrack.derive.evaluation import Evaluator
-from radartrack.derive.quantity import Quantity
-from radartrack.verification.sampling import Points, sample
-from radartrack.verification.ulp import errors
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.language.quantity import Quantity
+from radartrack.verification.domain_points import Points, sample
+from radartrack.verification.error_in_ulp import errors
 from tests import conversions
 
 POINTS = 60

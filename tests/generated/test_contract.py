@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 from tests import conversions
 from tests.examples import share
 

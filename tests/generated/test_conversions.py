@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.conversion_code import METHODS, conversions_of
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.writing.conversion_functions import METHODS, conversions_of
 from radartrack.generated import conversions, loops
-from radartrack.verification.sampling import Points, sample
-from radartrack.verification.ulp import errors
+from radartrack.verification.domain_points import Points, sample
+from radartrack.verification.error_in_ulp import errors
 from tests import conversions as generated
 
 POINTS = 200

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 from tests import conversions, maps
 from tests.examples import share
 from tests.generated.definitions import DEFINITIONS, Expectations

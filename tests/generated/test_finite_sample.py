@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive.finite_sample import fewest_scans
+from radartrack.derive.finite_sample.least_squares_filter import fewest_scans
 from radartrack.generated import finite_sample, kinematics
 from tests.least_squares import ExactFit, full_fit
 

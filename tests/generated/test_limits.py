@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 from tests import conversions
 from tests.examples import share
 

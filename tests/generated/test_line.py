@@ -5,18 +5,18 @@ import math
 import numpy as np
 import pytest
 
-from radartrack.derive import fusion as derived_fusion
-from radartrack.derive import line as derived_line
-from radartrack.derive import regression, straight_track
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.tracks import deviation_from_line, line_over_time
+from radartrack.derive.tracks import fusion_weights as derived_fusion
+from radartrack.derive.tracks import least_squares_line as derived_line
 from radartrack.generated import fusion, line
-from radartrack.verification.sampling import sample
-from radartrack.verification.ulp import errors
+from radartrack.verification.domain_points import sample
+from radartrack.verification.error_in_ulp import errors
 
 MODULES = {"line": line, "fusion": fusion}
 QUANTITIES = [
     quantity
-    for family in (derived_line, regression, straight_track, derived_fusion)
+    for family in (derived_line, line_over_time, deviation_from_line, derived_fusion)
     for quantity in family.quantities()
 ]
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 from tests import conversions, maps
 from tests.quadrature import square
 

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.units import Unit
-from radartrack.verification.sampling import sample
+from radartrack.verification.domain_points import sample
 from tests import conversions, maps
 from tests.examples import share
 

@@ -14,24 +14,24 @@ import numpy as np
 import pytest
 import sympy
 
-from radartrack.derive import words
-from radartrack.derive.exponential import ExponentialPolynomial, ring_over
-from radartrack.derive.operator import GaussianOperator
-from radartrack.derive.quantity import Quantity
-from radartrack.derive.tensor import Tensor
+from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial, ring_over
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.moments import debiased_conversion
+from radartrack.derive.moments.gaussian_operator import GaussianOperator
 from tests import conversions, maps
 
 DEGREES = {"second_order": 2, "fourth_order": 4}
 WORDS: dict[str, Callable[[Any], Any]] = {
-    "bias.truth": words.bias_truth,
-    "bias.averaged": words.bias_averaged,
-    "covariance.truth": words.covariance_truth,
-    "covariance.averaged": words.covariance_averaged,
-    "unbiased.estimate": words.unbiased_estimate,
-    "unbiased.covariance": words.unbiased_covariance,
-    "posterior.estimate": words.posterior_estimate,
-    "posterior.covariance": words.covariance_truth,
-    "decorrelated.covariance": words.decorrelated_covariance,
+    "bias.truth": debiased_conversion.bias_truth,
+    "bias.averaged": debiased_conversion.bias_averaged,
+    "covariance.truth": debiased_conversion.covariance_truth,
+    "covariance.averaged": debiased_conversion.covariance_averaged,
+    "unbiased.estimate": debiased_conversion.unbiased_estimate,
+    "unbiased.covariance": debiased_conversion.unbiased_covariance,
+    "posterior.estimate": debiased_conversion.posterior_estimate,
+    "posterior.covariance": debiased_conversion.covariance_truth,
+    "decorrelated.covariance": debiased_conversion.decorrelated_covariance,
 }
 TRUNCATED = {f"{word}.{order}" for word in WORDS for order in DEGREES}
 SHRINK = sympy.Symbol("shrink", real=True)

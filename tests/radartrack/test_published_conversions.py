@@ -12,8 +12,8 @@ import pytest
 import sympy as sp
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.models import models
-from radartrack.derive.variable import Variable
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.sensors import models
 
 Matrix = dict[tuple[int, ...], sp.Expr]
 SYMBOLS: dict[str, Variable] = {s.name: s for m in models().values() for s in (*m.measured, *m.noise_symbols)}

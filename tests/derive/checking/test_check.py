@@ -6,13 +6,13 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.catalogue import UnknownQuantity
-from radartrack.derive.checking import relatives
+from radartrack.derive.checking.conventions import other_quantity
+from radartrack.derive.checking.conventions.altered_question import Point
 from radartrack.derive.checking.display import shown
-from radartrack.derive.checking.reference import UnknownEntry, refer
-from radartrack.derive.checking.trial import Point
+from radartrack.derive.checking.question.compared_quantity import UnknownEntry, refer
 from radartrack.derive.checking.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.quantity import Quantity
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.units import METRE
 
 LINEAR = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"
@@ -201,13 +201,13 @@ def test_what_cannot_be_read_is_not_suggested() -> None:
 
 def test_only_quantities_of_the_printed_dimension_and_symbols_are_derived(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[Quantity] = []
-    values = relatives._values
+    values = other_quantity._values
 
     def noted(quantity: Quantity, point: Point) -> object:
         asked.append(quantity)
         return values(quantity, point)
 
-    monkeypatch.setattr(relatives, "_values", noted)
+    monkeypatch.setattr(other_quantity, "_values", noted)
     check("polar.decorrelated.covariance[0,0]", "predicted_sigma_r**2*cos(beta)**2")
     assert {quantity.unit((0, 0)) for quantity in asked} == {METRE**2}
     assert {quantity.name for quantity in asked} == {"polar.decorrelated.covariance"}

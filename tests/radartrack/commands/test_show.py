@@ -8,15 +8,15 @@ import pytest
 from typer.testing import CliRunner
 
 from radartrack.cli import app
-from radartrack.derive import printing
 from radartrack.derive.catalogue import catalogue, find
-from radartrack.derive.quantity import Quantity
-from radartrack.verification.sampling import sample
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.writing import quantity_text
+from radartrack.verification.domain_points import sample
 from tests import conversions
 from tests.written import module_of
 
 POLAR = [find(f"polar.{row}") for row in ("map", "hessian", "bias.truth", "covariance.averaged", "std.position")]
-FORMATS = {"text": printing.text, "latex": printing.latex, "python": printing.python}
+FORMATS = {"text": quantity_text.text, "latex": quantity_text.latex, "python": quantity_text.python}
 COMMENTS = {"text": "", "latex": "% ", "python": "# "}
 
 
@@ -33,7 +33,7 @@ def test_heading_and_formula_are_shown_for_the_whole_and_for_every_entry(quantit
         name = quantity.name if index is None else f"{quantity.name}[{','.join(map(str, index))}]"
         heading, _, formula = show(name, "--format", kind).partition("\n\n")
         assert formula == FORMATS[kind](quantity, index) + "\n"
-        assert [line.removeprefix(COMMENTS[kind]) for line in heading.splitlines()] == printing.heading(quantity)
+        assert [line.removeprefix(COMMENTS[kind]) for line in heading.splitlines()] == quantity_text.heading(quantity)
         assert all(line.startswith(COMMENTS[kind]) for line in heading.splitlines())
 
 

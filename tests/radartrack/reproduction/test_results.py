@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from radartrack.estimates import Estimate
+from radartrack._arrays.repeated_trials import Estimate
 from radartrack.reproduction.results import Finding, Reproduction, Table, columns, interval, number, table
 
 

@@ -9,16 +9,16 @@ import pytest
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.forms import form_of
-from radartrack.derive.quantity import Quantity
-from radartrack.derive.tensor import Tensor
-from radartrack.verification.accuracy import Accuracy
-from radartrack.verification.compilation import compiled
-from radartrack.verification.dimensions import Dimensions
-from radartrack.verification.identity import Identity
-from radartrack.verification.monte_carlo import MonteCarlo
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.stable.quantity_form import form_of
+from radartrack.verification.layers.dimensions import Dimensions
+from radartrack.verification.layers.identity import Identity
+from radartrack.verification.layers.monte_carlo import MonteCarlo
+from radartrack.verification.layers.quadrature import Quadrature
+from radartrack.verification.layers.ulp_search import Accuracy
 from radartrack.verification.outcome import Layer, Verdict, examined
-from radartrack.verification.quadrature import Quadrature
+from radartrack.verification.program_compilation import compiled
 
 LAYERS: list[Layer] = [Dimensions(), Identity(), Accuracy(points=60), Quadrature(), MonteCarlo(draws=1 << 20)]
 NUMERIC = {"ulp", "quadrature", "Monte Carlo"}

@@ -16,17 +16,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.verification import balls, mutants
-from radartrack.verification.accuracy import Accuracy
+from radartrack.verification import balls
 from radartrack.verification.balls import Balls, exact_arithmetic, trustworthy
 from radartrack.verification.campaign import Campaign, Effort
-from radartrack.verification.compilation import compiled
+from radartrack.verification.domain_points import sample
 from radartrack.verification.engines import Local
-from radartrack.verification.exact_sum import ExactSum
-from radartrack.verification.mutations import mutants as mutants_of
+from radartrack.verification.error_in_ulp import errors
+from radartrack.verification.layers import mutants
+from radartrack.verification.layers.formula_mutants import mutants as mutants_of
+from radartrack.verification.layers.ulp_search import Accuracy
 from radartrack.verification.outcome import Verdict
-from radartrack.verification.sampling import sample
-from radartrack.verification.ulp import errors
+from radartrack.verification.program_compilation import compiled
+from radartrack.verification.simulation.exact_sum import ExactSum
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 SMALL = Effort(points=40, nodes=1, draws=1 << 13, mutants=0)

@@ -11,18 +11,18 @@ from hypothesis import strategies as st
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.models import models
-from radartrack.derive.quantity import Quantity
-from radartrack.verification.best_weights import constrained_minimum
-from radartrack.verification.definitions import ROWS, defined
-from radartrack.verification.direct_series import DirectSeries
-from radartrack.verification.generating import GeneratingFunction
-from radartrack.verification.identity import Identity
-from radartrack.verification.jets import gaussian_moment, jets
-from radartrack.verification.least_squares import inverse
-from radartrack.verification.motions import drift, exponential
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.sensors import models
+from radartrack.verification.layers.identity import Identity
 from radartrack.verification.outcome import Verdict
-from radartrack.verification.point_sets import points_with
+from radartrack.verification.second_derivations.best_weights import constrained_minimum
+from radartrack.verification.second_derivations.definitions import ROWS, defined
+from radartrack.verification.second_derivations.direct_series import DirectSeries
+from radartrack.verification.second_derivations.exact_least_squares import inverse
+from radartrack.verification.second_derivations.matrix_exponential import drift, exponential
+from radartrack.verification.second_derivations.moment_generating_function import GeneratingFunction
+from radartrack.verification.second_derivations.point_sets import points_with
+from radartrack.verification.second_derivations.power_series import gaussian_moment, jets
 from tests import maps
 from tests.examples import share
 

@@ -1,0 +1,1 @@
+"""Whether and where a printed formula differs from the derived one, by numbers."""

@@ -1,0 +1,138 @@
+"""Where a printed formula is wrong: a round point at which it matters, and the worst over the domain."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from operator import itemgetter
+
+import mpmath
+
+from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values, is_real
+from radartrack.derive.checking.comparing.points import Point, domain_points, generic_points, round_points
+from radartrack.derive.checking.verdict import Counterexample
+from radartrack.derive.evaluation.floating_point import RoughEvaluator
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.language.tensor import Index, Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.symbolic import Expr
+
+MATTERS = 0.01  # a relative difference that nobody overlooks
+DOMAIN_POINTS = 40
+STEP = 0.5
+SAME = 1e-6  # relative differences that are one but for rounding
+
+
+def find_difference(comparison: Comparison, symbols: Sequence[Variable]) -> Values | None:
+    """The plainest round point at which the formulas differ by an amount that matters, else where they differ most.
+
+    Points of ordinary size come after the round ones, then points all over the domain.
+    """
+    found: list[Values] = []
+    for point in round_points(symbols):
+        values = comparison.differ_at(point)
+        if values is not None and values.relative >= MATTERS:
+            return values
+        found += [values] if values else []
+    if found:
+        return max(found, key=lambda values: values.relative)
+    others = (*generic_points(symbols, 6), *domain_points(symbols, 12))
+    return next((values for point in others if (values := comparison.differ_at(point))), None)
+
+
+@dataclass(frozen=True)
+class Worst:
+    """A relative difference and where it is."""
+
+    relative: float
+    point: Point
+
+
+class Relative:
+    """The difference of two formulas relative to a scale, ready to be evaluated.
+
+    Args:
+        printed, derived: the formulas.
+        squared_scale: its square, up to its sign; where that is zero, the printed formula is the scale.
+        symbols: of them all.
+    """
+
+    def __init__(self, printed: Expr, derived: Expr, squared_scale: Expr, symbols: Sequence[Variable]) -> None:
+        expressions = (printed - derived, printed, squared_scale)
+        self._names = [symbol.name for symbol in symbols]
+        self._exact = Evaluator(Tensor((3,), expressions), symbols)
+        self._rough = RoughEvaluator(expressions, symbols)
+
+    def at(self, point: Point) -> Worst:
+        """What it is at a point; nothing where a formula has no real value."""
+        try:
+            difference, printed, square = self._exact([point[name] for name in self._names])
+        except (ArithmeticError, ValueError):
+            return Worst(0.0, point)
+        size = mpmath.sqrt(abs(square)) or abs(printed)
+        compared = size and is_real(difference) and is_real(printed)
+        return Worst(float(abs(difference) / size) if compared else 0.0, point)
+
+    def at_most(self, point: Point) -> float:
+        """A bound on what it is, found in floating point."""
+        values = self._rough([point[name] for name in self._names])
+        if values is None:
+            return math.inf
+        (difference, error), _, (square, wrong) = values
+        return (abs(difference) + error) / math.sqrt(abs(square) - wrong) if abs(square) > wrong else math.inf
+
+
+def worst_over_domain(relative: Relative, symbols: Sequence[Variable], start: Point) -> Worst:
+    """The largest relative difference among points of the domain, improved along each symbol."""
+    best = _largest(relative.at(start), domain_points(symbols, DOMAIN_POINTS), relative)
+    for symbol in symbols:
+        moved = [best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP)]
+        best = _largest(best, moved, relative)
+    return best
+
+
+def _largest(best: Worst, points: Sequence[Point], relative: Relative) -> Worst:
+    """The largest of all; only what may exceed the best by more than rounding is evaluated exactly."""
+    bounds = sorted(((relative.at_most(point), point) for point in points), key=itemgetter(0), reverse=True)
+    for bound, point in bounds:
+        enough = best.relative * (1 + SAME)
+        if bound > enough and (found := relative.at(point)).relative > enough:
+            best = found
+    return best
+
+
+def counterexample(values: Values, entry: Index, worst: Worst, symbols: Sequence[Variable]) -> Counterexample:
+    """The point and the worst of the domain as data."""
+    return Counterexample(
+        point=values.point,
+        entry=entry,
+        printed=float(values.printed),
+        derived=float(values.derived),
+        relative_difference=values.relative,
+        units=_units(symbols),
+        largest_relative_difference=worst.relative,
+        largest_at=worst.point,
+    )
+
+
+def unreal_counterexample(imaginary: Imaginary, entry: Index, symbols: Sequence[Variable]) -> Counterexample:
+    """A point at which what is printed is no real number as data."""
+    return Counterexample(imaginary.point, entry, None, float(imaginary.derived), None, _units(symbols))
+
+
+def _units(symbols: Sequence[Variable]) -> dict[str, str]:
+    return {symbol.name: str(symbol.unit) for symbol in symbols}
+
+
+def _neighbours(symbol: Variable, point: Point, step: float) -> list[float]:
+    """The ends of the domain, and a step to either side."""
+    value = point[symbol.name]
+    high = min(symbol.high, point[symbol.at_most.name]) if symbol.at_most else symbol.high
+    if symbol.low > 0:
+        factor = (high / symbol.low) ** (step / 4)
+        beside = [value / factor, value * factor]
+    else:
+        beside = [value - (high - symbol.low) * step / 4, value + (high - symbol.low) * step / 4]
+    inside = [v for v in (symbol.low, *beside, high) if symbol.low <= v <= high]
+    return [float(round(v)) for v in inside] if symbol.whole else inside

@@ -1,0 +1,47 @@
+"""Decides the claims of a file, one after the other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from radartrack.derive.catalogue import UnknownQuantity
+from radartrack.derive.checking.check import check
+from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.number_claims import check_number
+from radartrack.derive.checking.question.compared_quantity import UnknownEntry
+from radartrack.derive.checking.verdict import Outcome, Verdict
+from radartrack.derive.formula.error import FormulaError
+
+
+def decide(claim: Claim) -> Verdict:
+    """The verdict on one claim.
+
+    Raises:
+        UnreadableClaim: naming the claim.
+    """
+    if claim.undecided:
+        return Verdict(Outcome.UNDECIDED, claim.quantity, claim.printed, "", claim.undecided)
+    try:
+        if not claim.is_formula:
+            return check_number(claim)
+        return check(
+            claim.quantity,
+            claim.formula or claim.latex,
+            latex=bool(claim.latex),
+            given=claim.given,
+            let=claim.let,
+        )
+    except (FormulaError, UnknownQuantity, UnknownEntry) as error:
+        raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
+
+
+def record(claim: Claim, verdict: Verdict) -> dict[str, Any]:
+    """A claim with its verdict as plain data."""
+    told = {
+        "id": claim.id,
+        "equation": claim.equation,
+        "page": claim.page,
+        "note": claim.note,
+        "at": dict(claim.at),
+    }
+    return told | verdict.record()

@@ -1,0 +1,1 @@
+"""What is asked: a printed formula, what it is compared with, under which conditions, and in which units."""

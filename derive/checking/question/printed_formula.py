@@ -1,0 +1,181 @@
+"""A printed formula with the names a paper uses, entry by entry."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from radartrack.derive.checking.question.compared_quantity import Reference
+from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.single_number import only_scalar
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import Fold
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.shape import shape
+from radartrack.derive.formula.to_expression import Reader
+from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Sum, Tree
+from radartrack.derive.language.tensor import Index, Tensor
+from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.text import read_text
+from radartrack.derive.symbolic import Expr, Symbol
+
+
+@dataclass(frozen=True)
+class Names:
+    """The names that a formula may use.
+
+    Attributes:
+        values: what each stands for in the quantity's symbols.
+        dimensions: and its dimension, where it has one.
+    """
+
+    values: Mapping[str, Expr]
+    dimensions: Mapping[str, Dimension]
+
+    def read(self, tree: Tree) -> Expr:
+        """A scalar tree in the quantity's symbols."""
+        return only_scalar(self._reader(tree), tree)
+
+    def dimension_of(self, tree: Tree) -> Dimension:
+        """The dimension of a scalar tree.
+
+        Raises:
+            WrongDimensions: when it has none.
+        """
+        return self._dimension_of(tree)
+
+    @cached_property
+    def _reader(self) -> Reader:
+        return Reader(self.values)
+
+    @cached_property
+    def _dimension_of(self) -> Fold[Dimension]:
+        return dimensions(self.dimensions)
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A formula as printed.
+
+    Attributes:
+        tree: the whole.
+        entries: its entries as trees.
+        expressions: the entries in the quantity's symbols.
+        names: what its names stand for.
+    """
+
+    tree: Tree
+    entries: Tensor[Tree]
+    expressions: Tensor[Expr]
+    names: Names
+
+    @property
+    def text(self) -> str:
+        """The formula as it was read."""
+        return to_text(self.tree)
+
+    @property
+    def dimensions(self) -> Tensor[Dimension | None]:
+        """The dimension of each entry; None where terms of different dimension are added, and the like."""
+        return self.entries.map(self._dimension)
+
+    def _dimension(self, entry: Tree) -> Dimension | None:
+        try:
+            return self.names.dimension_of(entry)
+        except WrongDimensions:
+            return None
+
+
+def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
+    """The quantity's symbols, and the paper's own names for expressions in them.
+
+    Raises:
+        FormulaError: for a definition that cannot be read, or a name that is already taken.
+    """
+    values: dict[str, Expr] = {symbol.name: symbol for symbol in reference.symbols}
+    dimensions = {symbol.name: Dimension.of(symbol.unit) for symbol in reference.symbols}
+    for name, definition in let.items():
+        if name in values:
+            raise FormulaError(f"let {name}: {name} is already a symbol of {reference.text}")
+        known = Names(dict(values), dict(dimensions))
+        tree, values[name] = _definition("let", name, definition, known)
+        dimensions[name] = _dimension(tree, known)
+    return Names(values, dimensions)
+
+
+def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbol, Expr]:
+    """What symbols are replaced by under the conditions.
+
+    Raises:
+        FormulaError: for a condition that cannot be read, or a name that is no symbol of the quantity.
+    """
+    symbols = {symbol.name: symbol for symbol in reference.symbols}
+    conditions: dict[Symbol, Expr] = {}
+    for name, value in given.items():
+        if name not in symbols:
+            raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
+        _, conditions[symbols[name]] = _definition("given", name, value, Names(symbols, {}))
+    return conditions
+
+
+def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) -> Printed:
+    """Read a formula of the expected shape.
+
+    Raises:
+        FormulaError: when it cannot be read, or has another shape.
+    """
+    tree = (read_latex if latex else read_text)(formula, names.values)
+    found = shape(tree)
+    if found != expected:
+        raise FormulaError(f"the formula is {_spoken(found)}, the quantity is {_spoken(expected)}")
+    entries = Tensor.build(expected, lambda *index: entry_of(tree, index))
+    try:
+        return Printed(tree, entries, entries.map(names.read), names)
+    except FormulaError as error:
+        raise error.within(formula) from None
+
+
+def entry_of(tree: Tree, index: Index) -> Tree:
+    """One entry of a formula of arrays, factors and terms distributed to it."""
+    if not index:
+        return tree
+    match tree:
+        case Array(entries):
+            return entry_of(entries[index[0]], index[1:])
+        case Sum(terms):
+            return Sum(tuple(entry_of(term, index) for term in terms))
+        case Negation(operand):
+            return Negation(entry_of(operand, index))
+        case Quotient(numerator, denominator):
+            return Quotient(entry_of(numerator, index), denominator)
+        case Product(factors):
+            return _factors(factors, index)
+        case _:
+            return tree
+
+
+def _factors(factors: tuple[Tree, ...], index: Index) -> Tree:
+    chosen = tuple(entry_of(factor, index) if shape(factor) else factor for factor in factors)
+    kept = tuple(factor for factor in chosen if factor != Number("1")) or (Number("1"),)
+    flat = tuple(part for factor in kept for part in (factor.factors if isinstance(factor, Product) else (factor,)))
+    return flat[0] if len(flat) == 1 else Product(flat)
+
+
+def _definition(kind: str, name: str, text: str, known: Names) -> tuple[Tree, Expr]:
+    try:
+        tree = read_text(text, known.values)
+        return tree, known.read(tree)
+    except FormulaError as error:
+        raise FormulaError(f"{kind} {name}: {error.message}", error.source or text, error.span) from None
+
+
+def _dimension(tree: Tree, known: Names) -> Dimension:
+    try:
+        return known.dimension_of(tree)
+    except WrongDimensions as error:
+        raise FormulaError(f"a definition has no dimension: {error}") from None
+
+
+def _spoken(one: Index) -> str:
+    return f"an array of shape {list(one)}" if one else "a scalar"

@@ -1,0 +1,1 @@
+"""The smallest edits that would make a printed formula right."""

@@ -1,0 +1,340 @@
+"""Searches a printed formula for edits that give it the values it should have.
+
+From what the whole formula should be worth at some points follows, step by step down the tree, what each of its
+parts would have to be worth there. An edit of a part is right when it is worth that: so thousands are screened in no
+time, and a factor or term that is missing shows in the ratio or the difference.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from operator import sub, truediv
+from typing import TypeAlias
+
+from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.repairing.known_parts import Pieces
+from radartrack.derive.checking.repairing.monomial_fit import Fitter, Monomial, number_tree
+from radartrack.derive.checking.repairing.print_slips import (
+    PERIODIC,
+    Alternative,
+    alternatives,
+    everywhere,
+    exchanged,
+    exchanges,
+    other_numbers,
+)
+from radartrack.derive.evaluation.tree_values import OPERATIONS, Program, Screen, Values, close, combined
+from radartrack.derive.formula.fold import Fold, rebuild
+from radartrack.derive.formula.tree import (
+    Call,
+    Name,
+    Negation,
+    Number,
+    Path,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    children,
+    parts,
+    replace_at,
+    walk,
+)
+from radartrack.derive.formula.tree import (
+    names as names_of,
+)
+
+QUICK = 2  # points that rule out nearly every edit
+FACTORS = 13
+FIRST_EDITS = 150
+LIKELY = 1.2  # the cost of an edit that may be one of two
+PLAIN = 2.0  # the cost of one edit that is likelier than any two
+SCATTERED = 0.6  # the cost of each different symbol of a factor after the second
+LARGE = 60  # nodes from which two edits at once are not looked for
+HUGE = 500  # nodes from which one edit in one place is enough
+PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
+MOST_COMPLEX = 6
+
+Terms: TypeAlias = frozenset[Values | None]  # by what they are worth
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A formula after one edit or two, the edit in words, and how unlikely the slip is."""
+
+    tree: Tree
+    words: str
+    cost: float
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A part of the printed formula, and what it would have to be worth.
+
+    Attributes:
+        path: where it stands.
+        node: what is printed.
+        parent: what it is directly part of; None for the whole formula.
+        needed: what it would have to be worth.
+        is_all: whether it is the whole formula but for signs.
+    """
+
+    path: Path
+    node: Tree
+    parent: Tree | None
+    needed: Values
+    is_all: bool
+
+    @property
+    def is_shared(self) -> bool:
+        """Whether a factor, divisor or sign of this part is one of its parent just as well."""
+        return isinstance(self.parent, Product | Quotient | Negation)
+
+
+class Search:
+    """The points, what is wanted there, and the factors that may be missing.
+
+    Args:
+        screen: the points.
+        target: what the formula should be worth there.
+        names: what a formula may use.
+        printed: the formula as it stands.
+        derived: what it should be, as it may be printed.
+    """
+
+    def __init__(self, screen: Screen, target: Values, names: Names, printed: Tree, derived: Sequence[Tree]) -> None:
+        self._screen = screen
+        self._quick = screen.first(min(QUICK, screen.size))
+        self._target = target
+        self._kinds = {name: names.dimensions[name] for name in screen.names}
+        symbols = [name for name in screen.names if names.values[name].is_Symbol]
+        self._fitter = Fitter(self._factors(symbols, (printed, *derived)), screen.size)
+        self._pieces = Pieces((*derived, printed), screen)
+        self._derived = derived
+
+    def edits(self, tree: Tree) -> list[Candidate]:
+        """One edit, or one that runs through the formula; where there is no likely one, two."""
+        size = Fold[int](lambda _, below: 1 + sum(below))(tree)
+        found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
+        found = found or list(self._single(tree))
+        if not found or size <= HUGE:
+            found += self._everywhere(tree)
+        if size <= LARGE and not any(candidate.cost <= PLAIN for candidate in found):
+            found += self._double(tree)
+        return sorted(found, key=lambda candidate: candidate.cost)
+
+    def _right_terms(self, tree: Tree) -> Terms:
+        """Those that stand in different sums of the formula no more often than in those of the derived one."""
+        printed, derived = self._terms([tree]), self._terms(self._derived)
+        return frozenset(term for term, count in printed.items() if count <= derived[term])
+
+    def _terms(self, trees: Sequence[Tree]) -> Counter[Values | None]:
+        """How often terms of these values stand in different sums."""
+        sums = [node for node in parts(*trees) if isinstance(node, Sum)]
+        return Counter(_rounded(self._quick(term)) for node in sums for term in node.terms)
+
+    def _everywhere(self, tree: Tree) -> Iterator[Candidate]:
+        program = Program(tree)
+        point = {name: values[0] for name, values in self._screen.names.items()}
+        for edit in everywhere(sorted(names_of(tree)), self._kinds):
+            if edit.values is not None:
+                changed = {name: value(point) for name, value in edit.values.items()}
+                if not close(program(point | changed), self._target[:1]):
+                    continue
+            edited = rebuild(tree, edit.change)
+            if edited is not tree and self._is_worth(edited, self._target):
+                yield Candidate(edited, edit.words, edit.cost)
+
+    def _is_worth(self, tree: Tree, needed: Values) -> bool:
+        return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
+
+    def _single(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Candidate]:
+        for part in self._parts(tree, besides):
+            for edit in self._replacements(part):
+                yield Candidate(replace_at(tree, part.path, edit.tree), edit.words, edit.cost)
+
+    def _double(self, tree: Tree) -> Iterator[Candidate]:
+        firsts = [
+            Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
+            for path, node in walk(tree)
+            for edit in (*alternatives(node, self._kinds), *exchanged(node), *other_numbers(node))
+            if edit.cost <= LIKELY
+        ]
+        for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
+            if self._is_worth(first.tree, self._target):
+                yield first
+                continue
+            for second in self._single(first.tree):
+                if second.tree != tree and second.cost < 2:
+                    yield Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
+
+    def _parts(self, tree: Tree, besides: Terms) -> Iterator[_Part]:
+        """Every part of which can be said what it would have to be worth, besides these terms of sums."""
+        waiting = [_Part((), tree, None, self._target, is_all=True)]
+        while waiting:
+            part = waiting.pop()
+            wanted = self._screen.required(part.node, part.needed)
+            yield part
+            for place, (child, needed) in enumerate(zip(children(part.node), wanted, strict=False)):
+                is_right = isinstance(part.node, Sum) and _rounded(self._quick(child)) in besides
+                if needed is not None and not is_right:
+                    is_all = part.is_all and isinstance(part.node, Negation)
+                    waiting.append(_Part((*part.path, place), child, part.node, needed, is_all))
+
+    def _replacements(self, part: _Part) -> Iterator[Alternative]:
+        for edit in alternatives(part.node, self._kinds):
+            if self._is_worth(edit.tree, part.needed):
+                yield edit
+        yield from self._exchanges(part)
+        yield from self._number(part)
+        if close(part.needed, self._screen.constant(0)):
+            yield Alternative(Number("0"), "{} should be 0", 1.2, (part.node,))
+            return
+        ratio = self._fitter.fit(self._by(truediv, part))
+        if ratio is not None:
+            yield from self._sign_or_factor(part, ratio)
+            return
+        yield from self._piece_as_factor(part)
+        yield from self._piece_as_term(part)
+        yield from self._other_piece(part)
+        yield from self._missing_term(part)
+        yield from self._other_term(part)
+
+    def _exchanges(self, part: _Part) -> Iterator[Alternative]:
+        """Other neighbouring terms or factors, weighed by what the rest of them make together."""
+        node = part.node
+        if not isinstance(node, Sum | Product):
+            return
+        before, after = self._quick.running(node)
+        for one in exchanges(node):
+            values = combined(OPERATIONS[type(node)], before[one.place], *map(self._quick, one.new), after[one.end])
+            if close(values, part.needed[:QUICK]) and close(self._screen((edit := one.of(node)).tree), part.needed):
+                yield edit
+
+    def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
+        """What is needed by what is printed: the ratio or the difference."""
+        return combined(operation, part.needed, self._screen(part.node))
+
+    def _piece_as_factor(self, part: _Part) -> Iterator[Alternative]:
+        """A part of the derived formula that is missing as a factor or a divisor."""
+        if part.is_shared:
+            return
+        ratio = self._by(truediv, part)
+        for piece, sign in self._pieces.find(ratio):
+            yield Alternative(_signed(_product(part.node, piece), sign), "a missing factor {}", 2.0, (piece,))
+        for piece, sign in self._pieces.find(ratio and combined(lambda value: 1 / value, ratio)):
+            yield Alternative(_signed(Quotient(part.node, piece), sign), "a missing divisor {}", 2.0, (piece,))
+
+    def _piece_as_term(self, part: _Part) -> Iterator[Alternative]:
+        """A part of the derived formula that is missing as a term; of a sum it is one, whatever its sign."""
+        if isinstance(part.parent, Sum | Negation):
+            return
+        for piece, sign in self._pieces.find(self._by(sub, part)):
+            yield Alternative(Sum((*_terms(part.node), _signed(piece, sign))), "a missing term {}", 2.0, (piece,))
+
+    def _other_piece(self, part: _Part) -> Iterator[Alternative]:
+        """A part of the derived formula for which another stands; all of it for all of it would be no edit."""
+        if part.is_all or isinstance(part.node, Number | Name):
+            return
+        for piece, sign in self._pieces.find(part.needed):
+            tree = _signed(piece, sign)
+            yield Alternative(tree, "{} should be {}", 2.5, (part.node, tree))
+
+    def _number(self, part: _Part) -> Iterator[Alternative]:
+        """A number that should be another."""
+        if not _is_number(part.node) or (isinstance(part.node, Number) and isinstance(part.parent, Negation)):
+            return
+        monomial = self._fitter.fit(part.needed)
+        if monomial is not None and monomial.is_number:
+            tree = number_tree(monomial.number)
+            cost = 1.0 if monomial.number > 0 else 1.6
+            yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
+
+    def _sign_or_factor(self, part: _Part, ratio: Monomial) -> Iterator[Alternative]:
+        if part.is_shared or ratio.complexity > MOST_COMPLEX:
+            return
+        node = part.node
+        signed = node
+        if ratio.number < 0:
+            signed = node.operand if isinstance(node, Negation) else Negation(node)
+        if not ratio.is_number or abs(ratio.number) != 1:
+            kind = "a missing factor" if ratio.number > 0 else "a factor"
+            cost = 1.5 + 0.3 * ratio.complexity + SCATTERED * max(len(ratio.powers) - 2, 0)
+            where, about = ("", ()) if part.is_all else (" of {}", (node,))
+            yield Alternative(_times(signed, ratio), f"{kind} {{}}{where}", cost, (ratio.signed(), *about))
+        elif ratio.number < 0 and not isinstance(part.parent, Sum):
+            cost = 1.4 if isinstance(part.parent, Call | Power) else 1.0
+            yield Alternative(signed, "the sign of {}", cost, (node,))
+
+    def _missing_term(self, part: _Part) -> Iterator[Alternative]:
+        if not isinstance(part.node, Sum) and part.parent is not None:
+            return
+        rest = self._fitter.fit(self._by(sub, part))
+        if rest is not None and rest.complexity <= 2 * MOST_COMPLEX:
+            term = rest.signed()
+            tree = Sum((*_terms(part.node), term))
+            yield Alternative(tree, "a missing term {}", 2.0 + 0.2 * rest.complexity, (term,))
+
+    def _other_term(self, part: _Part) -> Iterator[Alternative]:
+        if not isinstance(part.parent, Sum) or isinstance(part.node, Number):
+            return
+        term = self._fitter.fit(part.needed)
+        if term is not None and term.complexity <= 2 * MOST_COMPLEX:
+            cost = 2.2 + 0.2 * term.complexity
+            yield Alternative(term.signed(), "{} should be {}", cost, (part.node, term.signed()))
+
+    def _factors(self, symbols: Sequence[str], trees: Sequence[Tree]) -> list[tuple[Tree, Values]]:
+        """What a missing factor may consist of: the symbols, and functions like those that occur.
+
+        A factor that follows from earlier ones is not seen. A function therefore comes with its partner: sin(2*x)
+        follows from sin(x) and cos(x). An angle comes last: its powers are nearly those of its sine and cosine.
+        """
+        calls = [node for node in parts(*trees) if isinstance(node, Call)]
+        paired = [call for call in calls if call.function in PARTNERS]
+        pairs = [one for call in paired for one in (call, Call(PARTNERS[call.function], call.arguments))]
+        growth = [call for call in calls if call.function == "exp"]
+        angles = frozenset[str]().union(*(names_of(call) for call in paired if call.function in PERIODIC))
+        first, last = ([Name(name) for name in symbols if (name in angles) is is_angle] for is_angle in (False, True))
+        factors: list[Tree] = [*first, *pairs, *growth, *last]
+        found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
+        return [(tree, values) for tree, values in found if values is not None][:FACTORS]
+
+
+def _rounded(values: Values | None) -> Values | None:
+    return values and tuple(float(f"{value:.8e}") for value in values)
+
+
+def _terms(tree: Tree) -> tuple[Tree, ...]:
+    return tree.terms if isinstance(tree, Sum) else (tree,)
+
+
+def _is_number(tree: Tree) -> bool:
+    """Whether it is a rational number as it is written."""
+    if isinstance(tree, Negation | Quotient):
+        return all(isinstance(child, Number) for child in children(tree))
+    return isinstance(tree, Number)
+
+
+def _signed(tree: Tree, sign: int) -> Tree:
+    return tree if sign > 0 else Negation(tree)
+
+
+def _times(node: Tree, factor: Monomial) -> Tree:
+    """The node with a factor, whose sign the node has already."""
+    if isinstance(node, Negation):
+        return Negation(_times(node.operand, factor))
+    tree = factor.tree()
+    above, below = (tree.numerator, tree.denominator) if isinstance(tree, Quotient) else (tree, None)
+    if isinstance(node, Quotient) and below is None:
+        return Quotient(_product(above, node.numerator), node.denominator)
+    product = _product(above, node)
+    return product if below is None else Quotient(product, below)
+
+
+def _product(first: Tree, second: Tree) -> Tree:
+    parts = [part for tree in (first, second) for part in (tree.factors if isinstance(tree, Product) else (tree,))]
+    kept = tuple(part for part in parts if part != Number("1")) or (Number("1"),)
+    return kept[0] if len(kept) == 1 else Product(kept)

@@ -1,0 +1,142 @@
+"""Suggests the smallest edits of a printed formula that make it right: what the search finds, proved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.checking.comparing.numerical_comparison import Comparison
+from radartrack.derive.checking.comparing.points import domain_points, generic_points
+from radartrack.derive.checking.display import as_printed
+from radartrack.derive.checking.question.conditions import under
+from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.repairing.edit_search import Candidate, Search
+from radartrack.derive.evaluation.floating_point import RoughEvaluator
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.tree_values import Screen, Values
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import Fold, rebuild
+from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
+from radartrack.derive.formula.magnitude import magnitudes
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import Call, Number, Power, Product, Sum, Tree, parts
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.grammar import check_tree
+from radartrack.derive.symbolic import Expr, Symbol
+
+ZERO = Number("0")
+SIZE = 18
+DIGITS = 20
+GOOD = 1e-10  # relative error of a value that edits are screened by
+ENOUGH = 5
+EVERYWHERE = 12  # points of the domain, where signs and branches are others
+FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
+
+
+@dataclass(frozen=True)
+class Edited:
+    """A formula after an edit that makes it right."""
+
+    formula: str
+    edit: str
+    cost: float
+    proved: bool
+
+
+def suggest(
+    printed: Tree, names: Names, derived: Expr, symbols: Sequence[Variable], conditions: Mapping[Symbol, Expr]
+) -> list[Edited]:
+    """The edits that make a printed formula equal to the derived one, the smallest first."""
+    points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
+    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.values.items()}
+    target = _values(derived, symbols, points)
+    if target is None:
+        return []
+    screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
+    search = Search(screen, target, names, printed, _derived_trees(derived))
+    found = search.edits(printed)
+    return list(_confirmed(found, names, derived, symbols, conditions))
+
+
+def _derived_trees(derived: Expr) -> list[Tree]:
+    """The derived formula as it would be printed, where the readers know its functions."""
+    tree = as_printed(derived)
+    calls = (node.function for node in parts(tree) if isinstance(node, Call))
+    return [tree] if NUMBER_OF_ARGUMENTS.keys() >= set(calls) else []
+
+
+def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
+    rough = RoughEvaluator([expression], symbols)
+    found = [rough(point) for point in points]
+    try:
+        if all(one and one[0][1] <= GOOD * abs(one[0][0]) for one in found):
+            return tuple(one[0][0] for one in found if one)
+        exact = Evaluator(Tensor((), (expression,)), symbols, DIGITS)
+        return tuple(float(exact(point).entries[0]) for point in points)
+    except (ArithmeticError, TypeError, ValueError):
+        return None
+
+
+def _confirmed(
+    candidates: Sequence[Candidate],
+    names: Names,
+    derived: Expr,
+    symbols: Sequence[Variable],
+    conditions: Mapping[Symbol, Expr],
+) -> Iterator[Edited]:
+    """Those that can be read and are right, the best first; those that are not proved are said to be so.
+
+    Each formula comes once, in whatever order its terms and factors stand.
+    """
+    seen: set[str] = set()
+    measure, written = magnitudes(), Fold(_in_any_order)
+    best = math.inf
+    for candidate in candidates:
+        if len(seen) >= ENOUGH or candidate.cost > best + FARTHER:
+            return
+        tidied = _tidied(candidate.tree)
+        if written(tidied) in seen:
+            continue
+        try:
+            expression = under(conditions, names.read(check_tree(candidate.tree, measure)))
+        except FormulaError:
+            continue
+        seen.add(written(tidied))
+        proved = proved_equal(expression, derived)
+        if proved or _confirmed_by_numbers(expression, derived, symbols):
+            best = min(best, candidate.cost)
+            yield Edited(to_text(tidied), candidate.words, candidate.cost, proved)
+
+
+def _in_any_order(node: Tree, below: Sequence[str]) -> str:
+    """The same for formulas that differ in the order of terms and factors."""
+    if not below:
+        return to_text(node)
+    kind = node.function if isinstance(node, Call) else type(node).__name__
+    ordered = sorted(below) if isinstance(node, Sum | Product) else below
+    return f"{kind}({', '.join(ordered)})"
+
+
+def _tidied(tree: Tree) -> Tree:
+    """The tree with x for x**1 and for 0 + x."""
+    return rebuild(tree, _plain)
+
+
+def _plain(node: Tree) -> Tree:
+    match node:
+        case Power(base, Number("1")):
+            return base
+        case Sum(terms) if ZERO in terms:
+            kept = tuple(term for term in terms if term != ZERO) or (ZERO,)
+            return kept[0] if len(kept) == 1 else Sum(kept)
+        case _:
+            return node
+
+
+def _confirmed_by_numbers(expression: Expr, derived: Expr, symbols: Sequence[Variable]) -> bool:
+    comparison = Comparison(expression, derived, symbols)
+    points = (*generic_points(symbols, ENOUGH), *domain_points(symbols, EVERYWHERE))
+    return all(comparison.differ_at(point) is None for point in points)

@@ -1,0 +1,136 @@
+"""Evaluates formulas as they were derived in arithmetic of many digits, the yardstick for generated code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import mpmath
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.symbolic import Expr, Symbol
+
+DIGITS = 50
+GUARD = 90  # an unstable textbook form may lose as many digits as a fourth power of 1e-9 against 1e8 squared
+Number = Any
+
+LARGEST_EXPONENT = 1e6
+
+
+def _growing(function: Callable[[Number], Number]) -> Callable[[Number], Number]:
+    """The function, refusing arguments at which it would take for ever."""
+
+    def bounded(argument: Number) -> Number:
+        if abs(argument) > LARGEST_EXPONENT:
+            raise OverflowError(f"the exponential of {mpmath.nstr(argument, 3)} is not evaluated")
+        return function(argument)
+
+    return bounded
+
+
+def _hypot(first: Number, second: Number) -> Number:
+    return mpmath.sqrt(first * first + second * second)
+
+
+def _atan2(above: Number, beside: Number) -> Number:
+    """Of complex numbers, which the root of a negative one gives, by the logarithm; mpmath's own is for real ones."""
+    if isinstance(above, mpmath.mpf) and isinstance(beside, mpmath.mpf):
+        return mpmath.atan2(above, beside)
+    return -mpmath.j * mpmath.log((beside + mpmath.j * above) / _hypot(above, beside))
+
+
+_FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
+    sp.Abs: mpmath.fabs,
+    sp.acos: mpmath.acos,
+    sp.asin: mpmath.asin,
+    sp.atan: mpmath.atan,
+    sp.atan2: _atan2,
+    sp.cos: mpmath.cos,
+    sp.cosh: _growing(mpmath.cosh),
+    sp.erf: mpmath.erf,
+    sp.exp: _growing(mpmath.exp),
+    sp.expm1: _growing(mpmath.expm1),
+    sp.hypot: _hypot,
+    sp.log: mpmath.log,
+    sp.ratio: lambda above, below: above / below if below else mpmath.mpf(0),
+    sp.sin: mpmath.sin,
+    sp.sinh: _growing(mpmath.sinh),
+    sp.tan: mpmath.tan,
+    sp.tanh: mpmath.tanh,
+}
+
+
+class Evaluator:
+    """A tensor of expressions, prepared for evaluation at many points.
+
+    Every distinct subexpression is computed once a point.
+    """
+
+    def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol], digits: int = DIGITS) -> None:
+        self._precision = digits + GUARD
+        self._positions: dict[Expr, int] = {symbol: i for i, symbol in enumerate(symbols)}
+        self._steps: list[tuple[Callable[..., Number], tuple[int, ...]]] = []
+        self._arity = len(symbols)
+        self._results = [self._add(entry) for entry in entries]
+        self._shape = entries.shape
+
+    def __call__(self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0) -> Tensor[Number]:
+        """The entries at one point, given in the order of the symbols; floats are taken as exact.
+
+        Args:
+            point: the values of the symbols.
+            more_digits: beyond those for which this was made.
+
+        Raises:
+            OverflowError: for an exponential of more than a million.
+        """
+        values = point.values() if isinstance(point, Mapping) else point
+        with mpmath.workdps(self._precision + more_digits):
+            slots: list[Number] = [mpmath.mpf(value) for value in values]
+            for operation, operands in self._steps:
+                slots.append(operation(*(slots[i] for i in operands)))
+            return Tensor(self._shape, tuple(slots[i] for i in self._results))
+
+    def _add(self, expression: Expr) -> int:
+        if expression not in self._positions:
+            step = self._step(expression)
+            self._positions[expression] = self._arity + len(self._steps)
+            self._steps.append(step)
+        return self._positions[expression]
+
+    def _step(self, expression: Expr) -> tuple[Callable[..., Number], tuple[int, ...]]:
+        if isinstance(expression, sp.Rational):
+            numerator, denominator = int(expression.p), int(expression.q)
+            return lambda: mpmath.mpf(numerator) / denominator, ()
+        if expression in (sp.pi, sp.E):
+            return (lambda: +mpmath.pi) if expression == sp.pi else (lambda: +mpmath.e), ()
+        operands = tuple(self._add(argument) for argument in expression.args)
+        if isinstance(expression, sp.Add):
+            return lambda *terms: mpmath.fsum(terms), operands
+        if isinstance(expression, sp.Mul):
+            return _product, operands
+        if isinstance(expression, sp.Pow):
+            return _power(expression, operands)
+        return _FUNCTIONS[expression.func], operands
+
+
+def _product(*factors: Number) -> Number:
+    result = factors[0]
+    for factor in factors[1:]:
+        result = result * factor
+    return result
+
+
+def _power(expression: Expr, operands: tuple[int, ...]) -> tuple[Callable[..., Number], tuple[int, ...]]:
+    if isinstance(expression.exp, sp.Integer):
+        exponent = int(expression.exp)
+        return lambda base: base**exponent, operands[:1]
+    return lambda base, power: base**power, operands
+
+
+def evaluate(expression: Expr, values: Mapping[Symbol, float], digits: int = DIGITS) -> Number:
+    """One expression at one point."""
+    names: Iterable[Symbol] = values
+    evaluator = Evaluator(Tensor((), (expression,)), list(names), digits)
+    return evaluator(list(values.values())).entries[0]

@@ -1,0 +1,117 @@
+"""A measurement model: what is measured, with which errors, and how it maps to Cartesian coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from radartrack.derive.language.identifiers import require_names
+from radartrack.derive.language.quantity import Source
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.units import Unit
+
+Covariance = tuple[tuple[Expr, ...], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A conversion of measurements z = θ + w, w ~ N(0, K), to coordinates h(θ).
+
+    Attributes:
+        name: the first part of the names of its quantities.
+        title: one line in the field's words.
+        measured: θ, the measured quantities.
+        deviations: the standard deviations of their errors, in the same order.
+        correlations: pairs of measured quantities with correlated errors, and the symbol of the correlation.
+        outputs: name and expression of each coordinate.
+        units: the unit of each coordinate.
+        source: where the map stands in print.
+        parameters: symbols of the map that are known and carry no error, such as a baseline.
+
+    Raises:
+        ValueError: when the parts do not fit each other.
+    """
+
+    name: str
+    title: str
+    measured: tuple[Variable, ...]
+    deviations: tuple[Variable, ...]
+    outputs: Mapping[str, Expr]
+    units: tuple[Unit, ...]
+    source: Source
+    correlations: Mapping[tuple[Variable, Variable], Variable] = field(default_factory=dict)
+    parameters: tuple[Variable, ...] = ()
+
+    def __post_init__(self) -> None:
+        require_names("the model's name", [self.name])
+        if len(self.deviations) != len(self.measured):
+            raise ValueError(
+                f"deviations must be one for each measured quantity: given {len(self.deviations)}, "
+                f"measured {len(self.measured)}"
+            )
+        if len(self.units) != len(self.outputs):
+            raise ValueError(f"units must be one for each output: given {len(self.units)} for {len(self.outputs)}")
+        for pair in self.correlations:
+            if len(set(pair)) != 2 or not set(pair) <= set(self.measured):
+                raise ValueError(f"correlations must join two different measured quantities, given {pair}")
+        require_names("a symbol's name", [symbol.name for symbol in self.symbols])
+        for output, expression in self.outputs.items():
+            unknown = expression.free_symbols - set(self.arguments)
+            if unknown:
+                allowed = ", ".join(symbol.name for symbol in self.arguments)
+                raise ValueError(f"output {output} may use {allowed} only, given also {sorted(map(str, unknown))}")
+
+    @property
+    def map(self) -> Tensor[Expr]:
+        """h(θ), shape [out]."""
+        return Tensor((len(self.outputs),), tuple(self.outputs.values()))
+
+    @property
+    def arguments(self) -> tuple[Variable, ...]:
+        """What the map is a function of: the measured quantities, then the parameters."""
+        return (*self.measured, *self.parameters)
+
+    @property
+    def symbols(self) -> tuple[Variable, ...]:
+        """Every symbol that a quantity of the model can hold."""
+        return (*self.arguments, *self.noise_symbols, *self.prediction_symbols)
+
+    @property
+    def noise_symbols(self) -> tuple[Variable, ...]:
+        """Standard deviations, then correlations."""
+        return (*self.deviations, *self.correlations.values())
+
+    @property
+    def covariance(self) -> Covariance:
+        """K, the error covariance of the measurement."""
+        return self._covariance({symbol: symbol for symbol in self.noise_symbols})
+
+    @property
+    def prediction_symbols(self) -> tuple[Variable, ...]:
+        """The deviations and correlations of a prediction of θ."""
+        return tuple(predicted(symbol) for symbol in self.noise_symbols)
+
+    @property
+    def prediction_covariance(self) -> Covariance:
+        """Kₚ, the covariance of a prediction of θ."""
+        return self._covariance({symbol: predicted(symbol) for symbol in self.noise_symbols})
+
+    def _covariance(self, names: Mapping[Variable, Variable]) -> Covariance:
+        deviation = {of: names[sigma] for of, sigma in zip(self.measured, self.deviations, strict=True)}
+        both_ways = dict(self.correlations) | {(b, a): rho for (a, b), rho in self.correlations.items()}
+
+        def entry(a: Variable, b: Variable) -> Expr:
+            if a is b:
+                return deviation[a] ** 2
+            return names[both_ways[a, b]] * deviation[a] * deviation[b] if (a, b) in both_ways else a * 0
+
+        return tuple(tuple(entry(a, b) for b in self.measured) for a in self.measured)
+
+
+def predicted(symbol: Variable) -> Variable:
+    """The symbol of a prediction's own deviation or correlation."""
+    meaning = symbol.meaning.replace("the error", "the prediction").replace("the errors", "the predictions")
+    domain = symbol.low, symbol.high
+    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, *domain, is_correlation=symbol.is_correlation)

@@ -1,0 +1,1 @@
+"""How targets move from scan to scan: transitions and process noise."""

@@ -1,0 +1,61 @@
+"""Reads printed formulas, typed or in LaTeX, as data: nothing in them is ever evaluated as Python.
+
+`read_text` and `read_latex` give a tree that keeps what was printed; `to_text` and `to_latex` print it again,
+and `to_expression` makes algebra of it. What cannot be read, is ambiguous or too large raises `FormulaError`.
+"""
+
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.printing import to_latex, to_text
+from radartrack.derive.formula.shape import shape
+from radartrack.derive.formula.to_expression import Expression, to_expression
+from radartrack.derive.formula.tree import (
+    Array,
+    Call,
+    Constant,
+    Name,
+    Negation,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    children,
+    names,
+    replace_at,
+    subtree,
+    walk,
+    with_children,
+)
+from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.text import read_text
+
+__all__ = [
+    "Array",
+    "Call",
+    "Constant",
+    "Expression",
+    "FormulaError",
+    "Name",
+    "Negation",
+    "Number",
+    "Power",
+    "Product",
+    "Quotient",
+    "Sum",
+    "Tree",
+    "children",
+    "names",
+    "read_latex",
+    "read_text",
+    "rebuild",
+    "replace_at",
+    "shape",
+    "subtree",
+    "to_expression",
+    "to_latex",
+    "to_text",
+    "walk",
+    "with_children",
+]

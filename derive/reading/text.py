@@ -1,0 +1,100 @@
+"""Reads a formula as one types it: `r**2*exp(-2*sigma_beta**2)*(cosh(sigma_beta**2) - 1)`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from functools import cache
+from typing import cast
+
+from lark import Lark, Token, UnexpectedInput, UnexpectedToken
+
+from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.limits import check_brackets, check_count
+from radartrack.derive.formula.tree import Constant, Name, Tree
+from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
+from radartrack.derive.reading.characters import check_characters
+from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
+from radartrack.derive.reading.text_hints import hint
+
+_BRACKETS = {"(": ")", "[": "]"}
+_OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*)")
+
+
+def read_text(text: str, names: Collection[str]) -> Tree:
+    """Read a formula in these symbols, and `pi`, `e` and `E` where they are not among them.
+
+    Raises:
+        FormulaError: when it is no such formula, or too large.
+        ValueError: when one of the names is a function's.
+    """
+    allowed = check_names(names)
+    check_characters(text, allowed)
+    try:
+        check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]]", text)], _BRACKETS)
+        check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
+        return finished(_parse(text, allowed), lambda node: _resolved(node, allowed))
+    except FormulaError as error:
+        raise error.within(text) from None
+
+
+class _TextBuilder(TreeBuilder):
+    def call(self, parts: Sequence[Part]) -> Tree:
+        """A function and its arguments in brackets."""
+        return call(SPELLINGS[str(parts[0])], trees(parts), place(parts))
+
+
+@cache
+def _parser() -> Lark:
+    return Lark.open(
+        "text.lark",
+        rel_to=__file__,
+        parser="lalr",
+        lexer="contextual",
+        transformer=_TextBuilder(),
+        lexer_callbacks={"NAME": _function_or_name},
+    )
+
+
+def _function_or_name(token: Token) -> Token:
+    return token.update(type="FUNCTION") if token in SPELLINGS else token
+
+
+def _parse(text: str, names: Collection[str]) -> Tree:
+    try:
+        tree: Tree = _parser().parse(text)  # type: ignore[assignment]  # the transformer makes trees of ours
+    except UnexpectedInput as error:
+        start, end = _fault(error, text)
+        _check_words(text[:end], text[end:], names)
+        raise FormulaError(hint(text[:start], text[start:end], text[end:]), span=(start, end)) from None
+    return tree
+
+
+def _check_words(text: str, after: str, names: Collection[str]) -> None:
+    """Refuse the first unknown word of a formula that does not parse: it tells more than the fault."""
+    known = {*names, *constants(names)}
+    for found in _OPERAND.finditer(text):
+        word = found.group("word")
+        if word and word not in known | SPELLINGS.keys():
+            applied = (text[found.end() :] + after).lstrip().startswith("(")
+            raise FormulaError(unknown_function(word) if applied else unknown_name(word, names), span=found.span())
+
+
+def _fault(error: UnexpectedInput, text: str) -> Span:
+    """Where a parser stopped."""
+    if not isinstance(error, UnexpectedToken):
+        start = cast("int", error.pos_in_stream)
+        return start, start + 1
+    if error.token.type == "$END":
+        return len(text), len(text)
+    return place([error.token])
+
+
+def _resolved(node: Tree, names: Collection[str]) -> Tree:
+    """A name as the symbol or the constant that it means."""
+    if not isinstance(node, Name) or node.name in names:
+        return node
+    if constant := constants(names).get(node.name):
+        return Constant(constant, span=node.span)
+    raise FormulaError(unknown_name(node.name, names), span=node.span)

@@ -1,0 +1,207 @@
+"""Observation maps: from a Cartesian state to what the radar measures, with first and second derivatives.
+
+Derivatives are written over the direction of the target (its cosines) and its distance, so that nothing overflows and
+nothing cancels that does not have to. Where a derivative does not exist, at the radar and on the vertical axis, what
+would be divided by zero is zero: a measurement then says nothing about the state, and a Kalman filter leaves it alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.stable_form import StableForm
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.moments import taylor
+from radartrack.derive.stable.common_denominator import collected_form
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, Unit
+
+Axes = tuple[tuple[Unit, ...], ...]
+SINGULAR = "zero where they do not exist, at the radar and for angles on the vertical axis"
+
+
+@dataclass(frozen=True, eq=False)
+class Observation:
+    """A map from state to measurement.
+
+    Attributes:
+        name: of the model whose measurement it is.
+        title: one line in the field's words.
+        state: the symbols of the state.
+        outputs: name and expression of each measured quantity.
+        units: the unit of each output.
+        definitions: distance and direction of the target, in terms of the state.
+        norms: the roots that the map and its derivatives hold → their names.
+        directions: coordinates and norms as products of distance and cosines.
+    """
+
+    name: str
+    title: str
+    state: tuple[Variable, ...]
+    outputs: Mapping[str, Expr]
+    units: tuple[Unit, ...]
+    definitions: Mapping[Symbol, Expr]
+    norms: Mapping[Expr, Symbol]
+    directions: Mapping[Expr, Expr]
+
+    @property
+    def map(self) -> Tensor[Expr]:
+        """The measured quantities, shape [out]."""
+        return Tensor((len(self.outputs),), tuple(self.outputs.values()))
+
+    def written(self, derived: Tensor[Expr]) -> StableForm:
+        """The same entries over distance and direction."""
+        entries = derived.map_distinct(self._rewritten)
+        return StableForm(self.definitions, entries).only(entries)
+
+    def _rewritten(self, entry: Expr) -> Expr:
+        """Cosines and distance for coordinates and norms; what they have in common is divided out."""
+        if entry.has(sp.atan2):
+            return entry.xreplace(dict(self.norms))
+        over_one = collected_form(Tensor((), (entry,)))
+        normed = over_one.entries.entries[0].xreplace(
+            {name: self._norm(definition) for name, definition in over_one.definitions.items()}
+        )
+        above, below = sp.fraction(sp.factor(normed.xreplace(dict(self.directions))))
+        return sp.ratio(above, below) if below.free_symbols else above / below
+
+    def _norm(self, definition: Expr) -> Expr:
+        """A root or a sum of squares in terms of the norms."""
+        squares = {root**2: norm**2 for root, norm in self.norms.items()}
+        return {**self.norms, **squares}[definition]
+
+
+def quantities_of(observation: Observation) -> list[Quantity]:
+    """Map, Jacobian and Hessian of an observation."""
+    inward = tuple(variable.unit**-1 for variable in observation.state)
+    outputs, state = observation.map, observation.state
+    rows: tuple[tuple[str, str, str, Axes, Callable[[], Tensor[Expr]]], ...] = (
+        ("map", "g", observation.title, (observation.units,), lambda: outputs),
+        (
+            "jacobian",
+            "dg/dstate",
+            f"first derivatives of {observation.title}, [out, in]; {SINGULAR}",
+            (observation.units, inward),
+            lambda: taylor.jacobian(outputs, state),
+        ),
+        (
+            "hessian",
+            "d2g/dstate2",
+            f"second derivatives of {observation.title}, [out, in, in]; {SINGULAR}",
+            (observation.units, inward, inward),
+            lambda: taylor.hessian(outputs, state),
+        ),
+    )
+    return [_quantity(observation, *row) for row in rows]
+
+
+def _quantity(
+    observation: Observation, name: str, word: str, meaning: str, axes: Axes, derivation: Callable[[], Tensor[Expr]]
+) -> Quantity:
+    return Quantity(
+        name=f"observe.{observation.name}.{name}",
+        meaning=meaning,
+        axes=axes,
+        symbols=observation.state,
+        conditioning=Conditioning.NONE,
+        source=Source("Bar-Shalom, Willett & Tian", 2011, "extended Kalman filter"),
+        word=word,
+        derivation=derivation,
+        rewriting=lambda: observation.written(derivation()),
+        is_difference=True,
+    )
+
+
+def quantities() -> list[Quantity]:
+    """Those of all observations."""
+    return [quantity for observation in observations() for quantity in quantities_of(observation)]
+
+
+def _coordinate(name: str) -> Variable:
+    return Variable(name, f"position along the {name} axis, from the radar", METRE, -1e6, 1e6)
+
+
+def _speed(name: str, axis: str) -> Variable:
+    return Variable(name, f"velocity along the {axis} axis", METRE_PER_SECOND, -1e3, 1e3)
+
+
+def _named(name: str) -> Symbol:
+    """An intermediate; of no stated sign, or SymPy would turn atan2 into atan of a quotient."""
+    return sp.Symbol(name, real=True)
+
+
+def observations() -> tuple[Observation, ...]:
+    """The four radars."""
+    x, y, z = (_coordinate(name) for name in "xyz")
+    vx, vy = _speed("vx", "x"), _speed("vy", "y")
+    distance, ground = _named("distance"), _named("ground_distance")
+    cos_azimuth, sin_azimuth = _named("cos_azimuth"), _named("sin_azimuth")
+    cos_elevation, sin_elevation = _named("cos_elevation"), _named("sin_elevation")
+    cosines = [_named(f"cosine_{axis}") for axis in "xyz"]
+    plane, space = sp.sqrt(x**2 + y**2), sp.sqrt(x**2 + y**2 + z**2)
+    in_plane: dict[Symbol, Expr] = {
+        distance: sp.hypot(x, y),
+        cos_azimuth: sp.ratio(x, distance),
+        sin_azimuth: sp.ratio(y, distance),
+    }
+    on_ground: dict[Expr, Expr] = {x: distance * cos_azimuth, y: distance * sin_azimuth}
+    polar = {"r": plane, "beta": sp.atan2(y, x)}
+    return (
+        Observation(
+            "polar",
+            "range and azimuth of a position in the plane",
+            (x, y),
+            polar,
+            (METRE, RADIAN),
+            in_plane,
+            {plane: distance},
+            on_ground,
+        ),
+        Observation(
+            "polar_doppler",
+            "range, azimuth and range rate of a position and velocity in the plane",
+            (x, y, vx, vy),
+            polar | {"rdot": (x * vx + y * vy) / plane},
+            (METRE, RADIAN, METRE_PER_SECOND),
+            in_plane,
+            {plane: distance},
+            on_ground,
+        ),
+        Observation(
+            "ruv",
+            "range and direction cosines of a position in space",
+            (x, y, z),
+            {"r": space, "u": x / space, "v": y / space},
+            (METRE, ONE, ONE),
+            {distance: sp.hypot(sp.hypot(x, y), z)}
+            | {cosine: sp.ratio(axis, distance) for cosine, axis in zip(cosines, (x, y, z), strict=True)},
+            {space: distance},
+            {axis: distance * cosine for cosine, axis in zip(cosines, (x, y, z), strict=True)},
+        ),
+        Observation(
+            "spherical",
+            "range, azimuth and elevation of a position in space",
+            (x, y, z),
+            {"r": space, "beta": sp.atan2(x, y), "epsilon": sp.atan2(z, plane)},
+            (METRE, RADIAN, RADIAN),
+            {
+                ground: sp.hypot(x, y),
+                distance: sp.hypot(ground, z),
+                cos_azimuth: sp.ratio(y, ground),
+                sin_azimuth: sp.ratio(x, ground),
+                cos_elevation: sp.ratio(ground, distance),
+                sin_elevation: sp.ratio(z, distance),
+            },
+            {plane: ground, space: distance},
+            {
+                x: distance * cos_elevation * sin_azimuth,
+                y: distance * cos_elevation * cos_azimuth,
+                z: distance * sin_elevation,
+                ground: distance * cos_elevation,
+            },
+        ),
+    )

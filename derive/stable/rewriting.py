@@ -1,0 +1,25 @@
+"""The rewriting for floating point that serves whatever has no rewriting of its own."""
+
+from __future__ import annotations
+
+from radartrack.derive.algebra.differential_ring import NotDifferentiable
+from radartrack.derive.algebra.exponential_polynomial import NotExponentialPolynomial
+from radartrack.derive.language.stable_form import StableForm
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.stable.attenuation import stable_form
+from radartrack.derive.stable.common_denominator import collected_form
+from radartrack.derive.symbolic import Expr
+
+
+def general_form(entries: Tensor[Expr]) -> StableForm:
+    """The stable form of exponential polynomials, else roots and quotients over one denominator, else as derived.
+
+    Raises:
+        NotProved: when a rewritten entry is not the same function.
+    """
+    for rewrite in (stable_form, collected_form):
+        try:
+            return rewrite(entries)
+        except (NotExponentialPolynomial, NotDifferentiable):
+            continue
+    return StableForm({}, entries)

@@ -1,0 +1,1 @@
+"""Straight lines through tracks, the errors they show, and the fusion of several radars."""

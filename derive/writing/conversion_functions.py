@@ -1,0 +1,183 @@
+"""Mean and covariance of a conversion together, as functions that fill arrays of the caller.
+
+What both need is computed once, and sums are nested, for the fewest operations. The same statements are written twice:
+over whole arrays for NumPy, and as a loop over plots in plain numbers, for a compiler or for one plot. The formulas are
+those of the catalogue.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from typing import NamedTuple
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.stable_form import StableForm
+from radartrack.derive.language.tensor import Index, Tensor, indices
+from radartrack.derive.stable.quantity_form import form_of
+from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.horner import nested
+from radartrack.derive.writing.numpy_expression import FUNCTIONS
+from radartrack.derive.writing.numpy_writer import INDENT, VERSION, WIDTH, assignments
+
+
+class Words(NamedTuple):
+    """The estimate of a method, the bias that is taken from it, and the covariance of the result."""
+
+    estimate: str
+    bias: str | None
+    covariance: str
+
+
+METHODS = {
+    "linear": Words("map", None, "covariance.linear"),
+    "second_order": Words("map", "bias.second_order", "covariance.second_order"),
+    "averaged": Words("map", "bias.averaged", "covariance.averaged"),
+    "unbiased": Words("unbiased.estimate", None, "unbiased.covariance"),
+    "posterior": Words("posterior.estimate", None, "posterior.covariance"),
+}
+
+RELEASED_AT_ONCE = 4
+ARRAYS = "over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled"
+ARRAYS_HEAD = "import numpy as np\nimport numpy.typing as npt\n\nFloats = npt.NDArray[np.floating]\nFilled = Floats\n"
+LOOPS = "as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries"
+LOOPS_HEAD = """\
+import math
+from collections.abc import MutableMapping, Sequence
+
+Floats = Sequence[float]
+Filled = MutableMapping[tuple[int, ...], float]
+"""
+OF_A_NUMBER = {numpy.removeprefix("np."): function.__name__ for function, numpy in FUNCTIONS.items()} | {"abs": "fabs"}
+
+
+@dataclass(frozen=True)
+class ConversionCode:
+    """One conversion.
+
+    Attributes:
+        name: of the functions: model and method.
+        symbols: names of the arguments.
+        intermediates: names of what is computed on the way.
+        statements: which fill `mean` and `covariance`, for arrays.
+        title: what it converts how.
+        meaning: of mean and covariance.
+    """
+
+    name: str
+    symbols: tuple[str, ...]
+    intermediates: frozenset[str]
+    statements: tuple[str, ...]
+    title: str
+    meaning: str
+
+    def over_arrays(self) -> str:
+        """The function for NumPy; it releases what it needs no more, so that the rest stays in the cache."""
+        return self._function(self.symbols, "\n".join(self._releasing()))
+
+    def as_loop(self) -> str:
+        """The function in plain numbers."""
+        loaded = (f"{symbol} = all_{symbol}[i]" for symbol in self.symbols)
+        inside = "\n".join([*loaded, *self.statements]).replace("[..., ", "[i, ")
+        of_numbers = re.sub(r"\bnp\.(\w+)", lambda found: f"math.{OF_A_NUMBER.get(found[1], found[1])}", inside)
+        loop = f"for i in range(len(all_{self.symbols[0]})):\n{textwrap.indent(of_numbers, INDENT)}"
+        return self._function([f"all_{symbol}" for symbol in self.symbols], loop)
+
+    def _releasing(self) -> Iterator[str]:
+        """The statements, with deletions of intermediates behind their last use, a few at once."""
+        used = [set(re.findall(r"\w+", statement)) & self.intermediates for statement in self.statements]
+        last = {name: place for place, names in enumerate(used) for name in names}
+        waiting: list[str] = []
+        for place, statement in enumerate(self.statements):
+            yield statement
+            waiting += sorted(name for name in used[place] if last[name] == place)
+            if len(waiting) >= RELEASED_AT_ONCE:
+                yield f"del {', '.join(waiting)}"
+                waiting = []
+
+    def _function(self, arguments: Sequence[str], body: str) -> str:
+        types = dict.fromkeys(arguments, "Floats") | {"mean": "Filled", "covariance": "Filled"}
+        signature = "".join(f"{INDENT}{name}: {kind},\n" for name, kind in types.items())
+        said = "\n".join([f'"""{self.title}.\n', *textwrap.wrap(f"{self.meaning}.", WIDTH - 4), '"""'])
+        inside = textwrap.indent(f"{said}\n{body}", INDENT)
+        return f"def {self.name}(\n{signature}) -> None:\n{inside}\n"
+
+
+def conversions_of(quantities: Mapping[str, Quantity]) -> list[tuple[str, str]]:
+    """Model and method of every conversion whose estimate, bias and covariance are all there."""
+    models = dict.fromkeys(name.partition(".")[0] for name in quantities)
+    return [
+        (model, method)
+        for model in models
+        for method, words in METHODS.items()
+        if all(_find(quantities, model, word) for word in words if word)
+    ]
+
+
+def covariance_of(quantities: Mapping[str, Quantity], model: str, method: str) -> str:
+    """The name of the covariance of a conversion."""
+    return _find(quantities, model, METHODS[method].covariance)
+
+
+def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str) -> ConversionCode:
+    """Derive one conversion.
+
+    Raises:
+        KeyError: a part of it is missing.
+    """
+    words = METHODS[method]
+    estimate, covariance = (quantities[_find(quantities, model, word)] for word in (words.estimate, words.covariance))
+    bias = quantities[_find(quantities, model, words.bias)] if words.bias else None
+    mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
+    form = _together(mean, form_of(covariance))
+    given = {symbol: nested(value) for symbol, value in form.definitions.items()}
+    definitions, results = with_common_parts(given, form.entries.map_distinct(nested))
+    places = [*_places("mean", estimate.shape), *_places("covariance", covariance.shape)]
+    lines = assignments((symbol.name, value) for symbol, value in definitions.items())
+    lines += assignments(zip(places, results, strict=True))
+    symbols = tuple(symbol.name for symbol in covariance.symbols)
+    less = f" less the {bias.meaning}" if bias else ""
+    meaning = f"Mean: {estimate.meaning}{less}. Covariance: {covariance.meaning}"
+    intermediates = frozenset(symbol.name for symbol in definitions)
+    title = f"Conversion {model}, {method}"
+    return ConversionCode(f"{model}_{method}", symbols, intermediates, tuple(lines), title, meaning)
+
+
+def module_text(codes: Sequence[ConversionCode], kind: str) -> str:
+    """A module of conversions, over ARRAYS or as LOOPS."""
+    functions = [code.over_arrays() if kind == ARRAYS else code.as_loop() for code in codes]
+    digest = sha256("".join(functions).encode()).hexdigest()[:16]
+    header = (
+        f'"""Conversions {kind}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; '
+        'not to be edited.\n"""\n'
+    )
+    head = ARRAYS_HEAD if kind == ARRAYS else LOOPS_HEAD
+    return "\n\n".join([f"{header}\n{head}", *functions])
+
+
+def _find(quantities: Mapping[str, Quantity], model: str, word: str) -> str:
+    """The name of a word, exact or else to fourth order; empty where there is neither."""
+    return next((name for name in (f"{model}.{word}", f"{model}.{word}.fourth_order") if name in quantities), "")
+
+
+def _less(first: StableForm, second: StableForm) -> StableForm:
+    both = _together(first, second)
+    size = len(first.entries.entries)
+    entries = (a - b for a, b in zip(both.entries.entries[:size], both.entries.entries[size:], strict=True))
+    return StableForm(both.definitions, Tensor(first.entries.shape, tuple(entries)))
+
+
+def _together(first: StableForm, second: StableForm) -> StableForm:
+    """One form with the entries of both; an intermediate of the second that means something else is renamed."""
+    clashes = {s for s, value in second.definitions.items() if first.definitions.get(s, value) != value}
+    second = second.renamed({symbol: sp.Symbol(f"{symbol.name}_2", real=True) for symbol in clashes})
+    entries = (*first.entries, *second.entries)
+    return StableForm({**first.definitions, **second.definitions}, Tensor((len(entries),), entries))
+
+
+def _places(name: str, shape: Index) -> list[str]:
+    return [f"{name}[..., {', '.join(map(str, index))}]" for index in indices(shape)]

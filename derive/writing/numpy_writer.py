@@ -1,0 +1,168 @@
+"""Writes derived quantities as a module of plain NumPy functions."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.stable_form import StableForm
+from radartrack.derive.language.tensor import nested
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.numpy_expression import code, terms
+
+VERSION = "1"
+WIDTH = 110
+INDENT = "    "
+
+PRELUDE = '''\
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.floating]
+
+
+def _floats(*arguments: npt.ArrayLike) -> tuple[Floats, ...]:
+    """The arguments as arrays of one type: float32 where every array is float32, else float64.
+
+    Python numbers follow the arrays; integers and anything narrower than float32 compute in float64.
+    """
+    typed = [np.asarray(argument) for argument in arguments if hasattr(argument, "dtype")]
+    single = bool(typed) and all(array.dtype == np.float32 for array in typed)
+    dtype = np.float32 if single else np.float64
+    arrays = (np.asarray(argument) for argument in arguments)
+    return tuple(array.astype(dtype, casting="same_kind", copy=False) for array in arrays)
+
+
+def _empty(arguments: tuple[Floats, ...], shape: tuple[int, ...]) -> Floats:
+    """Room for a result: the shape that the arguments broadcast to, then the tensor's own."""
+    return np.empty(np.broadcast_shapes(*(a.shape for a in arguments)) + shape, arguments[0].dtype)
+'''
+
+
+RATIO = '''
+
+def _ratio(above: Floats, below: Floats) -> Floats:
+    """above / below, and zero where below is zero."""
+    shape = np.broadcast_shapes(np.shape(above), np.shape(below))
+    quotient = np.zeros(shape, np.result_type(above, below))
+    return np.divide(above, below, out=quotient, where=below != 0)
+'''
+
+
+@dataclass(frozen=True)
+class Function:
+    """A quantity as a NumPy function.
+
+    Attributes:
+        quantity: what it computes.
+        body: the statements, without the docstring.
+    """
+
+    quantity: Quantity
+    body: str
+
+    @property
+    def digest(self) -> str:
+        """What identifies the code; comments and docstrings do not enter."""
+        return sha256(self.body.encode()).hexdigest()
+
+    def text(self, accuracy: str) -> str:
+        """The whole function, its measured accuracy in the docstring."""
+        quantity = self.quantity
+        keywords = ", ".join(f"{symbol.name}: npt.ArrayLike" for symbol in quantity.symbols)
+        signature = f"def {quantity.function}({'*, ' if keywords else ''}{keywords}) -> Floats:"
+        if len(signature) > WIDTH:
+            lines = (f"{INDENT}{symbol.name}: npt.ArrayLike," for symbol in quantity.symbols)
+            signature = "\n".join([f"def {quantity.function}(", f"{INDENT}*,", *lines, ") -> Floats:"])
+        inside = f'"""{docstring(quantity, accuracy)}\n"""\n{self.body}'
+        return f"{signature}\n{textwrap.indent(inside, INDENT)}\n"
+
+
+def body(quantity: Quantity, form: StableForm) -> str:
+    """The statements that compute a quantity as it is rewritten, without the docstring."""
+    if not quantity.symbols:
+        return f"return np.array({nested(form.entries.map(code), gap=', ')})[()]"
+    form = _beside(form, quantity)
+    definitions, results = with_common_parts(form.definitions, form.entries)
+    names = [symbol.name for symbol in quantity.symbols]
+    arguments = ", ".join(names)
+    lines = [f"arguments = _floats({arguments})", f"{arguments}{',' * (len(names) == 1)} = arguments"]
+    lines += assignments((symbol.name, definition) for symbol, definition in definitions.items())
+    lines.append(f"result = _empty(arguments, {quantity.shape})")
+    places = (f"result[{', '.join(['...', *map(str, index)])}]" for index, _ in form.entries.items())
+    lines += assignments(zip(places, results, strict=True))
+    lines.append("return result[()]" if not quantity.shape else "return result")
+    return "\n".join(lines)
+
+
+def _beside(form: StableForm, quantity: Quantity) -> StableForm:
+    """The form with an underscore behind every intermediate that is called like one of the arguments."""
+    taken = {symbol.name for symbol in quantity.symbols}
+    renamed: dict[Symbol, Symbol] = {}
+    for symbol in form.definitions:
+        if symbol.name in taken:
+            renamed[symbol] = sp.Symbol(f"{symbol.name}_", real=True)
+    return form.renamed(renamed) if renamed else form
+
+
+def assignments(pairs: Iterable[tuple[str, Expr]]) -> list[str]:
+    """One assignment a pair of target and value; a value that was computed before is copied."""
+    first: dict[Expr, str] = {}
+    lines = []
+    for target, expression in pairs:
+        known = first.setdefault(expression, target)
+        if known == target or expression.is_Atom:
+            lines.append(_assignment(target, expression))
+        else:
+            lines.append(f"{target} = {known}")
+    return lines
+
+
+def docstring(quantity: Quantity, accuracy: str) -> str:
+    """Name, definition, conditioning, source, shapes, units, domain and measured error."""
+    meaning = quantity.meaning[0].upper() + quantity.meaning[1:]
+    facts = [
+        f"Name: {quantity.name}.",
+        f"Definition: {quantity.word}.",
+        f"Conditioning: {quantity.conditioning.value}.",
+        f"Source: {quantity.source}.",
+    ]
+    arguments = [f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols]
+    shape = ", ".join(map(str, quantity.shape))
+    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
+    scale = "the sizes of the terms" if quantity.is_difference else quantity.measured_against
+    against = f" Errors are measured against {scale}." if scale else ""
+    sections = [
+        f"{meaning}.",
+        "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
+        *(["\n".join(["Args:", *arguments])] if arguments else []),
+        "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
+        "\n".join(textwrap.wrap(f"Accuracy: {accuracy}{against}", WIDTH - 4)),
+    ]
+    return "\n\n".join(sections)
+
+
+def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str, str]) -> str:
+    """A module with a header, the shared helpers, and one function a quantity."""
+    digest = sha256("".join(function.digest for function in functions).encode()).hexdigest()[:16]
+    names = "".join(f'    "{name}",\n' for name in sorted(function.quantity.function for function in functions))
+    header = (
+        f'"""{title}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; '
+        'not to be edited.\n"""\n'
+    )
+    written = [function.text(accuracy[function.quantity.name]) for function in functions]
+    helpers = PRELUDE + (RATIO if any("_ratio(" in text for text in written) else "")
+    body = "\n\n".join([f"{header}\n{helpers}", *written])
+    return body.replace("\nFloats = ", f"\n__all__ = [\n{names}]\n\nFloats = ", 1)
+
+
+def _assignment(target: str, expression: Expr) -> str:
+    line = f"{target} = {code(expression)}"
+    if len(line) + len(INDENT) <= WIDTH or not isinstance(expression, sp.Add):
+        return line
+    return "\n".join([f"{target} = (", *(f"{INDENT}{term}" for term in terms(expression)), ")"])

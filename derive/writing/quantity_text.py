@@ -1,0 +1,81 @@
+"""A quantity for people to read: as text that the formula reader takes back, as LaTeX, and as NumPy code."""
+
+from __future__ import annotations
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.tensor import Index, Tensor, nested
+from radartrack.derive.stable.quantity_form import form_of, readable
+from radartrack.derive.symbolic import Symbol
+from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.numpy_expression import code
+
+RATIO = """
+def _ratio(above, below):  # the quotient; 0 where the divisor is 0
+    quotient = np.zeros(np.broadcast(above, below).shape)
+    return np.divide(above, below, out=quotient, where=np.not_equal(below, 0))
+"""
+LATEX_NAMES = {
+    "r": "r",
+    "rdot": r"\dot{r}",
+    "epsilon": r"\varepsilon",
+}
+
+
+def heading(quantity: Quantity) -> list[str]:
+    """Name, meaning, definition, conditioning, source, and the symbols with their units."""
+    return [
+        f"{quantity.name}: {quantity.meaning}",
+        f"definition:   {quantity.word}",
+        f"conditioning: {quantity.conditioning.value}",
+        f"source:       {quantity.source}",
+        f"unit:         {quantity.unit_text}",
+        *(f"{symbol.name}: {symbol.meaning} [{symbol.unit}]" for symbol in quantity.symbols),
+    ]
+
+
+def text(quantity: Quantity, index: Index | None = None) -> str:
+    """The formula as the checker reads it; a whole tensor as nested lists."""
+    entries = readable(quantity)
+    wanted = entries if index is None else Tensor((), (entries[index],))
+    return nested(wanted.map(lambda entry: to_text(to_tree(entry))))
+
+
+def latex(quantity: Quantity, index: Index | None = None) -> str:
+    """The formula typeset; vectors and matrices as such, higher tensors as a row of matrices."""
+    names = {symbol: latex_name(symbol) for symbol in quantity.symbols}
+    entries = readable(quantity)
+    if index is not None or not quantity.shape:
+        return sp.latex(entries[index or ()], symbol_names=names)
+    return _matrix(entries.map(lambda entry: sp.latex(entry, symbol_names=names)))
+
+
+def python(quantity: Quantity, index: Index | None = None) -> str:
+    """NumPy statements that run where the symbols have values; the last ones compute the entries asked for."""
+    form = form_of(quantity)
+    wanted = form.entries if index is None else Tensor((), (form.entries[index],))
+    definitions, results = with_common_parts(form.only(wanted).definitions, wanted)
+    lines = [f"{symbol.name} = {code(definition)}" for symbol, definition in definitions.items()]
+    lines.append(f"result = {nested(Tensor(wanted.shape, tuple(results)).map(code))}")
+    helper = f"\n{RATIO}\n" if any("_ratio(" in line for line in lines) else ""
+    return "\n".join([f"import numpy as np\n{helper}", *lines])
+
+
+def latex_name(symbol: Symbol) -> str:
+    """A symbol as printed in the literature: sigma_r, rdot, predicted_sigma_beta."""
+    first, _, rest = symbol.name.partition("_")
+    if first == "predicted":
+        return f"{latex_name(sp.Symbol(rest))}^{{p}}"
+    base = LATEX_NAMES.get(first, sp.latex(sp.Symbol(first)))
+    return f"{base}_{{{latex_name(sp.Symbol(rest))}}}" if rest else base
+
+
+def _matrix(entries: Tensor[str]) -> str:
+    """The last axis along the row; leading axes beyond the second as one matrix after another."""
+    if len(entries.shape) > 2:
+        return " \\quad\n".join(_matrix(part) for part in entries.parts())
+    rows = [" & ".join(row.entries) for row in entries.parts()] if len(entries.shape) == 2 else entries.entries
+    body = " \\\\\n".join(rows)
+    return f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"

@@ -1,0 +1,88 @@
+"""Large arrays in blocks that stay in the cache, on all cores.
+
+NumPy computes a long formula step by step; over a block every intermediate result stays in the cache, over millions of
+entries each travels to memory and back. NumPy and compiled loops release the interpreter, so blocks run side by side.
+Every entry is computed alone: how the entries are divided changes no bit.
+"""
+
+import math
+import os
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
+
+from radartrack._arrays.validation import RealArray
+
+if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
+
+BLOCK = 32768  # entries; few enough to stay in the cache, enough that threads seldom wait for the interpreter
+MOST_THREADS = 8  # each has intermediate results of its own, and all wait for one interpreter
+
+Fill = Callable[..., None]
+
+
+def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArray], block: int = BLOCK) -> None:
+    """Call `function(*inputs, *outputs)` for each block of entries; once where there are none.
+
+    Args:
+        function: fills the outputs it is handed from inputs of the same length.
+        inputs: of shape (n, ...).
+        outputs: of shape (n, ...).
+        block: entries in a block at most; a quarter of them is worth a thread's while, and all threads have
+            as many blocks.
+
+    """
+    size = len(outputs[0])
+    threads = max(min(_most_at_once(), 4 * size // block), 1)
+    count = threads * max(math.ceil(size / block / threads), 1)
+
+    def fill_block(number: int) -> None:
+        part = slice(size * number // count, size * (number + 1) // count)
+        function(*(array[part] for array in (*inputs, *outputs)))
+
+    if count == 1:
+        function(*inputs, *outputs)
+    else:
+        _side_by_side(fill_block, range(count))
+
+
+def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
+    """On all cores, this thread's among them; each takes the next item when it is ready for it."""
+    from threading import Lock  # noqa: PLC0415 - it costs more to load than small arrays do
+
+    waiting, turn = iter(items), Lock()
+
+    def run() -> None:
+        while (item := taken()) is not None:
+            work(item)
+
+    def taken() -> int | None:
+        with turn:
+            return next(waiting, None)
+
+    others = [_threads().submit(run) for _ in range(min(_most_at_once(), len(items)) - 1)]
+    try:
+        run()
+    finally:
+        for other in others:
+            if not other.cancel():  # what has not begun is not needed
+                other.result()
+
+
+@cache
+def _threads() -> "ThreadPoolExecutor":
+    """Kept: to start a thread takes longer than a block of a short formula."""
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415 - it costs more to load than small arrays do
+
+    return ThreadPoolExecutor(MOST_THREADS, "radartrack")
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_threads.cache_clear)  # threads do not come along
+
+
+def _most_at_once() -> int:
+    """A thread for each core that this process may use."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(cores, MOST_THREADS)

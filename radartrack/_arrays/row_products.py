@@ -1,0 +1,79 @@
+"""Products of many rows with one matrix, each row with the same bits however many rows there are.
+
+BLAS picks its order of summation by the shape of the whole product, so a row alone and the same row among a
+million may differ in the last place. Blocks of one shape are all treated alike.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from radartrack._arrays.batches import fill
+from radartrack._arrays.validation import RealArray
+
+BLOCK = 256
+AT_ONCE = 32  # blocks, by one thread
+FEW = 3  # columns; BLAS takes fewer than four one by one in two thirds of the time
+
+
+class Product(NamedTuple):
+    """Rows times a matrix, and whether all is finite, judged by the fewer numbers: the rows or the products."""
+
+    values: RealArray
+    is_finite: bool
+
+
+def rowwise_product(parts: Sequence[RealArray], matrix: RealArray) -> Product:
+    """Multiply rows with a matrix, shape (k, m).
+
+    Args:
+        parts: what a row is joined from, arrays of one shape but for the last axis; there they have k in all.
+        matrix: shape (k, m).
+
+    Returns:
+        Shape (..., m).
+
+    """
+    shape, columns = parts[0].shape[:-1], matrix.shape[1]
+    rows = math.prod(shape)
+    blocks, whole = math.ceil(rows / BLOCK), rows // BLOCK
+    flat = [_contiguous(part).reshape(rows, part.shape[-1]) for part in parts]
+    result, sums = np.empty((rows, columns), matrix.dtype), np.empty(blocks, matrix.dtype)
+
+    def multiply(*arrays: RealArray) -> None:
+        *some, out, totals = arrays
+        _multiply(some[0] if len(some) == 1 else np.concatenate(some, axis=-1), matrix, out, totals)
+
+    full = [_blocks(array[: whole * BLOCK]) for array in (*flat, result)]
+    fill(multiply, full[:-1], [full[-1], sums[:whole]], AT_ONCE)
+    if whole < blocks:
+        rest = [np.zeros((BLOCK, array.shape[1]), matrix.dtype) for array in (*flat, result)]
+        for array, last in zip(flat, rest, strict=False):
+            last[: rows - whole * BLOCK] = array[whole * BLOCK :]
+        multiply(*map(_blocks, rest), sums[whole:])
+        result[whole * BLOCK :] = rest[-1][: rows - whole * BLOCK]
+    return Product(result.reshape(*shape, columns), bool(np.isfinite(sums).all()))
+
+
+def _contiguous(rows: RealArray) -> RealArray:
+    """With each row in one piece."""
+    return rows if rows.strides[-1] == rows.itemsize else np.ascontiguousarray(rows)
+
+
+def _blocks(rows: RealArray) -> RealArray:
+    return rows.reshape(len(rows) // BLOCK, BLOCK, rows.shape[1])
+
+
+def _multiply(blocks: RealArray, matrix: RealArray, out: RealArray, totals: RealArray) -> None:
+    """Fill the products, and the sums of each block, in which what is not finite shows."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        if matrix.shape[1] > FEW:
+            np.matmul(blocks, matrix, out=out)
+        else:
+            columns = np.ascontiguousarray(matrix.T)[:, :, np.newaxis]
+            np.matmul(blocks[:, np.newaxis], columns, out=out.transpose(0, 2, 1)[..., np.newaxis])
+        np.sum(out if out.size < blocks.size else blocks, axis=(1, 2), out=totals)

@@ -1,0 +1,307 @@
+"""Derives everything, writes the generated modules with their measured accuracy, and compares them with the disk."""
+
+from __future__ import annotations
+
+import difflib
+import importlib.util
+import json
+import math
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from radartrack._regeneration.deriving_process import prepare
+from radartrack._regeneration.directory_swap import replace_directory, replace_file
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.language.model import Model
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.stable.quantity_form import form_of
+from radartrack.derive.writing.conversion_functions import (
+    ARRAYS,
+    LOOPS,
+    ConversionCode,
+    conversion_code,
+    conversions_of,
+    covariance_of,
+)
+from radartrack.derive.writing.conversion_functions import module_text as conversion_code_text
+from radartrack.derive.writing.formula_book import Page, book, formula
+from radartrack.derive.writing.numpy_writer import Function, body, module_text
+from radartrack.verification.domain_points import sample
+from radartrack.verification.error_in_ulp import errors
+
+RECORD = "accuracy.json"
+CHUNK = 20  # neighbours in the catalogue share what they are derived from
+POINTS = 500
+PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
+
+BOOK = "formulas.md"
+Files = dict[str, str]
+Written = tuple[str, str]  # statements and formula
+Task = str | tuple[str, str]  # a quantity's name, or model and method of a conversion
+Done = Written | ConversionCode
+Step = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """What was measured of one function: the digest of its code, and the largest error in ulp."""
+
+    code: str
+    ulp: float
+
+    @property
+    def sentence(self) -> str:
+        """For the docstring."""
+        if math.isnan(self.ulp):
+            return "not measured."
+        return (
+            f"at most {self.ulp:g} ulp from 50-digit arithmetic at {POINTS} points of this domain "
+            "(float64, independent errors)."
+        )
+
+
+@dataclass(frozen=True)
+class Derived:
+    """A quantity as code and as a formula to read."""
+
+    function: Function
+    formula: str
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """All that is written: the quantities, and the conversions that join some of them."""
+
+    quantities: list[Derived]
+    conversions: list[ConversionCode]
+
+    @property
+    def functions(self) -> list[Function]:
+        """Those of the quantities."""
+        return [derived.function for derived in self.quantities]
+
+
+def source_directory() -> Path | None:
+    """`generated/` of the source checkout that this package is imported from; None for an installed wheel."""
+    here = importlib.util.find_spec("radartrack.generated")
+    places = list(here.submodule_search_locations or ()) if here else []
+    folder = Path(places[0]) if places else Path()
+    return folder if _is_of_checkout(folder) else None
+
+
+def _is_of_checkout(folder: Path) -> bool:
+    return folder.name == "generated" and (folder.parent / "pyproject.toml").exists()
+
+
+def place(directory: Path, name: str) -> Path:
+    """Where a file stands: with the modules, and in a checkout the formula book among the documents."""
+    return directory.parent / "docs" / name if name == BOOK and _is_of_checkout(directory) else directory / name
+
+
+def is_ours(directory: Path) -> bool:
+    """Whether a directory may be replaced: it is not there, empty, or holds a record of generated code."""
+    return not directory.exists() or not any(directory.iterdir()) or (directory / RECORD).exists()
+
+
+class NoModel(ValueError):
+    """A file does not define a model."""
+
+
+def load_model(path: Path) -> Model:
+    """The `MODEL` of a user's own Python file, which is run.
+
+    Raises:
+        NoModel: when the file is missing, fails to run, or defines no model.
+    """
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    if spec is None or not path.is_file():
+        raise NoModel(f"--model must be a Python file; {path} is none")
+    try:
+        model = getattr(_executed(spec), "MODEL", None)
+    except Exception as error:
+        raise NoModel(f"{path} does not run: {type(error).__name__}: {error}") from error
+    if not isinstance(model, Model):
+        raise NoModel(f"{path} must define MODEL = radartrack.derive.Model(...); MODEL is {model!r}")
+    return model
+
+
+def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
+    """The code and formula of all quantities, and their conversions; `step` is told each name as its turn comes.
+
+    Those of the catalogue are derived in one process a core, a model of a user's own in this one.
+    """
+    tasks = _tasks(quantities)
+    if quantities == catalogue():
+        with ProcessPoolExecutor(mp_context=get_context("spawn"), initializer=prepare) as pool:
+            done = _told(tasks, pool.map(_of_catalogue, tasks, chunksize=CHUNK), step)
+    else:
+        done = _told(tasks, (_done(task, quantities) for task in tasks), step)
+    derived = []
+    for name, quantity in quantities.items():
+        statements, typeset = done[name]
+        derived.append(Derived(Function(quantity, statements), typeset))
+    return Derivation(derived, [code for code in done.values() if isinstance(code, ConversionCode)])
+
+
+def _tasks(quantities: Mapping[str, Quantity]) -> list[Task]:
+    """Names of quantities, and each conversion behind the covariance that it shares most with."""
+    tasks: list[Task] = list(quantities)
+    for conversion in reversed(conversions_of(quantities)):
+        tasks.insert(tasks.index(covariance_of(quantities, *conversion)) + 1, conversion)
+    return tasks
+
+
+def _of_catalogue(task: Task) -> Done:
+    return _done(task, catalogue())
+
+
+def _done(task: Task, quantities: Mapping[str, Quantity]) -> Done:
+    return written(quantities[task]) if isinstance(task, str) else conversion_code(quantities, *task)
+
+
+def _told(tasks: Sequence[Task], done: Iterable[Done], step: Step) -> dict[Task, Any]:
+    found = {}
+    for task, result in zip(tasks, done, strict=True):
+        if isinstance(task, str):
+            step(task)
+        found[task] = result
+    return found
+
+
+def written(quantity: Quantity) -> Written:
+    """The statements and the typeset formula of one quantity."""
+    form = form_of(quantity)
+    return body(quantity, form), formula(quantity, form)
+
+
+def read_record(directory: Path) -> dict[str, Accuracy]:
+    """The accuracy measured before, by quantity; empty where there is none or it cannot be read."""
+    try:
+        stored = json.loads((directory / RECORD).read_text())
+        return {name: Accuracy(str(row["code"]), float(row["ulp"])) for name, row in stored.items()}
+    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+        return {}
+
+
+def as_recorded(functions: Iterable[Function], record: Mapping[str, Accuracy]) -> dict[str, Accuracy]:
+    """The accuracy of each function where the record knows exactly this code; else it is NaN, not measured."""
+    return {
+        f.quantity.name: record[f.quantity.name]
+        if f.quantity.name in record and record[f.quantity.name].code == f.digest
+        else Accuracy(f.digest, math.nan)
+        for f in functions
+    }
+
+
+def with_measured(functions: Iterable[Function], known: Mapping[str, Accuracy], step: Step) -> dict[str, Accuracy]:
+    """The same with the missing measurements made."""
+    by_name = {function.quantity.name: function for function in functions}
+    record = as_recorded(by_name.values(), known)
+    missing = [by_name[name] for name, accuracy in record.items() if math.isnan(accuracy.ulp)]
+    with tempfile.TemporaryDirectory() as folder:
+        modules = _load(_modules(missing, record), Path(folder))
+        for function in missing:
+            quantity = function.quantity
+            step(f"{quantity.name}: measuring")
+            record[quantity.name] = Accuracy(function.digest, measure(modules[quantity.module], quantity))
+    return record
+
+
+def measure(module: ModuleType, quantity: Quantity) -> float:
+    """The largest error over random points, rounded up to half an ulp."""
+    found = errors(getattr(module, quantity.function), quantity, sample(quantity, POINTS)).max()
+    return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
+
+
+def texts(derivation: Derivation, record: Mapping[str, Accuracy]) -> Files:
+    """The files of the generated package, and the formula book."""
+    rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
+    pages = [
+        Page(derived.function.quantity, derived.formula, record[derived.function.quantity.name].sentence)
+        for derived in derivation.quantities
+    ]
+    files = {
+        "__init__.py": PACKAGE,
+        "py.typed": "",
+        RECORD: json.dumps(rows, indent=1) + "\n",
+        BOOK: book(pages),
+        **_modules(derivation.functions, record),
+    }
+    if derivation.conversions:
+        files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
+        files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
+    return files
+
+
+def differences(directory: Path, expected: Files) -> Iterator[str]:
+    """What stands on disk against what the derivations give, file by file, as unified diffs."""
+    for orphan in orphans(directory, expected):
+        yield f"{orphan}: no derivation owns this file\n"
+    for name, text in sorted(expected.items()):
+        path = place(directory, name)
+        yield _difference(path, text) if path.exists() else f"{name}: missing\n"
+
+
+def orphans(directory: Path, expected: Files) -> list[str]:
+    """The names of what stands in the directory and no derivation owns."""
+    owned = {place(directory, name) for name in expected} | {directory / "__pycache__"}
+    return sorted(path.name for path in set(directory.glob("*")) - owned)
+
+
+def write(directory: Path, files: Files) -> None:
+    """Replace the directory in one step: whoever looks sees the old set or the new one."""
+    beside = {name: place(directory, name) for name in files if place(directory, name).parent == directory}
+
+    def fill(folder: Path) -> None:
+        for name in beside:
+            (folder / name).write_text(files[name], newline="\n")
+
+    replace_directory(directory, fill)
+    for name in files.keys() - beside.keys():
+        replace_file(place(directory, name), files[name])
+
+
+def _difference(path: Path, expected: str) -> str:
+    try:
+        found = path.read_bytes().decode()
+    except (OSError, UnicodeDecodeError) as error:
+        return f"{path.name}: cannot be read ({error})\n"
+    lines = difflib.unified_diff(
+        found.splitlines(keepends=True), expected.splitlines(keepends=True), f"{path.name} on disk", "as derived"
+    )
+    shown = "".join(line if line.endswith("\n") else f"{line}\n" for line in lines)
+    return shown or ("" if found == expected else f"{path.name}: line endings differ\n")
+
+
+def _modules(functions: Iterable[Function], record: Mapping[str, Accuracy]) -> Files:
+    by_module: dict[str, list[Function]] = {}
+    for function in functions:
+        by_module.setdefault(function.quantity.module, []).append(function)
+    sentences = {name: accuracy.sentence for name, accuracy in record.items()}
+    return {f"{name}.py": module_text(_title(name), group, sentences) for name, group in by_module.items()}
+
+
+def _title(module: str) -> str:
+    return f"NumPy functions of the quantities {module}.*"
+
+
+def _load(files: Files, folder: Path) -> dict[str, ModuleType]:
+    modules: dict[str, ModuleType] = {}
+    for name, text in files.items():
+        path = folder / name
+        path.write_text(text)
+        spec = importlib.util.spec_from_file_location(f"_measured_{path.stem}", path)
+        modules[path.stem] = _executed(spec)
+    return modules
+
+
+def _executed(spec: Any) -> ModuleType:
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

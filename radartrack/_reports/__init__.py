@@ -1,0 +1,1 @@
+"""Audits and experiments for people to read: text, tables and HTML pages."""

@@ -1,0 +1,106 @@
+"""Points of a quantity's domain: spread over every scale, and close to where formulas are delicate."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.units import ONE, RADIAN
+
+Points = dict[str, npt.NDArray[np.float64]]
+SMALLEST_SHARE = 1e-24  # of the largest value, for what may be zero
+
+
+def sample(quantity: Quantity, count: int, seed: int = 0, *, correlated: bool = False) -> Points:
+    """Random points of the domain, the same for the same seed on every machine.
+
+    Args:
+        quantity: whose symbols are drawn.
+        count: number of points.
+        seed: of the counter-based generator.
+        correlated: whether correlations are drawn too; they are zero otherwise.
+
+    Returns:
+        Symbol name → array of shape (count,).
+    """
+    generator = np.random.Generator(np.random.Philox(seed))
+    points: Points = {}
+    for symbol in quantity.symbols:
+        if symbol.at_most is None:
+            drawn = _draw(symbol, count, generator, correlated=correlated)
+        else:
+            drawn = _up_to(points[symbol.at_most.name], symbol, generator)
+        points[symbol.name] = np.floor(drawn) if symbol.whole else drawn
+    return points
+
+
+def _draw(symbol: Variable, count: int, generator: np.random.Generator, *, correlated: bool) -> npt.NDArray[np.float64]:
+    uniform = generator.random(count)
+    if symbol.is_correlation:
+        spread = symbol.low + (symbol.high - symbol.low) * uniform
+        return spread if correlated else np.zeros(count)
+    if symbol.low == 0:
+        return np.where(generator.random(count) < 0.125, 0.0, symbol.high * np.power(SMALLEST_SHARE, uniform))
+    if symbol.logarithmic:
+        drawn = np.exp(np.log(symbol.low) + (np.log(symbol.high) - np.log(symbol.low)) * uniform)
+        return np.asarray(np.clip(drawn, symbol.low, symbol.high))
+    spread = symbol.low + (symbol.high - symbol.low) * uniform
+    return _near_quarter_turns(spread, generator) if symbol.unit == RADIAN else spread
+
+
+def _up_to(
+    highest: npt.NDArray[np.float64], symbol: Variable, generator: np.random.Generator
+) -> npt.NDArray[np.float64]:
+    """Evenly spread from the lower end of the domain to another symbol, which whole numbers reach too."""
+    room = highest - symbol.low + symbol.whole
+    return np.minimum(symbol.low + room * generator.random(highest.shape), highest)
+
+
+def _near_quarter_turns(angles: npt.NDArray[np.float64], generator: np.random.Generator) -> npt.NDArray[np.float64]:
+    """One angle in four is moved close to a multiple of 45 degrees, where sines or cosines vanish or agree."""
+    eighth = np.pi / 4
+    offset = np.exp(generator.uniform(np.log(1e-12), np.log(1e-2), angles.shape))
+    moved = np.round(angles / eighth) * eighth + np.copysign(offset, angles)
+    return np.where(generator.random(angles.shape) < 0.25, moved, angles)
+
+
+def coarse(quantity: Quantity, count: int, seed: int = 0) -> Points:
+    """Points with large, correlated errors, off the axes, where every effect that a formula holds stands out."""
+    generator = np.random.Generator(np.random.Philox(seed))
+    points: Points = {}
+    for symbol in quantity.symbols:
+        highest = points.get(symbol.at_most.name) if symbol.at_most is not None else None
+        drawn = _coarse(symbol, generator.random(count), generator.random(count), highest)
+        points[symbol.name] = np.floor(drawn) if symbol.whole else drawn
+    return points
+
+
+def _coarse(
+    symbol: Variable,
+    uniform: npt.NDArray[np.float64],
+    other: npt.NDArray[np.float64],
+    highest: npt.NDArray[np.float64] | None,
+) -> npt.NDArray[np.float64]:
+    sign = np.where(other < 0.5, -1.0, 1.0)
+    if highest is not None:
+        return np.minimum(symbol.low + (highest - symbol.low + symbol.whole) * uniform, highest)
+    if symbol.is_correlation:
+        return sign * (0.1 + 0.8 * uniform)
+    is_deviation = "sigma_" in symbol.name
+    if symbol.unit == RADIAN:
+        return 0.1 + 0.5 * uniform if is_deviation else symbol.low + (symbol.high - symbol.low) * uniform
+    if is_deviation and symbol.unit == ONE:
+        return symbol.high * (0.1 + 0.5 * uniform)
+    if symbol.whole:
+        return np.asarray(symbol.low + min(40.0, symbol.high - symbol.low) * uniform)
+    if is_deviation:
+        return math.sqrt(symbol.low * symbol.high) * (10 + 90 * uniform)
+    if symbol.low > 0:
+        return symbol.low * np.power(min(1e3, symbol.high / symbol.low), 2 / 3 + uniform / 3)
+    if symbol.low == 0:
+        return min(10.0, symbol.high) * uniform
+    return sign * symbol.high * (0.1 + 0.4 * uniform)

@@ -1,0 +1,204 @@
+"""Layer: two independent derivations of a quantity are the same function.
+
+Moments in closed form are derived again from derivatives of the moment generating function and proved equal in a
+ring where equality is decidable. Quantities that are series are compared with direct power series, filters with least
+squares over fractions, maps with the observation maps that undo them: there the figure is the largest relative
+difference at a few random points, carried out in so many digits that agreement is no accident.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import mpmath
+
+from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial, NotExponentialPolynomial
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.language.model import Model
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.tensor import Tensor, indices
+from radartrack.derive.symbolic import Symbol
+from radartrack.verification.domain_points import coarse
+from radartrack.verification.outcome import Function, Outcome
+from radartrack.verification.second_derivations.definitions import ROWS, defined
+from radartrack.verification.second_derivations.direct_series import derivatives, direct
+from radartrack.verification.second_derivations.elementary_quantities import ELEMENTARY
+from radartrack.verification.second_derivations.exact_least_squares import least_squares
+from radartrack.verification.second_derivations.moment_generating_function import GeneratingFunction
+from radartrack.verification.second_derivations.power_series import jets
+from radartrack.verification.subject import model_of, row_of
+
+NAME = "identity"
+DIGITS = 60
+AGREEMENT = 1e-40
+POINTS = 2
+Number = Any
+Numbers = tuple[Tensor[Number], ...]
+
+
+@dataclass(frozen=True)
+class Identity:
+    """The derivation of a quantity against a second one.
+
+    Attributes:
+        seed: of the random points, where points are needed.
+    """
+
+    seed: int = 0
+    name: str = NAME
+
+    def __call__(self, quantity: Quantity, function: Function) -> Outcome:  # noqa: ARG002 - one interface for all
+        """Compares derivations; what was generated from the first one is proved equal to it when it is written."""
+        model = model_of(quantity)
+        if model is not None and row_of(quantity) in ROWS:
+            return _proof(quantity)
+        figure = _largest_difference(quantity, self.seed)
+        return Outcome.measured(NAME, figure, AGREEMENT, f"{_method(quantity)}, at {POINTS} random points")
+
+
+def _proof(quantity: Quantity) -> Outcome:
+    generating = _generating(quantity.module)
+    try:
+        found = [generating.read(entry) for entry in quantity.expression]
+    except NotExponentialPolynomial as error:
+        return Outcome.failed(NAME, f"not polynomial × trigonometric: {error}")
+    second = _second(quantity.module, row_of(quantity))
+    wrong = [
+        str(list(index))
+        for index, first, other in zip(indices(quantity.shape), found, second, strict=True)
+        if first != other
+    ]
+    said = f"entries {', '.join(wrong)} differ from" if wrong else "proved equal to"
+    return Outcome.measured(NAME, float(len(wrong)), 0.0, f"{said} derivatives of the moment generating function")
+
+
+@cache
+def _generating(name: str) -> GeneratingFunction:
+    model = next(q for q in (model_of(q) for q in catalogue().values() if q.module == name) if q is not None)
+    return GeneratingFunction(model)
+
+
+@cache
+def _second(model: str, row: str) -> Tensor[ExponentialPolynomial]:
+    return defined(row, _generating(model))
+
+
+def _method(quantity: Quantity) -> str:
+    """How the second derivation goes, in words."""
+    row = row_of(quantity)
+    if quantity.name in ELEMENTARY:
+        return ELEMENTARY[quantity.name].method
+    if quantity.module == "finite_sample":
+        return "exact least squares over fractions"
+    if quantity.module == "observe":
+        _, _, kind = row.rpartition(".")
+        return "the conversion undoes it" if kind == "map" else "power series of the map"
+    return f"observe.{quantity.module}.map undoes it" if row == "map" else "direct power series of the map"
+
+
+def _largest_difference(quantity: Quantity, seed: int) -> float:
+    evaluator = Evaluator(quantity.expression, quantity.symbols, DIGITS)
+    largest = 0.0
+    with mpmath.workdps(DIGITS):
+        for point, expected in zip(_points(quantity, seed), _references(quantity, seed), strict=True):
+            found = _composed(quantity, point, evaluator(point))
+            if found.shape != expected.shape:
+                return float("inf")
+            largest = max(largest, _difference(found, expected))
+    return largest
+
+
+def _points(quantity: Quantity, seed: int) -> list[dict[str, float]]:
+    columns = coarse(quantity, POINTS, seed + 1)
+    return [{name: float(values[n]) for name, values in columns.items()} for n in range(POINTS)]
+
+
+@cache
+def _references(quantity: Quantity, seed: int) -> Numbers:
+    """The second derivation at each point; a quantity with the same name has the same."""
+    with mpmath.workdps(DIGITS):
+        return tuple(_reference(quantity, point) for point in _points(quantity, seed))
+
+
+def _reference(quantity: Quantity, point: Mapping[str, float]) -> Tensor[Number]:
+    model, row = model_of(quantity), row_of(quantity)
+    at: dict[Symbol, Number] = {symbol: mpmath.mpf(point[symbol.name]) for symbol in quantity.symbols}
+    if quantity.name in ELEMENTARY:
+        return ELEMENTARY[quantity.name].values({symbol.name: value for symbol, value in at.items()})
+    if quantity.module == "finite_sample":
+        found = least_squares(row, point)
+    elif quantity.module == "observe":
+        found = _observed(quantity, at)
+    elif model is not None and row == "map":
+        found = Tensor((len(model.measured),), tuple(at[variable] for variable in model.measured))
+    else:
+        found = direct(row, model, _complete(model, at)) if model is not None else None
+    if found is None:
+        raise LookupError(f"{quantity.name} has no second derivation")
+    return found
+
+
+def _complete(model: Model, at: Mapping[Symbol, Number]) -> dict[Symbol, Number]:
+    """The numbers of all symbols of a model; those that a quantity does not depend on may have any."""
+    return {symbol: mpmath.mpf(symbol.high) / 16 for symbol in model.symbols} | dict(at)
+
+
+def _observed(quantity: Quantity, at: Mapping[Symbol, Number]) -> Tensor[Number]:
+    name, _, kind = row_of(quantity).rpartition(".")
+    symbols = quantity.symbols
+    if kind == "map":
+        position = [at[symbol] for symbol in symbols]
+        if name == "ruv":  # an array sees what is in front of it: its direction cosines do not tell behind
+            position[2] = abs(position[2])
+        return Tensor((len(position),), tuple(position))
+    order = {"jacobian": 1, "hessian": 2}[kind]
+    observed = catalogue()[f"observe.{name}.map"].expression
+    return derivatives(jets(list(observed), at, symbols, order), order, len(symbols))
+
+
+def _composed(quantity: Quantity, point: Mapping[str, float], found: Tensor[Number]) -> Tensor[Number]:
+    """What a map gives, taken back by the map that undoes it; anything else as it is."""
+    model, row = model_of(quantity), row_of(quantity)
+    name, _, kind = row.rpartition(".")
+    if quantity.module == "observe" and kind == "map":
+        return _position(name, found, point)
+    if model is not None and row == "map":
+        return _measured(model, found, point)
+    return found
+
+
+def _measured(model: Model, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
+    """The measured quantities from coordinates; a range rate from the pseudo-measurement and the range."""
+    observe = catalogue()[f"observe.{model.name}.map"]
+    state = [*found.entries[:2], mpmath.mpf(0), mpmath.mpf(0)] if "eta" in model.outputs else list(found.entries)
+    seen = list(_values(observe, state))
+    if "eta" in model.outputs:
+        seen[2] = found.entries[2] / mpmath.mpf(point["r"])
+    return Tensor((len(seen),), tuple(seen))
+
+
+def _position(name: str, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
+    """The state from what is observed; the velocity as it was, if its radial part is right."""
+    model_map = catalogue()[f"{name}.map"]
+    position = list(_values(model_map, list(found.entries)))
+    if "vx" not in point:
+        return Tensor((len(position),), tuple(position))
+    x, y, eta = position
+    given = [mpmath.mpf(point[axis]) for axis in ("x", "y", "vx", "vy")]
+    radial = given[0] * given[2] + given[1] * given[3]
+    return Tensor((4,), (x, y, given[2] * eta / radial, given[3] * eta / radial))
+
+
+def _values(quantity: Quantity, numbers: list[Number]) -> tuple[Number, ...]:
+    return Evaluator(quantity.expression, quantity.symbols, DIGITS)(numbers).entries
+
+
+def _difference(found: Tensor[Number], expected: Tensor[Number]) -> float:
+    """The largest difference of an entry by the entry; a zero by the largest entry."""
+    size = max(abs(value) for value in expected) or mpmath.mpf(1)
+    differences = [abs(first - second) / (abs(second) or size) for first, second in zip(found, expected, strict=True)]
+    return max(float(mpmath.re(d)) if mpmath.isfinite(d) and mpmath.im(d) == 0 else float("inf") for d in differences)

@@ -1,0 +1,95 @@
+"""Layer: errors of the code in units of the last place, at random points and where a search makes them worst."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.variable import Variable
+from radartrack.verification.balls import exact_arithmetic
+from radartrack.verification.domain_points import Points, coarse, sample
+from radartrack.verification.error_in_ulp import errors
+from radartrack.verification.outcome import Function, Outcome
+
+NAME = "ulp"
+BOUNDS = {"polar": 8.0}
+BOUND_ELSEWHERE = 16.0
+GENERATIONS = 5
+CORRELATED = 32
+ALLOWANCE = 2.0**10  # correlated errors may nearly cancel; the bound is for independent ones
+SURVIVORS = 0.02
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The error against arithmetic of many digits.
+
+    Attributes:
+        points: how many are tried; half are spread over all scales of the domain, and the rest, in generations, are
+            bred from the worst found so far: moved a little, or mixed.
+        seed: of the points.
+    """
+
+    points: int = 2000
+    seed: int = 0
+    name: str = NAME
+
+    def __call__(self, quantity: Quantity, function: Function) -> Outcome:
+        """The largest error found."""
+        arithmetic, exact = exact_arithmetic()
+        generator = np.random.Generator(np.random.Philox(self.seed + 3))
+        first = sample(quantity, max(1, self.points // 2), self.seed + 4)
+        tried, found = first, errors(function, quantity, first, exact)
+        worst_at_random = float(found.max())
+        litter = (self.points - len(found)) // GENERATIONS
+        for _ in range(GENERATIONS if litter and first else 0):
+            born = _bred(quantity, tried, found, litter, generator)
+            tried = {name: np.concatenate([values, born[name]]) for name, values in tried.items()}
+            found = np.concatenate([found, errors(function, quantity, born, exact)])
+        strong = errors(function, quantity, coarse(quantity, CORRELATED, self.seed + 7), exact)
+        bound = BOUNDS.get(quantity.module, BOUND_ELSEWHERE)
+        place = ", ".join(f"{name}={float(values[found.argmax()])!r}" for name, values in tried.items())
+        return Outcome.measured(
+            NAME,
+            max(float(found.max()), float(strong.max()) / ALLOWANCE),
+            bound,
+            f"{len(found)} points, {worst_at_random:.2g} ulp before the search, {strong.max():.2g} ulp with large "
+            f"correlated errors, {arithmetic}; worst at {place}",
+        )
+
+
+def _bred(
+    quantity: Quantity,
+    tried: Points,
+    found: npt.NDArray[np.float64],
+    count: int,
+    generator: np.random.Generator,
+) -> Points:
+    """Points made from the worst: each coordinate from one of two parents, some of them moved."""
+    ranked = np.argsort(-found, kind="stable")[: max(2, int(SURVIVORS * len(found)))]
+    mothers, fathers = generator.choice(ranked, count), generator.choice(ranked, count)
+    born: Points = {}
+    for symbol in quantity.symbols:
+        values = tried[symbol.name]
+        mixed = np.where(generator.random(count) < 0.8, values[mothers], values[fathers])
+        moved = np.where(generator.random(count) < 0.6, _moved(symbol, mixed, generator), mixed)
+        highest = born[symbol.at_most.name] if symbol.at_most is not None else symbol.high
+        kept = np.clip(moved, symbol.low, highest)
+        born[symbol.name] = np.floor(kept) if symbol.whole else kept
+    return born
+
+
+def _moved(
+    symbol: Variable, values: npt.NDArray[np.float64], generator: np.random.Generator
+) -> npt.NDArray[np.float64]:
+    """By a step whose size is drawn over all scales; relative to the value, or to the domain where that has zero."""
+    if symbol.is_correlation:
+        return values
+    size = np.exp(generator.uniform(np.log(1e-15), np.log(0.5), values.shape))
+    step = size * generator.choice([-1.0, 1.0], values.shape)
+    if symbol.low >= 0:
+        return np.asarray(values * (1 + step))
+    return np.asarray(np.where(generator.random(values.shape) < 0.5, values * (1 + step), values + step * symbol.high))

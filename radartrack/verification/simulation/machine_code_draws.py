@@ -1,0 +1,119 @@
+"""Draws in machine code, where Numba is installed: the extra `radartrack[fast]`.
+
+One loop does what any tape says, on so few draws at a time that they stay in the cache. It is compiled once, which
+takes seconds, and kept on disk. Sines of several draws are computed at once, which takes a quarter of NumPy's time.
+"""
+
+from __future__ import annotations
+
+import importlib
+import math
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack._arrays import machine_code
+from radartrack.verification.simulation.tracing import Tape
+
+Array = npt.NDArray[np.float64]
+Whole = npt.NDArray[np.int64]
+Loop = TypeVar("Loop", bound=Callable[..., Any])
+ADD, SUBTRACT, MULTIPLY, SIN, COS = range(5)
+OPERATIONS = {"add": ADD, "subtract": SUBTRACT, "multiply": MULTIPLY, "sin": SIN, "cos": COS}
+LANES = 512  # draws at a time
+LARGEST_ANGLE = 1e5  # multiples of the first two parts of π/2 are exact up to here
+HALF_PI = tuple(map(float.fromhex, ("0x1.921fb544p+0", "0x1.0b4611a6p-34", "0x1.3198a2e037073p-69")))
+SINE = tuple((-1.0) ** n / math.factorial(2 * n + 1) for n in reversed(range(9)))
+COSINE = tuple((-1.0) ** n / math.factorial(2 * n) for n in reversed(range(9)))
+
+
+def is_possible(tape: Tape) -> bool:
+    """Whether the loop knows all operations."""
+    return all(step.operation in OPERATIONS for step in tape.steps)
+
+
+def summation(tape: Tape) -> Callable[[Iterable[Array]], Array]:
+    """What takes blocks [input, draw], whose lengths LANES divides, and gives each result's sum over all draws."""
+    steps = [(OPERATIONS[step.operation], step.place, step.operands[0], step.operands[-1]) for step in tape.steps]
+    table, results = np.array(steps, dtype=np.int64), np.array(tape.results, dtype=np.int64)
+    rows, totals = np.empty((tape.places, LANES)), np.empty((len(results), LANES))
+    for number, place in tape.constants.items():
+        rows[place] = number
+
+    def summed(blocks: Iterable[Array]) -> Array:
+        totals[:] = 0.0
+        for block in blocks:
+            _run(table, results, block, rows, totals)
+        return np.asarray(totals.sum(axis=-1))
+
+    return summed
+
+
+def _machine_code(loop: Loop) -> Loop:
+    if not machine_code.is_available():
+        return loop
+    numba: Any = importlib.import_module("numba")
+    fast: Loop = numba.njit(cache=True, nogil=True, error_model="numpy")(loop)
+    return fast
+
+
+@_machine_code
+def sine(angle: float, quarters: int) -> float:
+    """sin(angle + quarters π/2) for |angle| ≤ LARGEST_ANGLE: Taylor's series at the nearest multiple of π/2."""
+    turns = np.rint(angle * (2 / math.pi))
+    x = ((angle - turns * HALF_PI[0]) - turns * HALF_PI[1]) - turns * HALF_PI[2]
+    square, odd, even = x * x, 0.0, 0.0
+    for coefficient in SINE:
+        odd = odd * square + coefficient
+    for coefficient in COSINE:
+        even = even * square + coefficient
+    quarter = np.int32(turns) + np.int32(quarters)
+    size = even if quarter & 1 else x * odd
+    return -size if quarter & 2 else size
+
+
+@_machine_code
+def _sines(angles: Array, quarters: int, result: Array) -> None:
+    outside = 0
+    for i in range(LANES):
+        outside += not abs(angles[i]) <= LARGEST_ANGLE
+    if outside:
+        for i in range(LANES):
+            result[i] = math.cos(angles[i]) if quarters else math.sin(angles[i])
+    else:
+        for i in range(LANES):
+            result[i] = sine(angles[i], quarters)
+
+
+@_machine_code
+def _step(operation: int, left: Array, right: Array, result: Array) -> None:
+    if operation == ADD:
+        for i in range(LANES):
+            result[i] = left[i] + right[i]
+    elif operation == SUBTRACT:
+        for i in range(LANES):
+            result[i] = left[i] - right[i]
+    elif operation == MULTIPLY:
+        for i in range(LANES):
+            result[i] = left[i] * right[i]
+    else:
+        _sines(left, operation - SIN, result)
+
+
+@_machine_code
+def _accumulate(totals: Array, values: Array) -> None:
+    for i in range(LANES):
+        totals[i] += values[i]
+
+
+@_machine_code
+def _run(table: Whole, results: Whole, inputs: Array, rows: Array, totals: Array) -> None:
+    for start in range(0, inputs.shape[1], LANES):
+        for i in range(len(inputs)):
+            rows[i] = inputs[i, start : start + LANES]
+        for operation, place, left, right in table:
+            _step(operation, rows[left], rows[right], rows[place])
+        for i in range(len(results)):
+            _accumulate(totals[i], rows[results[i]])
