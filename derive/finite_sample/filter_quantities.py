@@ -10,20 +10,19 @@ from radartrack.derive.finite_sample.least_squares_filter import (
     RATIO,
     C,
     FiniteSample,
-    T,
     fewest_scans,
     j,
     k,
-    product,
     scans,
     sigma_r,
     sigma_v,
     tau,
-    transposed,
 )
 from radartrack.derive.finite_sample.orthogonal_polynomials import HIGHEST_DEGREE, GramForm
 from radartrack.derive.finite_sample.range_rate_gain import Gain
+from radartrack.derive.language.matrix import product, transposed
 from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable

@@ -13,24 +13,22 @@ determinants.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, reduce
-from itertools import chain
+from functools import cached_property
 from math import factorial
-from operator import add, mul
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.finite_sample.centred_filter import CentredFilter
 from radartrack.derive.finite_sample.power_sums import summed
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
-from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, SECOND
+from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE
 
 MOST_SCANS = 1e6
 
 sigma_r = Variable("sigma_r", "standard deviation of the error of the range", METRE, 1e-3, 1e4)
 sigma_v = Variable("sigma_v", "standard deviation of the error of the range rate", METRE_PER_SECOND, 1e-4, 1e4)
-T = Variable("T", "time from scan to scan", SECOND, 1e-3, 1e3)
 C = Variable("C", "sigma_r^2/(T^2 sigma_v^2), the weight of the range rate", ONE, 0.0, 1e12)
 tau = Variable("tau", "scans from the newest one to the time of the estimate, less than 0 to smooth", ONE, -1e6, 1e6)
 
@@ -182,17 +180,6 @@ def fewest_scans(degree: int, *, with_rate: bool) -> int:
 def highest_degree(count: int, *, with_rate: bool) -> int:
     """The highest degree that `count` scans determine."""
     return 2 * count - 1 if with_rate else count - 1
-
-
-def product(first: Tensor[Expr], second: Tensor[Expr]) -> Tensor[Expr]:
-    """The matrix product."""
-    rows, columns = first.parts(), list(zip(*second.parts(), strict=True))
-    return Tensor.build((len(rows), len(columns)), lambda m, n: reduce(add, map(mul, rows[m], columns[n])))
-
-
-def transposed(matrix: Tensor[Expr]) -> Tensor[Expr]:
-    """The transpose."""
-    return Tensor((matrix.shape[1], matrix.shape[0]), tuple(chain.from_iterable(zip(*matrix.parts(), strict=True))))
 
 
 def _gram(row: list[Expr], precision: Expr) -> Tensor[Expr]:

@@ -26,7 +26,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.finite_sample.least_squares_filter import C, FiniteSample, T, j, k, sigma_r, tau
+from radartrack.derive.finite_sample.least_squares_filter import C, FiniteSample, j, k, sigma_r, tau
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, Symbol

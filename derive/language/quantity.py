@@ -106,3 +106,36 @@ class Quantity:
     def unit(self, index: Index) -> Unit:
         """The unit of one entry."""
         return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), self.common_unit)
+
+
+def scalar(
+    name: str,
+    meaning: str,
+    unit: Unit,
+    symbols: tuple[Variable, ...],
+    source: Source,
+    word: str,
+    derive: Callable[[], Expr],
+    rewriting: Callable[[], StableForm] | None = None,
+    *,
+    conditioning: Conditioning = Conditioning.NONE,
+    is_difference: bool = False,
+) -> Quantity:
+    """A quantity that is one number, written as it is derived unless there is a rewriting."""
+
+    def derivation() -> Tensor[Expr]:
+        return Tensor((), (derive(),))
+
+    return Quantity(
+        name,
+        meaning,
+        (),
+        symbols,
+        conditioning,
+        source,
+        word,
+        derivation,
+        rewriting or (lambda: StableForm({}, derivation())),
+        common_unit=unit,
+        is_difference=is_difference,
+    )

@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments.taylor import second_order_bias
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tracks.least_squares_line import scalar
 from radartrack.derive.units import METRE, ONE
 
 f_xx = Variable("f_xx", "second derivative by the first variable", METRE, -1e6, 1e6)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.finite_sample.least_squares_filter import T
 from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.motion import polynomial_motion
 from radartrack.derive.symbolic import Expr

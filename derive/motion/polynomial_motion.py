@@ -13,8 +13,8 @@ from functools import cache
 from math import factorial
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.finite_sample.least_squares_filter import T
 from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr

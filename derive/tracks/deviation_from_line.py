@@ -11,13 +11,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tracks import least_squares_line
-from radartrack.derive.tracks.least_squares_line import GAO, scalar, stable_slope
+from radartrack.derive.tracks.least_squares_line import GAO, stable_slope
 from radartrack.derive.tracks.line_over_time import t, v, x
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, SECOND
 

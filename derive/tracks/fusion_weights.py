@@ -15,12 +15,12 @@ from functools import partial
 from itertools import chain
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable, angle, deviation, length
 from radartrack.derive.symbolic import Expr, Matrix, Symbol
-from radartrack.derive.tracks.least_squares_line import root_of_linear, scalar
+from radartrack.derive.tracks.least_squares_line import root_of_linear
 from radartrack.derive.units import METRE, ONE
 
 FULLEST = 0.999  # two covariances that are singular together may have no weights

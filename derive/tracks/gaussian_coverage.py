@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tracks.least_squares_line import scalar
 from radartrack.derive.units import ONE
 
 n = Variable("n", "how many standard deviations to either side", ONE, 1e-3, 10.0)

@@ -8,16 +8,16 @@ depends on how many points there are. Weighted distances v·l, as in (5) of Gao 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import METRE, ONE, RADIAN, Unit
+from radartrack.derive.units import METRE, ONE, RADIAN
 
 x = Variable("x", "first coordinate of a point", METRE, -1e6, 1e6)
 y = Variable("y", "second coordinate of a point", METRE, -1e6, 1e6)
@@ -260,37 +260,4 @@ def quantities() -> Iterator[Quantity]:
         Source("Pearson", 1901),
         "arc tangent of the slope",
         inclination,
-    )
-
-
-def scalar(
-    name: str,
-    meaning: str,
-    unit: Unit,
-    symbols: tuple[Variable, ...],
-    source: Source,
-    word: str,
-    derive: Callable[[], Expr],
-    rewriting: Callable[[], StableForm] | None = None,
-    *,
-    conditioning: Conditioning = Conditioning.NONE,
-    is_difference: bool = False,
-) -> Quantity:
-    """A quantity that is one number, written as it is derived unless there is a rewriting."""
-
-    def derivation() -> Tensor[Expr]:
-        return Tensor((), (derive(),))
-
-    return Quantity(
-        name,
-        meaning,
-        (),
-        symbols,
-        conditioning,
-        source,
-        word,
-        derivation,
-        rewriting or (lambda: StableForm({}, derivation())),
-        common_unit=unit,
-        is_difference=is_difference,
     )

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tracks.least_squares_line import root_of_linear, scalar
+from radartrack.derive.tracks.least_squares_line import root_of_linear
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, SECOND
 
 t = Variable("t", "time of a plot", SECOND, -1e4, 1e4)

@@ -11,7 +11,7 @@ import mpmath
 
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values, is_real
 from radartrack.derive.checking.comparing.points import Point, domain_points, generic_points, round_points
-from radartrack.derive.checking.verdict import Counterexample
+from radartrack.derive.checking.reporting.verdict import Counterexample
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.language.tensor import Index, Tensor

@@ -21,7 +21,7 @@ from radartrack.derive.checking.conventions.altered_question import (
     without_correlation,
 )
 from radartrack.derive.checking.question.compared_quantity import Part
-from radartrack.derive.checking.verdict import Suggestion
+from radartrack.derive.checking.reporting.verdict import Suggestion
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices

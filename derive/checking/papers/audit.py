@@ -9,7 +9,7 @@ from radartrack.derive.checking.check import check
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
-from radartrack.derive.checking.verdict import Outcome, Verdict
+from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from radartrack.derive.checking.papers.claims_file import Claim
-from radartrack.derive.checking.verdict import Verdict
+from radartrack.derive.checking.reporting.verdict import Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.tree import (

@@ -15,7 +15,7 @@ from radartrack.derive.checking.papers.claims_file import Along, Claim
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.checking.question.single_number import scalar_expression
-from radartrack.derive.checking.verdict import Counterexample, Outcome, Verdict
+from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
 from radartrack.derive.evaluation.many_digits import DIGITS, GUARD, Evaluator, Number
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.tensor import Tensor

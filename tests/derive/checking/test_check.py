@@ -8,9 +8,9 @@ from radartrack.derive import check
 from radartrack.derive.catalogue import UnknownQuantity
 from radartrack.derive.checking.conventions import other_quantity
 from radartrack.derive.checking.conventions.altered_question import Point
-from radartrack.derive.checking.display import shown
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry, refer
-from radartrack.derive.checking.verdict import Outcome, Verdict
+from radartrack.derive.checking.reporting.derived_formula import shown
+from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.units import METRE

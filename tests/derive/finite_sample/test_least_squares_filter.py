@@ -10,17 +10,16 @@ from radartrack.derive.algebra.rational_function import is_zero
 from radartrack.derive.finite_sample.least_squares_filter import (
     C,
     FiniteSample,
-    T,
     fewest_scans,
     highest_degree,
     j,
     k,
-    product,
     sigma_r,
     tau,
-    transposed,
 )
 from radartrack.derive.finite_sample.power_sums import summed
+from radartrack.derive.language.matrix import product, transposed
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from tests.least_squares import exact_fit, full_fit
 

@@ -3,7 +3,7 @@
 import pytest
 import sympy
 
-from radartrack.derive.finite_sample.least_squares_filter import T
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.motion.polynomial_motion import MOTIONS, noise_intensity, process_noise, transition
 

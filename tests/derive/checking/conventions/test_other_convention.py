@@ -3,7 +3,7 @@
 import pytest
 
 from radartrack.derive import check
-from radartrack.derive.checking.verdict import Outcome
+from radartrack.derive.checking.reporting.verdict import Outcome
 
 
 def test_what_is_right_without_correlation_is_not_said_to_be_another_quantity_there() -> None:

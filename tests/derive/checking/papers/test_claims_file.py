@@ -4,7 +4,7 @@ import pytest
 
 from radartrack.derive.checking.papers.audit import decide
 from radartrack.derive.checking.papers.claims_file import Claim, ClaimsError, UnreadableClaim, read_claims, shipped
-from radartrack.derive.checking.verdict import Verdict
+from radartrack.derive.checking.reporting.verdict import Verdict
 
 GOOD = """
 paper = "Smith 2001"
