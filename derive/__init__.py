@@ -10,7 +10,8 @@ if TYPE_CHECKING:
     from radartrack.derive.catalogue import find
     from radartrack.derive.checking.check import check
     from radartrack.derive.language.model import Model
-    from radartrack.derive.language.quantity import Quantity, Source
+    from radartrack.derive.language.quantity import Quantity
+    from radartrack.derive.language.source import Source
     from radartrack.derive.language.variable import Variable, angle, correlation, deviation, length, speed
     from radartrack.derive.moments.conversion_quantities import quantities_of, word_to_order
     from radartrack.derive.moments.validity_of_linearisation import validity
@@ -21,7 +22,8 @@ _HOMES = {
     "moments.conversion_quantities": ("quantities_of", "word_to_order"),
     "language.model": ("Model",),
     "moments.validity_of_linearisation": ("validity",),
-    "language.quantity": ("Quantity", "Source"),
+    "language.quantity": ("Quantity",),
+    "language.source": ("Source",),
     "language.variable": ("Variable", "angle", "correlation", "deviation", "length", "speed"),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}

@@ -42,7 +42,7 @@ def weights_two(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike) -> Floats:
     Name: fusion.weights.two.
     Definition: argmin of the fused variance, weights summing to 1.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Aitken 1936.
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
 
     Args:
         sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
@@ -72,7 +72,7 @@ def variance_two(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike) -> Floats:
     Name: fusion.variance.two.
     Definition: sum of w^2 sigma^2.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Aitken 1936.
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
 
     Args:
         sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
@@ -99,7 +99,7 @@ def weights_three(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike, sigma_3: np
     Name: fusion.weights.three.
     Definition: argmin of the fused variance, weights summing to 1.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Aitken 1936.
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
 
     Args:
         sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
@@ -136,7 +136,7 @@ def variance_three(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike, sigma_3: n
     Name: fusion.variance.three.
     Definition: sum of w^2 sigma^2.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Aitken 1936.
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
 
     Args:
         sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
@@ -165,7 +165,7 @@ def weight(*, sigma_1: npt.ArrayLike, information: npt.ArrayLike) -> Floats:
     Name: fusion.weight.
     Definition: argmin of the fused variance, weights summing to 1.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Aitken 1936.
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
 
     Args:
         sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
@@ -198,7 +198,7 @@ def matrix_weights_two(
     Name: fusion.matrix_weights.two.
     Definition: argmin of the trace of the fused covariance, weights summing to the unit matrix.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Aitken 1936.
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
 
     Args:
         sigma_x1: standard deviation of x of measurement 1 [m], 0.01 to 1e+05.
@@ -259,7 +259,7 @@ def cross_range_std(*, r: npt.ArrayLike, sigma_beta: npt.ArrayLike) -> Floats:
     Name: fusion.cross_range_std.
     Definition: r times the error of azimuth.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 introduction.
+    Source: Gao et al. 2020 introduction, doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.

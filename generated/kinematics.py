@@ -45,7 +45,7 @@ def constant_position_transition(*, T: npt.ArrayLike) -> Floats:
     Name: kinematics.constant_position.transition.
     Definition: F = e^(AT).
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -69,7 +69,7 @@ def constant_position_process_noise(*, T: npt.ArrayLike, q: npt.ArrayLike) -> Fl
     Name: kinematics.constant_position.process_noise.
     Definition: Q = q int_0^T e^(As) g g' e^(As)' ds.
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -94,7 +94,7 @@ def constant_velocity_transition(*, T: npt.ArrayLike) -> Floats:
     Name: kinematics.constant_velocity.transition.
     Definition: F = e^(AT).
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -121,7 +121,7 @@ def constant_velocity_process_noise(*, T: npt.ArrayLike, q: npt.ArrayLike) -> Fl
     Name: kinematics.constant_velocity.process_noise.
     Definition: Q = q int_0^T e^(As) g g' e^(As)' ds.
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -150,7 +150,7 @@ def constant_acceleration_transition(*, T: npt.ArrayLike) -> Floats:
     Name: kinematics.constant_acceleration.transition.
     Definition: F = e^(AT).
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -182,7 +182,7 @@ def constant_acceleration_process_noise(*, T: npt.ArrayLike, q: npt.ArrayLike) -
     Name: kinematics.constant_acceleration.process_noise.
     Definition: Q = q int_0^T e^(As) g g' e^(As)' ds.
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -217,7 +217,7 @@ def constant_jerk_transition(*, T: npt.ArrayLike) -> Floats:
     Name: kinematics.constant_jerk.transition.
     Definition: F = e^(AT).
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.
@@ -257,7 +257,7 @@ def constant_jerk_process_noise(*, T: npt.ArrayLike, q: npt.ArrayLike) -> Floats
     Name: kinematics.constant_jerk.process_noise.
     Definition: Q = q int_0^T e^(As) g g' e^(As)' ds.
     Conditioning: no expectation is taken.
-    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001 6.2, doi:10.1002/0471221279.
 
     Args:
         T: time from scan to scan [s], 0.001 to 1000.

@@ -57,7 +57,7 @@ def distance(*, x: npt.ArrayLike, y: npt.ArrayLike, k: npt.ArrayLike, d: npt.Arr
     Name: line.distance.
     Definition: the least distance to a point of the line.
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (3).
+    Source: Gao et al. 2020 (3), doi:10.12126/see.2020.02.013.
 
     Args:
         x: first coordinate of a point [m], -1e+06 to 1e+06.
@@ -94,7 +94,7 @@ def objective(
     Name: line.objective.
     Definition: sum of w l^2.
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (4) with W = n, (5) with the squares of its weights.
+    Source: Gao et al. 2020 (4) with W = n, (5) with the squares of its weights, doi:10.12126/see.2020.02.013.
 
     Args:
         W: sum of the weights of the points [1], 0.001 to 1e+06.
@@ -142,7 +142,7 @@ def gradient(
     Name: line.gradient.
     Definition: d(sum of w l^2)/d(k, d).
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (6).
+    Source: Gao et al. 2020 (6), doi:10.12126/see.2020.02.013.
 
     Args:
         W: sum of the weights of the points [1], 0.001 to 1e+06.
@@ -191,7 +191,7 @@ def hessian(
     Name: line.hessian.
     Definition: d2(sum of w l^2)/d(k, d)2.
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (6).
+    Source: Gao et al. 2020 (6), doi:10.12126/see.2020.02.013.
 
     Args:
         W: sum of the weights of the points [1], 0.001 to 1e+06.
@@ -234,7 +234,7 @@ def intercept(*, k: npt.ArrayLike, mean_x: npt.ArrayLike, mean_y: npt.ArrayLike)
     Name: line.intercept.
     Definition: the zero of the derivative by d.
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (6).
+    Source: Gao et al. 2020 (6), doi:10.12126/see.2020.02.013.
 
     Args:
         k: slope of the line [1], -10 to 10.
@@ -260,7 +260,7 @@ def slope(*, S_xx: npt.ArrayLike, S_xy: npt.ArrayLike, S_yy: npt.ArrayLike) -> F
     Name: line.slope.
     Definition: the stationary slope where the Hessian is positive.
     Conditioning: no expectation is taken.
-    Source: Pearson 1901 and Gao et al. 2020 (6).
+    Source: Pearson 1901; Gao et al. 2020 (6), doi:10.1080/14786440109462720, doi:10.12126/see.2020.02.013.
 
     Args:
         S_xx: weighted sum of (x - mean_x)^2 [m^2], 0.01 to 1e+12.
@@ -291,7 +291,7 @@ def inclination(*, S_xx: npt.ArrayLike, S_xy: npt.ArrayLike, S_yy: npt.ArrayLike
     Name: line.inclination.
     Definition: arc tangent of the slope.
     Conditioning: no expectation is taken.
-    Source: Pearson 1901.
+    Source: Pearson 1901, doi:10.1080/14786440109462720.
 
     Args:
         S_xx: weighted sum of (x - mean_x)^2 [m^2], 0.01 to 1e+12.
@@ -432,7 +432,7 @@ def folded_mean_factor() -> Floats:
     Name: line.folded_mean_factor.
     Definition: E|l| for l ~ N(0, 1).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Leone et al. 1961.
+    Source: Leone et al. 1961, doi:10.2307/1266560.
 
     Returns:
         Shape of the broadcast arguments, unit 1.
@@ -449,7 +449,7 @@ def folded_std_factor() -> Floats:
     Name: line.folded_std_factor.
     Definition: sqrt(1 - (E|l|)^2) for l ~ N(0, 1).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Leone et al. 1961.
+    Source: Leone et al. 1961, doi:10.2307/1266560.
 
     Returns:
         Shape of the broadcast arguments, unit 1.
@@ -466,7 +466,7 @@ def folded_std(*, sigma_l: npt.ArrayLike) -> Floats:
     Name: line.folded_std.
     Definition: standard deviation of |l|.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (9).
+    Source: Gao et al. 2020 (9), doi:10.12126/see.2020.02.013.
 
     Args:
         sigma_l: standard deviation of a perpendicular distance [m], 0.01 to 1e+05.
@@ -490,7 +490,7 @@ def motion_residual(*, t: npt.ArrayLike, x: npt.ArrayLike, v: npt.ArrayLike, d: 
     Name: line.motion.residual.
     Definition: x - v t - d.
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 2.3.
+    Source: Gao et al. 2020 2.3, doi:10.12126/see.2020.02.013.
 
     Args:
         t: time of a plot [s], -10000 to 10000.
@@ -524,7 +524,7 @@ def motion_distance(
     Name: line.motion.distance.
     Definition: (x - v t - d)/sqrt(1 + (v/c)^2).
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (3) as used in (8).
+    Source: Gao et al. 2020 (3) as used in (8), doi:10.12126/see.2020.02.013.
 
     Args:
         t: time of a plot [s], -10000 to 10000.
@@ -552,7 +552,7 @@ def motion_printed_std(*, v: npt.ArrayLike, sigma_x: npt.ArrayLike, c: npt.Array
     Name: line.motion.printed_std.
     Definition: standard deviation of |l| for Gaussian errors of x.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (9).
+    Source: Gao et al. 2020 (9), doi:10.12126/see.2020.02.013.
 
     Args:
         v: speed of the target along the coordinate [m/s], -10000 to 10000.
@@ -585,7 +585,7 @@ def motion_printed_position_std(
     Name: line.motion.printed_position_std.
     Definition: root mean square of both.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (10).
+    Source: Gao et al. 2020 (10), doi:10.12126/see.2020.02.013.
 
     Args:
         v_x: speed along x [m/s], -10000 to 10000.
@@ -621,7 +621,7 @@ def motion_slope_limit(
     Name: line.motion.slope_limit.
     Definition: c times the slope of the population.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (4) as used in 2.2.
+    Source: Gao et al. 2020 (4) as used in 2.2, doi:10.12126/see.2020.02.013.
 
     Args:
         v: speed of the target along the coordinate, not zero [m/s], 0.01 to 10000.
@@ -661,7 +661,7 @@ def motion_variance_limit(
     Name: line.motion.variance_limit.
     Definition: the objective per plot at its minimum.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (4) as used in 2.2.
+    Source: Gao et al. 2020 (4) as used in 2.2, doi:10.12126/see.2020.02.013.
 
     Args:
         v: speed of the target along the coordinate, not zero [m/s], 0.01 to 10000.
@@ -692,7 +692,7 @@ def position_std(*, sigma_x: npt.ArrayLike, sigma_y: npt.ArrayLike) -> Floats:
     Name: line.position_std.
     Definition: sqrt((sigma_x^2 + sigma_y^2)/2).
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (10).
+    Source: Gao et al. 2020 (10), doi:10.12126/see.2020.02.013.
 
     Args:
         sigma_x: standard deviation of the error of x [m], 0.01 to 1e+05.
@@ -722,7 +722,7 @@ def position_std_in_space(
     Name: line.position_std_in_space.
     Definition: sqrt((sigma_x^2 + sigma_y^2 + sigma_z^2)/3).
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (2).
+    Source: Gao et al. 2020 (2), doi:10.12126/see.2020.02.013.
 
     Args:
         sigma_x: standard deviation of the error of x [m], 0.01 to 1e+05.

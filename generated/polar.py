@@ -193,7 +193,7 @@ def covariance_linear(
     Name: polar.covariance.linear.
     Definition: J K J'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Prosov (9); Gao et al. 2020 (1).
+    Source: Prosov (9); Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -329,7 +329,7 @@ def std_linear(
     Name: polar.std.linear.
     Definition: sqrt((J K J')_aa).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (1).
+    Source: Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -372,7 +372,7 @@ def std_position(
     Name: polar.std.position.
     Definition: sqrt(tr(J K J')/n).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (2).
+    Source: Gao et al. 2020 (2), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -490,7 +490,7 @@ def bias_truth(
     Name: polar.bias.truth.
     Definition: (e^L - 1) h.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -532,7 +532,7 @@ def bias_averaged(
     Name: polar.bias.averaged.
     Definition: (e^2L - e^L) h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -581,7 +581,7 @@ def covariance_truth(
     Name: polar.covariance.truth.
     Definition: C = e^L(h h') - (e^L h)(e^L h)'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -662,7 +662,7 @@ def covariance_averaged(
     Name: polar.covariance.averaged.
     Definition: e^L C.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+    Source: Lerro & Bar-Shalom 1993; Prosov (11), doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -760,7 +760,7 @@ def unbiased_estimate(
     Name: polar.unbiased.estimate.
     Definition: u = e^-L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -802,7 +802,7 @@ def unbiased_covariance(
     Name: polar.unbiased.covariance.
     Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h').
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -899,7 +899,7 @@ def posterior_estimate(
     Name: polar.posterior.estimate.
     Definition: e^L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -940,7 +940,7 @@ def posterior_covariance(
     Name: polar.posterior.covariance.
     Definition: e^L(h h') - (e^L h)(e^L h)'.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1024,7 +1024,7 @@ def decorrelated_covariance(
     Name: polar.decorrelated.covariance.
     Definition: e^Lp [e^L(u u') - h h'].
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated.
+    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
 
     Args:
         r: range [m], 1 to 1e+08.

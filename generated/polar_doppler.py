@@ -227,7 +227,7 @@ def covariance_linear(
     Name: polar_doppler.covariance.linear.
     Definition: J K J'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Prosov (9); Gao et al. 2020 (1).
+    Source: Prosov (9); Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -359,7 +359,7 @@ def std_linear(
     Name: polar_doppler.std.linear.
     Definition: sqrt((J K J')_aa).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (1).
+    Source: Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -496,7 +496,7 @@ def bias_truth(
     Name: polar_doppler.bias.truth.
     Definition: (e^L - 1) h.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -541,7 +541,7 @@ def bias_averaged(
     Name: polar_doppler.bias.averaged.
     Definition: (e^2L - e^L) h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -587,7 +587,7 @@ def covariance_truth(
     Name: polar_doppler.covariance.truth.
     Definition: C = e^L(h h') - (e^L h)(e^L h)'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -667,7 +667,7 @@ def covariance_averaged(
     Name: polar_doppler.covariance.averaged.
     Definition: e^L C.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+    Source: Lerro & Bar-Shalom 1993; Prosov (11), doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -745,7 +745,7 @@ def unbiased_estimate(
     Name: polar_doppler.unbiased.estimate.
     Definition: u = e^-L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -790,7 +790,7 @@ def unbiased_covariance(
     Name: polar_doppler.unbiased.covariance.
     Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h').
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -888,7 +888,7 @@ def posterior_estimate(
     Name: polar_doppler.posterior.estimate.
     Definition: e^L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -933,7 +933,7 @@ def posterior_covariance(
     Name: polar_doppler.posterior.covariance.
     Definition: e^L(h h') - (e^L h)(e^L h)'.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1017,7 +1017,7 @@ def decorrelated_covariance(
     Name: polar_doppler.decorrelated.covariance.
     Definition: e^Lp [e^L(u u') - h h'].
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated.
+    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
 
     Args:
         r: range [m], 1 to 1e+08.

@@ -242,7 +242,7 @@ def covariance_linear(
     Name: ruv.covariance.linear.
     Definition: J K J'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Prosov (9); Gao et al. 2020 (1).
+    Source: Prosov (9); Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -417,7 +417,7 @@ def std_linear(
     Name: ruv.std.linear.
     Definition: sqrt((J K J')_aa).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (1).
+    Source: Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -465,7 +465,7 @@ def std_position(
     Name: ruv.std.position.
     Definition: sqrt(tr(J K J')/n).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (2).
+    Source: Gao et al. 2020 (2), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -676,7 +676,7 @@ def bias_truth_second_order(
     Name: ruv.bias.truth.second_order.
     Definition: (e^L - 1) h to sigma^2.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -723,7 +723,7 @@ def bias_truth_fourth_order(
     Name: ruv.bias.truth.fourth_order.
     Definition: (e^L - 1) h to sigma^4.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -797,7 +797,7 @@ def bias_averaged_second_order(
     Name: ruv.bias.averaged.second_order.
     Definition: (e^2L - e^L) h to sigma^2.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -844,7 +844,7 @@ def bias_averaged_fourth_order(
     Name: ruv.bias.averaged.fourth_order.
     Definition: (e^2L - e^L) h to sigma^4.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -918,7 +918,7 @@ def covariance_truth_second_order(
     Name: ruv.covariance.truth.second_order.
     Definition: C = e^L(h h') - (e^L h)(e^L h)' to sigma^2.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -990,7 +990,7 @@ def covariance_truth_fourth_order(
     Name: ruv.covariance.truth.fourth_order.
     Definition: C = e^L(h h') - (e^L h)(e^L h)' to sigma^4.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1128,7 +1128,7 @@ def covariance_averaged_second_order(
     Name: ruv.covariance.averaged.second_order.
     Definition: e^L C to sigma^2.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+    Source: Lerro & Bar-Shalom 1993; Prosov (11), doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1200,7 +1200,7 @@ def covariance_averaged_fourth_order(
     Name: ruv.covariance.averaged.fourth_order.
     Definition: e^L C to sigma^4.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+    Source: Lerro & Bar-Shalom 1993; Prosov (11), doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1349,7 +1349,7 @@ def unbiased_estimate_second_order(
     Name: ruv.unbiased.estimate.second_order.
     Definition: u = e^-L h to sigma^2.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1399,7 +1399,7 @@ def unbiased_estimate_fourth_order(
     Name: ruv.unbiased.estimate.fourth_order.
     Definition: u = e^-L h to sigma^4.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1475,7 +1475,7 @@ def unbiased_covariance_second_order(
     Name: ruv.unbiased.covariance.second_order.
     Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h') to sigma^2.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1547,7 +1547,7 @@ def unbiased_covariance_fourth_order(
     Name: ruv.unbiased.covariance.fourth_order.
     Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h') to sigma^4.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1683,7 +1683,7 @@ def posterior_estimate_second_order(
     Name: ruv.posterior.estimate.second_order.
     Definition: e^L h to sigma^2.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1733,7 +1733,7 @@ def posterior_estimate_fourth_order(
     Name: ruv.posterior.estimate.fourth_order.
     Definition: e^L h to sigma^4.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1809,7 +1809,7 @@ def posterior_covariance_second_order(
     Name: ruv.posterior.covariance.second_order.
     Definition: e^L(h h') - (e^L h)(e^L h)' to sigma^2.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1881,7 +1881,7 @@ def posterior_covariance_fourth_order(
     Name: ruv.posterior.covariance.fourth_order.
     Definition: e^L(h h') - (e^L h)(e^L h)' to sigma^4.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2023,7 +2023,7 @@ def decorrelated_covariance_second_order(
     Name: ruv.decorrelated.covariance.second_order.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^2.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated.
+    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2103,7 +2103,7 @@ def decorrelated_covariance_fourth_order(
     Name: ruv.decorrelated.covariance.fourth_order.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^4.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated.
+    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
 
     Args:
         r: range [m], 1 to 1e+08.

@@ -54,7 +54,7 @@ def map(*, r: npt.ArrayLike, beta: npt.ArrayLike, epsilon: npt.ArrayLike) -> Flo
     Name: spherical.map.
     Definition: h.
     Conditioning: no expectation is taken.
-    Source: Gao et al. 2020 (1).
+    Source: Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -244,7 +244,7 @@ def covariance_linear(
     Name: spherical.covariance.linear.
     Definition: J K J'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Prosov (9); Gao et al. 2020 (1).
+    Source: Prosov (9); Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -468,7 +468,7 @@ def std_linear(
     Name: spherical.std.linear.
     Definition: sqrt((J K J')_aa).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (1).
+    Source: Gao et al. 2020 (1), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -522,7 +522,7 @@ def std_position(
     Name: spherical.std.position.
     Definition: sqrt(tr(J K J')/n).
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Gao et al. 2020 (2).
+    Source: Gao et al. 2020 (2), doi:10.12126/see.2020.02.013.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -682,7 +682,7 @@ def bias_truth(
     Name: spherical.bias.truth.
     Definition: (e^L - 1) h.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -740,7 +740,7 @@ def bias_averaged(
     Name: spherical.bias.averaged.
     Definition: (e^2L - e^L) h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -810,7 +810,7 @@ def covariance_truth(
     Name: spherical.covariance.truth.
     Definition: C = e^L(h h') - (e^L h)(e^L h)'.
     Conditioning: truth-conditioned: the measured symbols stand for the true values.
-    Source: Lerro & Bar-Shalom 1993.
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1043,7 +1043,7 @@ def covariance_averaged(
     Name: spherical.covariance.averaged.
     Definition: e^L C.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+    Source: Lerro & Bar-Shalom 1993; Prosov (11), doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1502,7 +1502,7 @@ def unbiased_estimate(
     Name: spherical.unbiased.estimate.
     Definition: u = e^-L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1559,7 +1559,7 @@ def unbiased_covariance(
     Name: spherical.unbiased.covariance.
     Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h').
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1912,7 +1912,7 @@ def posterior_estimate(
     Name: spherical.posterior.estimate.
     Definition: e^L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -1967,7 +1967,7 @@ def posterior_covariance(
     Name: spherical.posterior.covariance.
     Definition: e^L(h h') - (e^L h)(e^L h)'.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2204,7 +2204,7 @@ def decorrelated_covariance(
     Name: spherical.decorrelated.covariance.
     Definition: e^Lp [e^L(u u') - h h'].
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated.
+    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
 
     Args:
         r: range [m], 1 to 1e+08.

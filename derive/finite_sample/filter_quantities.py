@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.bibliography import cite
 from radartrack.derive.finite_sample.least_squares_filter import (
     RATIO,
     C,
@@ -21,8 +22,9 @@ from radartrack.derive.finite_sample.least_squares_filter import (
 from radartrack.derive.finite_sample.orthogonal_polynomials import HIGHEST_DEGREE, GramForm
 from radartrack.derive.finite_sample.range_rate_gain import Gain
 from radartrack.derive.language.matrix import product, transposed
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.shared_symbols import T
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -37,7 +39,7 @@ OBSERVED = {False: ("range", "range"), True: ("range_rate", "range and range rat
 
 def source(where: str) -> Source:
     """An equation of the paper on filtering over a finite sample."""
-    return Source("Gorshkov & Zavizhenets", None, where)
+    return cite("gorshkov", where)
 
 
 def quantities() -> Iterator[Quantity]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from radartrack.derive.language.identifiers import require_names
-from radartrack.derive.language.quantity import Source
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr

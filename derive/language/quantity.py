@@ -8,6 +8,7 @@ from enum import Enum
 from functools import cached_property, reduce
 from operator import mul
 
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
@@ -22,18 +23,6 @@ class Conditioning(Enum):
     TRUTH = "truth-conditioned: the measured symbols stand for the true values"
     MEASUREMENT = "measurement-conditioned: the measured symbols stand for the measurement"
     PREDICTION = "averaged over a prediction: the measured symbols stand for the predicted mean"
-
-
-@dataclass(frozen=True)
-class Source:
-    """Where a formula stands in print: author, year where known, and equation."""
-
-    author: str
-    year: int | None
-    where: str = ""
-
-    def __str__(self) -> str:
-        return " ".join(part for part in (self.author, str(self.year or ""), self.where) if part)
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,10 @@ from typing import Any
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial, NotExponentialPolynomial
+from radartrack.derive.bibliography import cite
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -108,12 +110,12 @@ def _square(conversion: Conversion) -> Axes:
     return (conversion.model.units, conversion.model.units)
 
 
-TAYLOR = Source("Prosov", None, "(6)-(7)")
-BAR_SHALOM = Source("Bar-Shalom & Li", 1995)
-LERRO = Source("Lerro & Bar-Shalom", 1993)
-MO = Source("Mo et al.", 1998)
-DUAN = Source("Duan et al.", 2004, "modified unbiased")
-BORDONARO = Source("Bordonaro et al.", 2014, "decorrelated")
+TAYLOR = cite("prosov", "(6)-(7)")
+BAR_SHALOM = cite("barshalom1995")
+LERRO = cite("lerro1993")
+MO = cite("mo1998")
+DUAN = cite("duan2004", "modified unbiased")
+BORDONARO = cite("bordonaro2014", "decorrelated")
 
 EXPANSION = (
     Row(
@@ -121,7 +123,7 @@ EXPANSION = (
         "map from the measured quantities to coordinates",
         "h",
         Conditioning.NONE,
-        Source("Prosov", None, "(1)"),
+        cite("prosov", "(1)"),
         _vector,
         lambda c: c.arguments,
         lambda c: c.model.map,
@@ -151,7 +153,7 @@ EXPANSION = (
         "bias of the plain conversion to second order",
         "L h",
         Conditioning.TRUTH,
-        Source("Prosov", None, "(7)"),
+        cite("prosov", "(7)"),
         _vector,
         lambda c: c.noisy,
         lambda c: c.taylor(taylor.second_order_bias),
@@ -161,7 +163,7 @@ EXPANSION = (
         "covariance of the linearised conversion",
         "J K J'",
         Conditioning.TRUTH,
-        Source("Prosov", None, "(9); Gao et al. 2020 (1)"),
+        cite("prosov", "(9)", cite("gao2020", "(1)")),
         _square,
         lambda c: c.noisy,
         lambda c: c.taylor(taylor.linear_covariance),
@@ -214,7 +216,7 @@ WORDS = (
         "exact covariance of the plain conversion, averaged over the truth",
         "e^L C",
         Conditioning.MEASUREMENT,
-        Source("Lerro & Bar-Shalom", 1993, "and Prosov (11)"),
+        cite("lerro1993", "", cite("prosov", "(11)")),
         _square,
         lambda c: c.noisy,
         debiased_conversion.covariance_averaged,
@@ -308,7 +310,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         axes=(units,),
         symbols=shared.noisy,
         conditioning=Conditioning.TRUTH,
-        source=Source("Gao et al.", 2020, "(1)"),
+        source=cite("gao2020", "(1)"),
         word="sqrt((J K J')_aa)",
         derivation=lambda: _coordinate_deviations(shared).expanded(),
         rewriting=lambda: _coordinate_deviations(shared),
@@ -320,7 +322,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         common_unit=units[0],
         symbols=shared.noisy,
         conditioning=Conditioning.TRUTH,
-        source=Source("Gao et al.", 2020, "(2)"),
+        source=cite("gao2020", "(2)"),
         word="sqrt(tr(J K J')/n)",
         derivation=lambda: _position_deviation(shared).expanded(),
         rewriting=lambda: _position_deviation(shared),
@@ -355,7 +357,7 @@ def _validity(shared: Conversion, formulas: str) -> Quantity:
         axes=((ONE,) * len(model.measured),),
         symbols=shared.noisy,
         conditioning=Conditioning.TRUTH,
-        source=Source("Prosov", None, "the question of validity"),
+        source=cite("prosov", "the question of validity"),
         word=f"sqrt(E[(J^-1 (w.d)^{NEGLECTED[formulas]} h)_i^2])/({factorial(NEGLECTED[formulas])} sigma_i)",
         derivation=lambda: validity(model, formulas),
         rewriting=lambda: validity_form(model, formulas),

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments.taylor import second_order_bias
@@ -25,7 +26,6 @@ D_2 = Variable("D_2", "variance of the second variable, in its unit squared", ON
 K_12 = Variable("K_12", "covariance of the variables, in their units", ONE, -1e3, 1e3)
 
 DERIVATIVES = (f_xx, f_xy, f_yy)
-PROSOV = "Prosov"
 
 
 def quadratic() -> Expr:
@@ -50,7 +50,7 @@ def quantities() -> Iterator[Quantity]:
         "quadratic term of Taylor's formula for two variables",
         METRE,
         (*DERIVATIVES, dx, dy),
-        Source(PROSOV, None, "(5)"),
+        cite("prosov", "(5)"),
         "the polynomial of second degree with these second derivatives",
         quadratic,
         is_difference=True,
@@ -60,7 +60,7 @@ def quantities() -> Iterator[Quantity]:
         "what the quadratic term adds to the mean of a function of two variables with errors",
         METRE,
         (*DERIVATIVES, D_1, D_2, K_12),
-        Source(PROSOV, None, "(7)"),
+        cite("prosov", "(7)"),
         "L f",
         mean_shift,
         conditioning=Conditioning.TRUTH,

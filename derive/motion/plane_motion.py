@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.motion import polynomial_motion
@@ -15,7 +16,6 @@ from radartrack.derive.units import METRE, METRE_PER_SECOND
 AXES = 2
 SIZE = 2
 UNITS = (METRE, METRE_PER_SECOND) * AXES
-PROSOV = "Prosov"
 
 
 def transition() -> Tensor[Expr]:
@@ -41,7 +41,7 @@ def quantities() -> Iterator[Quantity]:
         axes=(UNITS, tuple(unit**-1 for unit in UNITS)),
         symbols=(T,),
         conditioning=Conditioning.NONE,
-        source=Source(PROSOV, None, "F"),
+        source=cite("prosov", "F"),
         word="one block e^(AT) for each axis",
         derivation=transition,
     )
@@ -51,7 +51,7 @@ def quantities() -> Iterator[Quantity]:
         axes=((METRE,) * AXES, tuple(unit**-1 for unit in UNITS)),
         symbols=(),
         conditioning=Conditioning.NONE,
-        source=Source(PROSOV, None, "H_2"),
+        source=cite("prosov", "H_2"),
         word="the derivative of the position by the state",
         derivation=observation,
     )

@@ -13,14 +13,15 @@ from functools import cache
 from math import factorial
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.units import METRE, SECOND, Unit
 
-SOURCE = Source("Bar-Shalom, Li & Kirubarajan", 2001, "6.2")
+SOURCE = cite("barshalom2001", "6.2")
 MOTIONS = {
     1: ("constant_position", "position", "velocity"),
     2: ("constant_velocity", "position and velocity", "acceleration"),

@@ -11,7 +11,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -108,7 +109,7 @@ def _quantity(
         axes=axes,
         symbols=observation.state,
         conditioning=Conditioning.NONE,
-        source=Source("Bar-Shalom, Willett & Tian", 2011, "extended Kalman filter"),
+        source=cite("barshalom2011", "extended Kalman filter"),
         word=word,
         derivation=derivation,
         rewriting=lambda: observation.written(derivation()),

@@ -1,7 +1,7 @@
 """Range and azimuth in the plane, azimuth counter-clockwise from the x axis."""
 
+from radartrack.derive.bibliography import cite
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Source
 from radartrack.derive.language.variable import angle, correlation, deviation, length
 from radartrack.derive.symbolic import cos, sin
 from radartrack.derive.units import METRE
@@ -17,5 +17,5 @@ MODEL = Model(
     correlations={(r, beta): correlation("rho", r, beta)},
     outputs={"x": r * cos(beta), "y": r * sin(beta)},
     units=(METRE, METRE),
-    source=Source("Prosov", None, "(8)"),
+    source=cite("prosov", "(8)"),
 )

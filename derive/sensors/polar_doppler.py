@@ -1,7 +1,7 @@
 """Range, azimuth and range rate in the plane; the product of range and range rate is the pseudo-measurement eta."""
 
+from radartrack.derive.bibliography import cite
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Source
 from radartrack.derive.language.variable import angle, correlation, deviation, length, speed
 from radartrack.derive.symbolic import cos, sin
 from radartrack.derive.units import METRE, METRE_PER_SECOND
@@ -22,5 +22,5 @@ MODEL = Model(
     correlations={(r, rdot): correlation("rho", r, rdot)},
     outputs={"x": r * cos(beta), "y": r * sin(beta), "eta": r * rdot},
     units=(METRE, METRE, METRE * METRE_PER_SECOND),
-    source=Source("Duan et al.", 2005, "range rate as a pseudo-measurement"),
+    source=cite("duan2005", "range rate as a pseudo-measurement"),
 )

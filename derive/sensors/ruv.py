@@ -1,7 +1,7 @@
 """Range and two direction cosines (phased array), r·√(1 − u² − v²) along the array's normal."""
 
+from radartrack.derive.bibliography import cite
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Source
 from radartrack.derive.language.variable import Variable, correlation, deviation, length
 from radartrack.derive.symbolic import sqrt
 from radartrack.derive.units import METRE, ONE
@@ -22,5 +22,5 @@ MODEL = Model(
     correlations={(u, v): correlation("rho", u, v)},
     outputs={"x": r * u, "y": r * v, "z": r * sqrt(1 - u**2 - v**2)},
     units=(METRE, METRE, METRE),
-    source=Source("Bar-Shalom, Willett & Tian", 2011, "direction cosines"),
+    source=cite("barshalom2011", "direction cosines"),
 )

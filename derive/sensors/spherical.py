@@ -1,7 +1,7 @@
 """Range, azimuth and elevation in space, azimuth clockwise from the y axis (compass)."""
 
+from radartrack.derive.bibliography import cite
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Source
 from radartrack.derive.language.variable import angle, correlation, deviation, length
 from radartrack.derive.symbolic import cos, sin
 from radartrack.derive.units import METRE
@@ -26,5 +26,5 @@ MODEL = Model(
         "z": r * sin(epsilon),
     },
     units=(METRE, METRE, METRE),
-    source=Source("Gao et al.", 2020, "(1)"),
+    source=cite("gao2020", "(1)"),
 )

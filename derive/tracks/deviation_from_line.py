@@ -11,13 +11,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tracks import least_squares_line
-from radartrack.derive.tracks.least_squares_line import GAO, stable_slope
+from radartrack.derive.tracks.least_squares_line import stable_slope
 from radartrack.derive.tracks.line_over_time import t, v, x
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, SECOND
 
@@ -138,7 +139,7 @@ def quantities() -> Iterator[Quantity]:
         "mean of the absolute value of a centred Gaussian over its standard deviation",
         ONE,
         (),
-        Source("Leone et al.", 1961),
+        cite("leone1961"),
         "E|l| for l ~ N(0, 1)",
         folded_mean_factor,
         conditioning=Conditioning.TRUTH,
@@ -148,7 +149,7 @@ def quantities() -> Iterator[Quantity]:
         "standard deviation of the absolute value of a centred Gaussian over its own",
         ONE,
         (),
-        Source("Leone et al.", 1961),
+        cite("leone1961"),
         "sqrt(1 - (E|l|)^2) for l ~ N(0, 1)",
         folded_std_factor,
         conditioning=Conditioning.TRUTH,
@@ -158,7 +159,7 @@ def quantities() -> Iterator[Quantity]:
         "what (9) estimates for Gaussian distances",
         METRE,
         (sigma_l,),
-        Source(GAO, 2020, "(9)"),
+        cite("gao2020", "(9)"),
         "standard deviation of |l|",
         lambda: folded_std_factor() * sigma_l,
         conditioning=Conditioning.TRUTH,
@@ -168,7 +169,7 @@ def quantities() -> Iterator[Quantity]:
         "distance of a plot from a motion at constant speed, along the coordinate",
         METRE,
         (t, x, v, d),
-        Source(GAO, 2020, "2.3"),
+        cite("gao2020", "2.3"),
         "x - v t - d",
         residual,
         is_difference=True,
@@ -178,7 +179,7 @@ def quantities() -> Iterator[Quantity]:
         "perpendicular distance of a plot from a motion, in the plane of c t and x",
         METRE,
         (t, x, v, d, c),
-        Source(GAO, 2020, "(3) as used in (8)"),
+        cite("gao2020", "(3) as used in (8)"),
         "(x - v t - d)/sqrt(1 + (v/c)^2)",
         distance,
         is_difference=True,
@@ -188,7 +189,7 @@ def quantities() -> Iterator[Quantity]:
         "what (9) estimates from many plots about the true line",
         METRE,
         (v, sigma_x, c),
-        Source(GAO, 2020, "(9)"),
+        cite("gao2020", "(9)"),
         "standard deviation of |l| for Gaussian errors of x",
         printed_std,
         conditioning=Conditioning.TRUTH,
@@ -198,7 +199,7 @@ def quantities() -> Iterator[Quantity]:
         "what (10) estimates from many plots about the true lines",
         METRE,
         (v_x, v_y, sigma_x, sigma_y, c),
-        Source(GAO, 2020, "(10)"),
+        cite("gao2020", "(10)"),
         "root mean square of both",
         printed_position_std,
         conditioning=Conditioning.TRUTH,
@@ -209,7 +210,7 @@ def quantities() -> Iterator[Quantity]:
             "speed to which the perpendicular fit of a coordinate on time tends",
             METRE_PER_SECOND,
             (speed, sigma_x, std_t, c),
-            Source(GAO, 2020, "(4) as used in 2.2"),
+            cite("gao2020", "(4) as used in 2.2"),
             "c times the slope of the population",
             slope_limit,
             slope_limit_form,
@@ -223,7 +224,7 @@ def quantities() -> Iterator[Quantity]:
         "mean squared distance to which the perpendicular fit of a coordinate tends",
         METRE**2,
         (speed, sigma_x, std_t, c),
-        Source(GAO, 2020, "(4) as used in 2.2"),
+        cite("gao2020", "(4) as used in 2.2"),
         "the objective per plot at its minimum",
         variance_limit,
         variance_limit_form,
@@ -234,7 +235,7 @@ def quantities() -> Iterator[Quantity]:
         "root mean square of the deviations of x and y",
         METRE,
         (sigma_x, sigma_y),
-        Source(GAO, 2020, "(10)"),
+        cite("gao2020", "(10)"),
         "sqrt((sigma_x^2 + sigma_y^2)/2)",
         position_std,
     )
@@ -243,7 +244,7 @@ def quantities() -> Iterator[Quantity]:
         "root mean square of the deviations of x, y and z",
         METRE,
         (sigma_x, sigma_y, sigma_z),
-        Source(GAO, 2020, "(2)"),
+        cite("gao2020", "(2)"),
         "sqrt((sigma_x^2 + sigma_y^2 + sigma_z^2)/3)",
         position_std_in_space,
     )

@@ -15,7 +15,8 @@ from functools import partial
 from itertools import chain
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable, angle, deviation, length
@@ -130,14 +131,14 @@ def quantities() -> Iterator[Quantity]:
         "error across the line of sight from an error of azimuth",
         METRE,
         (r, sigma_beta),
-        Source("Gao et al.", 2020, "introduction"),
+        cite("gao2020", "introduction"),
         "r times the error of azimuth",
         lambda: r * sigma_beta,
         conditioning=Conditioning.TRUTH,
     )
 
 
-AITKEN = Source("Aitken", 1936)
+AITKEN = cite("aitken1936")
 
 
 def _squares(deviations: Sequence[Symbol]) -> list[Expr]:

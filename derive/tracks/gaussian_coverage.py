@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
@@ -31,7 +32,7 @@ COVERAGE: Quantity = scalar(
     "probability that a Gaussian error is within n standard deviations",
     ONE,
     (n,),
-    Source("Gauss", 1809),
+    cite("gauss1809"),
     "the integral of the normal density from -n to n",
     coverage,
     conditioning=Conditioning.TRUTH,

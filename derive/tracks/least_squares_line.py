@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from functools import cache
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -182,7 +183,6 @@ def inclination() -> Expr:
     return sp.atan2(2 * S_xy, excess) / 2
 
 
-GAO = "Gao et al."
 SUMS = (W, mean_x, mean_y, S_xx, S_xy, S_yy)
 
 
@@ -193,7 +193,7 @@ def quantities() -> Iterator[Quantity]:
         "perpendicular distance of a point from a line, positive above it",
         METRE,
         (x, y, k, d),
-        Source(GAO, 2020, "(3)"),
+        cite("gao2020", "(3)"),
         "the least distance to a point of the line",
         distance,
         is_difference=True,
@@ -203,7 +203,7 @@ def quantities() -> Iterator[Quantity]:
         "weighted sum of the squared perpendicular distances",
         METRE**2,
         (*SUMS, k, d),
-        Source(GAO, 2020, "(4) with W = n, (5) with the squares of its weights"),
+        cite("gao2020", "(4) with W = n, (5) with the squares of its weights"),
         "sum of w l^2",
         objective,
         is_difference=True,
@@ -214,7 +214,7 @@ def quantities() -> Iterator[Quantity]:
         ((METRE**2, METRE),),
         (*SUMS, k, d),
         Conditioning.NONE,
-        Source(GAO, 2020, "(6)"),
+        cite("gao2020", "(6)"),
         "d(sum of w l^2)/d(k, d)",
         gradient,
         gradient_form,
@@ -226,7 +226,7 @@ def quantities() -> Iterator[Quantity]:
         ((METRE, ONE), (METRE, ONE)),
         (*SUMS, k, d),
         Conditioning.NONE,
-        Source(GAO, 2020, "(6)"),
+        cite("gao2020", "(6)"),
         "d2(sum of w l^2)/d(k, d)2",
         hessian,
         hessian_form,
@@ -237,7 +237,7 @@ def quantities() -> Iterator[Quantity]:
         "intercept of the line of least squared distances, given its slope",
         METRE,
         (k, mean_x, mean_y),
-        Source(GAO, 2020, "(6)"),
+        cite("gao2020", "(6)"),
         "the zero of the derivative by d",
         intercept,
         is_difference=True,
@@ -247,7 +247,7 @@ def quantities() -> Iterator[Quantity]:
         "slope of the line of least squared distances; S_xy must not be zero",
         ONE,
         (S_xx, S_xy, S_yy),
-        Source("Pearson", 1901, "and Gao et al. 2020 (6)"),
+        cite("pearson1901", "", cite("gao2020", "(6)")),
         "the stationary slope where the Hessian is positive",
         slope,
         lambda: stable_slope(S_xx - S_yy, S_xy),
@@ -257,7 +257,7 @@ def quantities() -> Iterator[Quantity]:
         "angle of the line of least squared distances with the x axis",
         RADIAN,
         (S_xx, S_xy, S_yy),
-        Source("Pearson", 1901),
+        cite("pearson1901"),
         "arc tangent of the slope",
         inclination,
     )

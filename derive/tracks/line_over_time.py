@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source, scalar
+from radartrack.derive.bibliography import cite
+from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
@@ -25,7 +26,7 @@ n = Variable("n", "number of plots", ONE, 3.0, 1e6)
 S_tt = Variable("S_tt", "sum of (t - mean_t)^2", SECOND**2, 1.0, 1e10)
 S_tx = Variable("S_tx", "sum of (t - mean_t)(x - mean_x)", SECOND * METRE, -1e8, 1e8)
 S_xx = Variable("S_xx", "sum of (x - mean_x)^2", METRE**2, 1e-2, 1e12)
-SOURCE = Source("Gauss", 1823)
+SOURCE = cite("gauss1823")
 
 
 def slope() -> Expr:

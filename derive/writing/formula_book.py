@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from itertools import chain, groupby
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.bibliography import WORKS, Work
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -51,8 +53,9 @@ def book(pages: Sequence[Page]) -> str:
     """All chapters, one a module, with their symbols."""
     names = [page.quantity.name for page in pages]
     chapters = [(module, list(group)) for module, group in groupby(pages, key=lambda page: page.quantity.module)]
-    contents = "\n".join(f"- [{module}](#{module}): {len(group)} quantities" for module, group in chapters)
-    return "\n".join([INTRODUCTION, contents, *(_chapter(module, group, names) for module, group in chapters)])
+    contents = [f"- [{module}](#{module}): {len(group)} quantities" for module, group in chapters]
+    texts = [_chapter(module, group, names) for module, group in chapters]
+    return "\n".join([INTRODUCTION, *contents, "- [sources](#sources)", *texts, _sources()])
 
 
 def formula(quantity: Quantity, form: StableForm) -> str:
@@ -139,6 +142,25 @@ def _chapter(module: str, pages: Sequence[Page], names: Sequence[str]) -> str:
     return "\n".join([f"\n## {module}\n", *table, *(_page(page, names) for page in pages)])
 
 
+def _sources() -> str:
+    """The bibliography, in the order of its keys."""
+    return "\n".join(["\n## sources\n", *(f"- {_work(work)}" for work in WORKS.values()), ""])
+
+
+def _work(work: Work) -> str:
+    parts = [f"{work.author} {work.year or ''}".rstrip(), f"*{work.title}*", work.published, _link(work.doi)]
+    return ", ".join(part for part in parts if part)
+
+
+def _link(doi: str) -> str:
+    return f"[doi:{doi}](https://doi.org/{doi})" if doi else ""
+
+
+def _cited(source: Source) -> str:
+    """A source, with links to what has a DOI."""
+    return ", ".join([str(source), *map(_link, source.dois)])
+
+
 def _row(symbol: Variable) -> str:
     return f"| `{symbol.name}` | $`{latex_name(symbol)}`$ | {symbol.meaning} | {symbol.unit} |"
 
@@ -152,7 +174,7 @@ def _page(page: Page, names: Sequence[str]) -> str:
         f"- definition: `{quantity.word}`",
         f"- conditioning: {quantity.conditioning.value}",
         f"- symbols: {symbols}; unit {quantity.unit_text}{shape}",
-        f"- source: {quantity.source}",
+        f"- source: {_cited(quantity.source)}",
         f"- generated function: {page.accuracy}",
         *([f"- related: {related}"] if related else []),
     ]

@@ -130,7 +130,7 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         f"Name: {quantity.name}.",
         f"Definition: {quantity.word}.",
         f"Conditioning: {quantity.conditioning.value}.",
-        f"Source: {quantity.source}.",
+        f"Source: {quantity.source.reference}.",
     ]
     arguments = [f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols]
     shape = ", ".join(map(str, quantity.shape))

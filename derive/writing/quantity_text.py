@@ -30,7 +30,7 @@ def heading(quantity: Quantity) -> list[str]:
         f"{quantity.name}: {quantity.meaning}",
         f"definition:   {quantity.word}",
         f"conditioning: {quantity.conditioning.value}",
-        f"source:       {quantity.source}",
+        f"source:       {quantity.source.reference}",
         f"unit:         {quantity.unit_text}",
         *(f"{symbol.name}: {symbol.meaning} [{symbol.unit}]" for symbol in quantity.symbols),
     ]

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import UnknownQuantity, catalogue, find
 from radartrack.derive.language.model import Model, predicted
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.tensor import Tensor, indices
 from radartrack.derive.language.variable import angle, correlation, deviation, length, speed
 from radartrack.derive.moments.conversion_quantities import quantities_of

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Source
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable, correlation, deviation
 from radartrack.derive.moments import debiased_conversion, taylor

@@ -8,7 +8,8 @@ import sympy
 from numpy.typing import ArrayLike
 
 from radartrack.derive.catalogue import find
-from radartrack.derive.language.quantity import Conditioning, Quantity, Source
+from radartrack.derive.language.quantity import Conditioning, Quantity
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import length
 from radartrack.derive.units import METRE, RADIAN, Unit
