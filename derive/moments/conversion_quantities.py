@@ -117,6 +117,7 @@ MO = cite("mo1998")
 DUAN = cite("duan2004", "modified unbiased")
 BORDONARO = cite("bordonaro2014", "decorrelated")
 
+# fmt: off - a table reads best with few lines a row
 EXPANSION = (
     Row(
         "map",
@@ -179,7 +180,9 @@ EXPANSION = (
         lambda c: c.taylor(taylor.second_order_covariance),
     ),
 )
+# fmt: on
 
+# fmt: off - a table reads best with few lines a row
 WORDS = (
     Row(
         "bias.truth",
@@ -272,6 +275,7 @@ WORDS = (
         debiased_conversion.decorrelated_covariance,
     ),
 )
+# fmt: on
 
 
 def quantities_of(model: Model) -> list[Quantity]:

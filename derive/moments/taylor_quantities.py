@@ -5,8 +5,6 @@ Only the quadratic polynomial with those derivatives matters, so it stands for t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from radartrack.derive import symbolic as sp
 from radartrack.derive.bibliography import cite
 from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
@@ -43,9 +41,9 @@ def mean_shift() -> Expr:
     return sp.expand(shift.entries[0])
 
 
-def quantities() -> Iterator[Quantity]:
-    """The quadratic term, and what it adds to the mean."""
-    yield scalar(
+# fmt: off - a table reads best with few lines a row
+QUANTITIES = (
+    scalar(
         "taylor.quadratic_term",
         "quadratic term of Taylor's formula for two variables",
         METRE,
@@ -54,8 +52,8 @@ def quantities() -> Iterator[Quantity]:
         "the polynomial of second degree with these second derivatives",
         quadratic,
         is_difference=True,
-    )
-    yield scalar(
+    ),
+    scalar(
         "taylor.mean_shift",
         "what the quadratic term adds to the mean of a function of two variables with errors",
         METRE,
@@ -65,4 +63,11 @@ def quantities() -> Iterator[Quantity]:
         mean_shift,
         conditioning=Conditioning.TRUTH,
         is_difference=True,
-    )
+    ),
+)
+# fmt: on
+
+
+def quantities() -> tuple[Quantity, ...]:
+    """The quadratic term, and what it adds to the mean."""
+    return QUANTITIES

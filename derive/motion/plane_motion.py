@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from radartrack.derive import symbolic as sp
 from radartrack.derive.bibliography import cite
 from radartrack.derive.language.quantity import Conditioning, Quantity
@@ -33,9 +31,9 @@ def observation() -> Tensor[Expr]:
     return Tensor.build((AXES, AXES * SIZE), lambda a, n: sp.Integer(int(n == a * SIZE)))
 
 
-def quantities() -> Iterator[Quantity]:
-    """Transition and observation of the state (x, vx, y, vy)."""
-    yield Quantity(
+# fmt: off - a table reads best with few lines a row
+QUANTITIES = (
+    Quantity(
         name="kinematics.plane.transition",
         meaning="transition of (x, vx, y, vy) from scan to scan at constant velocity",
         axes=(UNITS, tuple(unit**-1 for unit in UNITS)),
@@ -44,8 +42,8 @@ def quantities() -> Iterator[Quantity]:
         source=cite("prosov", "F"),
         word="one block e^(AT) for each axis",
         derivation=transition,
-    )
-    yield Quantity(
+    ),
+    Quantity(
         name="kinematics.plane.observation",
         meaning="position (x, y) from the state (x, vx, y, vy)",
         axes=((METRE,) * AXES, tuple(unit**-1 for unit in UNITS)),
@@ -54,4 +52,11 @@ def quantities() -> Iterator[Quantity]:
         source=cite("prosov", "H_2"),
         word="the derivative of the position by the state",
         derivation=observation,
-    )
+    ),
+)
+# fmt: on
+
+
+def quantities() -> tuple[Quantity, ...]:
+    """Transition and observation of the state (x, vx, y, vy)."""
+    return QUANTITIES

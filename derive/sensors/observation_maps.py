@@ -25,6 +25,21 @@ Axes = tuple[tuple[Unit, ...], ...]
 SINGULAR = "zero where they do not exist, at the radar and for angles on the vertical axis"
 
 
+@dataclass(frozen=True)
+class Direction:
+    """The direction of the target, over which derivatives are written.
+
+    Attributes:
+        definitions: distance and direction of the target, in terms of the state.
+        norms: the roots that the map and its derivatives hold → their names.
+        coordinates: coordinates and norms as products of distance and cosines.
+    """
+
+    definitions: Mapping[Symbol, Expr]
+    norms: Mapping[Expr, Symbol]
+    coordinates: Mapping[Expr, Expr]
+
+
 @dataclass(frozen=True, eq=False)
 class Observation:
     """A map from state to measurement.
@@ -35,9 +50,7 @@ class Observation:
         state: the symbols of the state.
         outputs: name and expression of each measured quantity.
         units: the unit of each output.
-        definitions: distance and direction of the target, in terms of the state.
-        norms: the roots that the map and its derivatives hold → their names.
-        directions: coordinates and norms as products of distance and cosines.
+        direction: over which the derivatives are written.
     """
 
     name: str
@@ -45,9 +58,7 @@ class Observation:
     state: tuple[Variable, ...]
     outputs: Mapping[str, Expr]
     units: tuple[Unit, ...]
-    definitions: Mapping[Symbol, Expr]
-    norms: Mapping[Expr, Symbol]
-    directions: Mapping[Expr, Expr]
+    direction: Direction
 
     @property
     def map(self) -> Tensor[Expr]:
@@ -57,23 +68,23 @@ class Observation:
     def written(self, derived: Tensor[Expr]) -> StableForm:
         """The same entries over distance and direction."""
         entries = derived.map_distinct(self._rewritten)
-        return StableForm(self.definitions, entries).only(entries)
+        return StableForm(self.direction.definitions, entries).only(entries)
 
     def _rewritten(self, entry: Expr) -> Expr:
         """Cosines and distance for coordinates and norms; what they have in common is divided out."""
         if entry.has(sp.atan2):
-            return entry.xreplace(dict(self.norms))
+            return entry.xreplace(dict(self.direction.norms))
         over_one = collected_form(Tensor((), (entry,)))
         normed = over_one.entries.entries[0].xreplace(
             {name: self._norm(definition) for name, definition in over_one.definitions.items()}
         )
-        above, below = sp.fraction(sp.factor(normed.xreplace(dict(self.directions))))
+        above, below = sp.fraction(sp.factor(normed.xreplace(dict(self.direction.coordinates))))
         return sp.ratio(above, below) if below.free_symbols else above / below
 
     def _norm(self, definition: Expr) -> Expr:
         """A root or a sum of squares in terms of the norms."""
-        squares = {root**2: norm**2 for root, norm in self.norms.items()}
-        return {**self.norms, **squares}[definition]
+        squares = {root**2: norm**2 for root, norm in self.direction.norms.items()}
+        return {**self.direction.norms, **squares}[definition]
 
 
 def quantities_of(observation: Observation) -> list[Quantity]:
@@ -117,11 +128,6 @@ def _quantity(
     )
 
 
-def quantities() -> list[Quantity]:
-    """Those of all observations."""
-    return [quantity for observation in observations() for quantity in quantities_of(observation)]
-
-
 def _coordinate(name: str) -> Variable:
     return Variable(name, f"position along the {name} axis, from the radar", METRE, -1e6, 1e6)
 
@@ -135,74 +141,80 @@ def _named(name: str) -> Symbol:
     return sp.Symbol(name, real=True)
 
 
-def observations() -> tuple[Observation, ...]:
-    """The four radars."""
-    x, y, z = (_coordinate(name) for name in "xyz")
-    vx, vy = _speed("vx", "x"), _speed("vy", "y")
-    distance, ground = _named("distance"), _named("ground_distance")
-    cos_azimuth, sin_azimuth = _named("cos_azimuth"), _named("sin_azimuth")
-    cos_elevation, sin_elevation = _named("cos_elevation"), _named("sin_elevation")
-    cosines = [_named(f"cosine_{axis}") for axis in "xyz"]
-    plane, space = sp.sqrt(x**2 + y**2), sp.sqrt(x**2 + y**2 + z**2)
-    in_plane: dict[Symbol, Expr] = {
-        distance: sp.hypot(x, y),
-        cos_azimuth: sp.ratio(x, distance),
-        sin_azimuth: sp.ratio(y, distance),
-    }
-    on_ground: dict[Expr, Expr] = {x: distance * cos_azimuth, y: distance * sin_azimuth}
-    polar = {"r": plane, "beta": sp.atan2(y, x)}
-    return (
-        Observation(
-            "polar",
-            "range and azimuth of a position in the plane",
-            (x, y),
-            polar,
-            (METRE, RADIAN),
-            in_plane,
-            {plane: distance},
-            on_ground,
-        ),
-        Observation(
-            "polar_doppler",
-            "range, azimuth and range rate of a position and velocity in the plane",
-            (x, y, vx, vy),
-            polar | {"rdot": (x * vx + y * vy) / plane},
-            (METRE, RADIAN, METRE_PER_SECOND),
-            in_plane,
-            {plane: distance},
-            on_ground,
-        ),
-        Observation(
-            "ruv",
-            "range and direction cosines of a position in space",
-            (x, y, z),
-            {"r": space, "u": x / space, "v": y / space},
-            (METRE, ONE, ONE),
-            {distance: sp.hypot(sp.hypot(x, y), z)}
-            | {cosine: sp.ratio(axis, distance) for cosine, axis in zip(cosines, (x, y, z), strict=True)},
-            {space: distance},
-            {axis: distance * cosine for cosine, axis in zip(cosines, (x, y, z), strict=True)},
-        ),
-        Observation(
-            "spherical",
-            "range, azimuth and elevation of a position in space",
-            (x, y, z),
-            {"r": space, "beta": sp.atan2(x, y), "epsilon": sp.atan2(z, plane)},
-            (METRE, RADIAN, RADIAN),
-            {
-                ground: sp.hypot(x, y),
-                distance: sp.hypot(ground, z),
-                cos_azimuth: sp.ratio(y, ground),
-                sin_azimuth: sp.ratio(x, ground),
-                cos_elevation: sp.ratio(ground, distance),
-                sin_elevation: sp.ratio(z, distance),
-            },
-            {plane: ground, space: distance},
-            {
-                x: distance * cos_elevation * sin_azimuth,
-                y: distance * cos_elevation * cos_azimuth,
-                z: distance * sin_elevation,
-                ground: distance * cos_elevation,
-            },
-        ),
-    )
+x, y, z = (_coordinate(name) for name in "xyz")
+vx, vy = _speed("vx", "x"), _speed("vy", "y")
+distance, ground = _named("distance"), _named("ground_distance")
+cos_azimuth, sin_azimuth = _named("cos_azimuth"), _named("sin_azimuth")
+cos_elevation, sin_elevation = _named("cos_elevation"), _named("sin_elevation")
+cosine_x, cosine_y, cosine_z = (_named(f"cosine_{axis}") for axis in "xyz")
+plane, space = sp.sqrt(x**2 + y**2), sp.sqrt(x**2 + y**2 + z**2)
+
+# Where a target lies, seen from the radar: the direction in terms of the state, and the state in terms of it.
+IN_PLANE = Direction(
+    {distance: sp.hypot(x, y), cos_azimuth: sp.ratio(x, distance), sin_azimuth: sp.ratio(y, distance)},
+    {plane: distance},
+    {x: distance * cos_azimuth, y: distance * sin_azimuth},
+)
+BY_COSINES = Direction(
+    {
+        distance: sp.hypot(sp.hypot(x, y), z),
+        cosine_x: sp.ratio(x, distance),
+        cosine_y: sp.ratio(y, distance),
+        cosine_z: sp.ratio(z, distance),
+    },
+    {space: distance},
+    {x: distance * cosine_x, y: distance * cosine_y, z: distance * cosine_z},
+)
+BY_ANGLES = Direction(
+    {
+        ground: sp.hypot(x, y),
+        distance: sp.hypot(ground, z),
+        cos_azimuth: sp.ratio(y, ground),
+        sin_azimuth: sp.ratio(x, ground),
+        cos_elevation: sp.ratio(ground, distance),
+        sin_elevation: sp.ratio(z, distance),
+    },
+    {plane: ground, space: distance},
+    {
+        x: distance * cos_elevation * sin_azimuth,
+        y: distance * cos_elevation * cos_azimuth,
+        z: distance * sin_elevation,
+        ground: distance * cos_elevation,
+    },
+)
+POLAR = {"r": plane, "beta": sp.atan2(y, x)}
+
+# fmt: off - a table reads best with few lines a row
+OBSERVATIONS = (
+    Observation("polar", "range and azimuth of a position in the plane", (x, y), POLAR, (METRE, RADIAN), IN_PLANE),
+    Observation(
+        "polar_doppler",
+        "range, azimuth and range rate of a position and velocity in the plane",
+        (x, y, vx, vy),
+        POLAR | {"rdot": (x * vx + y * vy) / plane},
+        (METRE, RADIAN, METRE_PER_SECOND),
+        IN_PLANE,
+    ),
+    Observation(
+        "ruv",
+        "range and direction cosines of a position in space",
+        (x, y, z),
+        {"r": space, "u": x / space, "v": y / space},
+        (METRE, ONE, ONE),
+        BY_COSINES,
+    ),
+    Observation(
+        "spherical",
+        "range, azimuth and elevation of a position in space",
+        (x, y, z),
+        {"r": space, "beta": sp.atan2(x, y), "epsilon": sp.atan2(z, plane)},
+        (METRE, RADIAN, RADIAN),
+        BY_ANGLES,
+    ),
+)
+# fmt: on
+
+
+def quantities() -> list[Quantity]:
+    """Those of all observations."""
+    return [quantity for observation in OBSERVATIONS for quantity in quantities_of(observation)]

@@ -7,7 +7,6 @@ c t and x the slope is v/c, and all that the method gives depends on c.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 from radartrack.derive import symbolic as sp
@@ -132,9 +131,9 @@ def position_std_in_space() -> Expr:
     return sp.sqrt((sigma_x**2 + sigma_y**2 + sigma_z**2) / 3)
 
 
-def quantities() -> Iterator[Quantity]:
-    """The fold factors, the printed deviations, and what they tend to."""
-    yield scalar(
+# fmt: off - a table reads best with few lines a row
+QUANTITIES = (
+    scalar(
         "line.folded_mean_factor",
         "mean of the absolute value of a centred Gaussian over its standard deviation",
         ONE,
@@ -143,8 +142,8 @@ def quantities() -> Iterator[Quantity]:
         "E|l| for l ~ N(0, 1)",
         folded_mean_factor,
         conditioning=Conditioning.TRUTH,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.folded_std_factor",
         "standard deviation of the absolute value of a centred Gaussian over its own",
         ONE,
@@ -153,8 +152,8 @@ def quantities() -> Iterator[Quantity]:
         "sqrt(1 - (E|l|)^2) for l ~ N(0, 1)",
         folded_std_factor,
         conditioning=Conditioning.TRUTH,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.folded_std",
         "what (9) estimates for Gaussian distances",
         METRE,
@@ -163,8 +162,8 @@ def quantities() -> Iterator[Quantity]:
         "standard deviation of |l|",
         lambda: folded_std_factor() * sigma_l,
         conditioning=Conditioning.TRUTH,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.motion.residual",
         "distance of a plot from a motion at constant speed, along the coordinate",
         METRE,
@@ -173,8 +172,8 @@ def quantities() -> Iterator[Quantity]:
         "x - v t - d",
         residual,
         is_difference=True,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.motion.distance",
         "perpendicular distance of a plot from a motion, in the plane of c t and x",
         METRE,
@@ -183,8 +182,8 @@ def quantities() -> Iterator[Quantity]:
         "(x - v t - d)/sqrt(1 + (v/c)^2)",
         distance,
         is_difference=True,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.motion.printed_std",
         "what (9) estimates from many plots about the true line",
         METRE,
@@ -193,8 +192,8 @@ def quantities() -> Iterator[Quantity]:
         "standard deviation of |l| for Gaussian errors of x",
         printed_std,
         conditioning=Conditioning.TRUTH,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.motion.printed_position_std",
         "what (10) estimates from many plots about the true lines",
         METRE,
@@ -203,8 +202,8 @@ def quantities() -> Iterator[Quantity]:
         "root mean square of both",
         printed_position_std,
         conditioning=Conditioning.TRUTH,
-    )
-    yield replace(
+    ),
+    replace(
         scalar(
             "line.motion.slope_limit",
             "speed to which the perpendicular fit of a coordinate on time tends",
@@ -218,8 +217,8 @@ def quantities() -> Iterator[Quantity]:
         ),
         scale=lambda: Tensor((), (slope_limit_scale(),)),
         measured_against="itself times the condition of the sums of squares that it is made of",
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.motion.variance_limit",
         "mean squared distance to which the perpendicular fit of a coordinate tends",
         METRE**2,
@@ -229,8 +228,8 @@ def quantities() -> Iterator[Quantity]:
         variance_limit,
         variance_limit_form,
         conditioning=Conditioning.TRUTH,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.position_std",
         "root mean square of the deviations of x and y",
         METRE,
@@ -238,8 +237,8 @@ def quantities() -> Iterator[Quantity]:
         cite("gao2020", "(10)"),
         "sqrt((sigma_x^2 + sigma_y^2)/2)",
         position_std,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.position_std_in_space",
         "root mean square of the deviations of x, y and z",
         METRE,
@@ -247,4 +246,11 @@ def quantities() -> Iterator[Quantity]:
         cite("gao2020", "(2)"),
         "sqrt((sigma_x^2 + sigma_y^2 + sigma_z^2)/3)",
         position_std_in_space,
-    )
+    ),
+)
+# fmt: on
+
+
+def quantities() -> tuple[Quantity, ...]:
+    """The fold factors, the printed deviations, and what they tend to."""
+    return QUANTITIES

@@ -8,7 +8,6 @@ depends on how many points there are. Weighted distances v·l, as in (5) of Gao 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 
 from radartrack.derive import symbolic as sp
@@ -186,9 +185,9 @@ def inclination() -> Expr:
 SUMS = (W, mean_x, mean_y, S_xx, S_xy, S_yy)
 
 
-def quantities() -> Iterator[Quantity]:
-    """The distance, the objective, its derivatives, and the best line."""
-    yield scalar(
+# fmt: off - a table reads best with few lines a row
+QUANTITIES = (
+    scalar(
         "line.distance",
         "perpendicular distance of a point from a line, positive above it",
         METRE,
@@ -197,8 +196,8 @@ def quantities() -> Iterator[Quantity]:
         "the least distance to a point of the line",
         distance,
         is_difference=True,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.objective",
         "weighted sum of the squared perpendicular distances",
         METRE**2,
@@ -207,8 +206,8 @@ def quantities() -> Iterator[Quantity]:
         "sum of w l^2",
         objective,
         is_difference=True,
-    )
-    yield Quantity(
+    ),
+    Quantity(
         "line.gradient",
         "derivatives of the sum of squared distances by slope and intercept",
         ((METRE**2, METRE),),
@@ -219,8 +218,8 @@ def quantities() -> Iterator[Quantity]:
         gradient,
         gradient_form,
         is_difference=True,
-    )
-    yield Quantity(
+    ),
+    Quantity(
         "line.hessian",
         "second derivatives of the sum of squared distances by slope and intercept",
         ((METRE, ONE), (METRE, ONE)),
@@ -231,8 +230,8 @@ def quantities() -> Iterator[Quantity]:
         hessian,
         hessian_form,
         is_difference=True,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.intercept",
         "intercept of the line of least squared distances, given its slope",
         METRE,
@@ -241,8 +240,8 @@ def quantities() -> Iterator[Quantity]:
         "the zero of the derivative by d",
         intercept,
         is_difference=True,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.slope",
         "slope of the line of least squared distances; S_xy must not be zero",
         ONE,
@@ -251,8 +250,8 @@ def quantities() -> Iterator[Quantity]:
         "the stationary slope where the Hessian is positive",
         slope,
         lambda: stable_slope(S_xx - S_yy, S_xy),
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.inclination",
         "angle of the line of least squared distances with the x axis",
         RADIAN,
@@ -260,4 +259,11 @@ def quantities() -> Iterator[Quantity]:
         cite("pearson1901"),
         "arc tangent of the slope",
         inclination,
-    )
+    ),
+)
+# fmt: on
+
+
+def quantities() -> tuple[Quantity, ...]:
+    """The distance, the objective, its derivatives, and the best line."""
+    return QUANTITIES

@@ -7,8 +7,6 @@ degrees of freedom are derived, plot by plot: each plot has one less its leverag
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from radartrack.derive import symbolic as sp
 from radartrack.derive.bibliography import cite
 from radartrack.derive.language.quantity import Conditioning, Quantity, scalar
@@ -68,9 +66,9 @@ def variance() -> Expr:
     return left / degrees_of_freedom()
 
 
-def quantities() -> Iterator[Quantity]:
-    """Slope, leverage, degrees of freedom, and the variance that they give."""
-    yield scalar(
+# fmt: off - a table reads best with few lines a row
+QUANTITIES = (
+    scalar(
         "line.ordinary.slope",
         "speed fitted by ordinary least squares of a coordinate on time",
         METRE_PER_SECOND,
@@ -78,8 +76,8 @@ def quantities() -> Iterator[Quantity]:
         SOURCE,
         "the zero of the derivative of the sum of squared residuals",
         slope,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.ordinary.leverage",
         "share of its own error that the fitted line takes from a plot",
         ONE,
@@ -87,8 +85,8 @@ def quantities() -> Iterator[Quantity]:
         SOURCE,
         "1 - d2(sum of squared residuals)/d(error)2/2",
         leverage,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.ordinary.degrees_of_freedom",
         "expected sum of squared residuals over the variance of one error",
         ONE,
@@ -97,8 +95,8 @@ def quantities() -> Iterator[Quantity]:
         "sum of (1 - leverage)",
         degrees_of_freedom,
         conditioning=Conditioning.TRUTH,
-    )
-    yield scalar(
+    ),
+    scalar(
         "line.ordinary.variance",
         "unbiased estimate of the error variance of a coordinate on a straight track",
         METRE**2,
@@ -108,4 +106,11 @@ def quantities() -> Iterator[Quantity]:
         variance,
         conditioning=Conditioning.MEASUREMENT,
         is_difference=True,
-    )
+    ),
+)
+# fmt: on
+
+
+def quantities() -> tuple[Quantity, ...]:
+    """Slope, leverage, degrees of freedom, and the variance that they give."""
+    return QUANTITIES
