@@ -39,6 +39,8 @@ from sympy import (
     fraction,
     latex,
     log,
+    nan,
+    oo,
     pi,
     sin,
     sinh,
@@ -47,6 +49,7 @@ from sympy import (
     tan,
     tanh,
     together,
+    zoo,
 )
 from sympy import Float as _Float
 from sympy import factor as _factor
@@ -98,6 +101,8 @@ __all__ = [
     "is_float",
     "latex",
     "log",
+    "nan",
+    "oo",
     "pi",
     "ratio",
     "sin",
@@ -108,6 +113,7 @@ __all__ = [
     "tanh",
     "together",
     "unguarded",
+    "zoo",
 ]
 
 

@@ -10,7 +10,6 @@ import mpmath
 
 from radartrack.derive.language.tensor import Tensor
 from radartrack.verification.second_derivations.direct_series import derivatives
-from radartrack.verification.second_derivations.matrix_exponential import moved
 from radartrack.verification.second_derivations.point_sets import (
     OrdinaryFit,
     WeightedPoint,
@@ -19,6 +18,7 @@ from radartrack.verification.second_derivations.point_sets import (
     principal_axis,
     squared_distance,
 )
+from radartrack.verification.second_derivations.van_loan_motion import moved
 
 METHOD = "weighted points, eigenvectors and integrals over errors"
 Number = Any

@@ -19,10 +19,10 @@ from radartrack.verification.second_derivations.best_weights import constrained_
 from radartrack.verification.second_derivations.definitions import ROWS, defined
 from radartrack.verification.second_derivations.direct_series import DirectSeries
 from radartrack.verification.second_derivations.exact_least_squares import inverse
-from radartrack.verification.second_derivations.matrix_exponential import drift, exponential
 from radartrack.verification.second_derivations.moment_generating_function import GeneratingFunction
 from radartrack.verification.second_derivations.point_sets import points_with
 from radartrack.verification.second_derivations.power_series import gaussian_moment, jets
+from radartrack.verification.second_derivations.van_loan_motion import drift, exponential
 from tests import maps
 from tests.examples import share
 

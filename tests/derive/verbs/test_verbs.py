@@ -1,0 +1,244 @@
+"""Verbs against definitions: sums term by term, integrals by quadrature, exponentials by their series."""
+
+import math
+import random
+from collections.abc import Callable
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.verbs.derivatives import hessian, jacobian, taylor
+from radartrack.derive.verbs.expectation import expectation
+from radartrack.derive.verbs.integrals import integrated
+from radartrack.derive.verbs.limit import limit
+from radartrack.derive.verbs.matrices import determinant, identity, inverse, product, transposed
+from radartrack.derive.verbs.matrix_exponential import exponential
+from radartrack.derive.verbs.no_closed_form import NoClosedForm
+from radartrack.derive.verbs.sums import summed
+from tests.examples import share
+
+a, q, T, sigma = (sp.Symbol(name, positive=True) for name in ("alpha", "q", "T", "sigma"))
+w, x, y, s = (sp.Symbol(name, real=True) for name in ("omega", "x", "y", "s"))
+j, k = sp.Symbol("j", positive=True), sp.Symbol("k", positive=True)
+VALUES = {a: 0.37, q: 0.83, T: 1.9, sigma: 0.6, w: -1.3, x: 0.7, y: -1.1}
+ZERO, ONE = sp.Integer(0), sp.Integer(1)
+SMALL = st.integers(-4, 4)
+
+
+def number(expression: Expr, **more: object) -> mpmath.mpf:
+    """The value at generic points, by SymPy's own evaluation to 30 digits."""
+    values = {**VALUES, **{sp.Symbol(name, positive=True): value for name, value in more.items()}}
+    return mpmath.mpf(sympy.N(expression.xreplace({s: sympy.Float(v, 30) for s, v in values.items()}), 30))
+
+
+TERMS = {
+    "polynomial": 3 * j**4 - j * w + 2,
+    "geometric": q**j,
+    "mixed": j**2 * q ** (k - j) * w,
+    "exponential": j * sp.exp(-a * j),
+    "several bases": q**j * sp.exp(w * j) + (j - k) ** 3,
+    "a power of a power": q ** (2 * j + 1) * j,
+}
+
+
+@pytest.mark.parametrize("term", TERMS.values(), ids=TERMS)
+@pytest.mark.parametrize(("first", "last"), [(1, 9), (0, 0), (-3, 5)])
+def test_a_sum_is_what_its_terms_add_up_to(term: Expr, first: int, last: int):
+    closed = summed(term, j, sp.Integer(first), k)
+    added = sum(number(term, j=sympy.Integer(n), k=sympy.Integer(last)) for n in range(first, last + 1))
+    assert abs(number(closed, k=sympy.Integer(last)) - added) < 1e-12 * (1 + abs(added))
+
+
+@share(1 / 2)
+@given(st.lists(SMALL, min_size=1, max_size=7))
+def test_the_sum_of_a_polynomial_to_one_more_grows_by_its_value(coefficients: list[int]):
+    polynomial = sp.Add(*(c * j**n for n, c in enumerate(coefficients)))
+    growth = summed(polynomial, j, ONE, k + 1) - summed(polynomial, j, ONE, k)
+    assert proved_equal(growth, polynomial.xreplace({j: k + 1}))
+
+
+def test_a_sum_without_a_closed_form_is_added_up_where_it_is_short_and_refused_where_it_is_not():
+    assert summed(1 / j, j, ONE, sp.Integer(4)) == sp.Rational(25, 12)
+    for last in (k, sp.Integer(10**9)):
+        with pytest.raises(NoClosedForm, match="sum over j of 1/j"):
+            summed(1 / j, j, ONE, last)
+
+
+def test_a_long_sum_with_a_closed_form_takes_no_longer():
+    assert summed(j, j, ONE, sp.Integer(10**9)) == sp.Integer(10**9 * (10**9 + 1) // 2)
+
+
+INTEGRANDS = {
+    "polynomial": s**3 - w * s,
+    "decay": s**2 * sp.exp(-a * s),
+    "wave": sp.cos(w * s) * sp.sin(2 * s + x),
+    "damped wave": s * sp.exp(-a * s) * sp.sin(w * s + x) ** 2,
+    "rational": (s + 1) / ((s + a) ** 2 * (s + q)),
+    "circle": 1 / (s**2 + a**2),
+    "shifted circle": (2 * s - 1) / (3 * s**2 + 2 * a * s + 5 * a**2),
+    "improper": s**4 / (s + a),
+}
+
+
+@pytest.mark.parametrize("function", INTEGRANDS.values(), ids=INTEGRANDS)
+def test_an_integral_is_what_quadrature_gives(function: Expr):
+    closed = integrated(function, s, sp.Rational(1, 3), T)
+    values = {symbol: value for symbol, value in VALUES.items() if symbol in function.free_symbols}
+    plain = sympy.lambdify(s, function.xreplace(values), "mpmath")
+    assert abs(number(closed) - mpmath.quad(plain, [mpmath.mpf(1) / 3, VALUES[T]])) < 1e-12
+
+
+@pytest.mark.parametrize("function", [sp.exp(-(s**2)), sp.sqrt(s + a), 1 / (s**5 + s + a), sp.log(s)])
+def test_an_integral_without_a_closed_form_is_refused(function: Expr):
+    with pytest.raises(NoClosedForm):
+        integrated(function, s, ZERO, T)
+
+
+LIMITS = {
+    "same degree": ((4 * k - 2) * k / (k * (k + 1)), sp.oo, 4),
+    "lower degree": ((4 * k - 2) / (k * (k + 1)), sp.oo, 0),
+    "decay beats powers": (k**9 * sp.exp(-a * k), sp.oo, 0),
+    "growth against growth": ((sp.exp(a * k) + k) / (3 * sp.exp(a * k) - 1), sp.oo, sp.Rational(1, 3)),
+    "a root": (sp.sqrt(1 + 1 / k) + sp.atan(1 / k), sp.oo, 1),
+    "towards minus infinity": ((k**3 + 1) / (2 * k**3 - k), -sp.oo, sp.Rational(1, 2)),
+    "a removable point": ((1 - sp.exp(-k * T)) / k, ZERO, T),
+    "second order": ((1 - sp.cos(w * k)) / k**2, ZERO, w**2 / 2),
+    "a regular point": ((k + 1) / (k + a), ONE, 2 / (1 + a)),
+}
+
+
+@pytest.mark.parametrize(("function", "point", "value"), LIMITS.values(), ids=LIMITS)
+def test_limits(function: Expr, point: Expr, value: object):
+    assert proved_equal(limit(function, k, point), value + ZERO)
+
+
+@pytest.mark.parametrize(
+    ("function", "point"),
+    [(k**2 / (k + 1), sp.oo), (sp.exp(w * k), sp.oo), (1 / k, ZERO), (sp.sin(k), sp.oo), (sp.log(k), sp.oo)],
+)
+def test_a_limit_that_is_infinite_missing_or_open_is_refused(function: Expr, point: Expr):
+    with pytest.raises(NoClosedForm):
+        limit(function, k, point)
+
+
+MATRICES = {
+    "shift": ((ZERO, T, ZERO), (ZERO, ZERO, T), (ZERO, ZERO, ZERO)),
+    "shift with one decay": ((ZERO, T, ZERO), (ZERO, ZERO, T), (ZERO, ZERO, -a * T)),
+    "two decays": ((-a, x), (ZERO, -q)),
+    "full": ((x, y), (w, a)),
+    "turn": (
+        (ZERO, T, ZERO, ZERO),
+        (ZERO, ZERO, ZERO, -w * T),
+        (ZERO, ZERO, ZERO, T),
+        (ZERO, w * T, ZERO, ZERO),
+    ),
+    "rotation": ((ZERO, -w), (w, ZERO)),
+    "saddle": ((ZERO, a**2), (ONE, ZERO)),
+    "blocks apart": ((ZERO, ZERO, T), (ZERO, -a, ZERO), (ZERO, ZERO, ZERO)),
+    "a double decay": ((-a, ONE), (ZERO, -a)),
+}
+
+
+@pytest.mark.parametrize("matrix", MATRICES.values(), ids=MATRICES)
+def test_an_exponential_is_what_its_series_gives(matrix: tuple[tuple[Expr, ...], ...]):
+    closed = exponential(matrix)
+    expected = mpmath.expm(mpmath.matrix([[number(entry) for entry in row] for row in matrix]), method="taylor")
+    for m, row in enumerate(closed):
+        for n, entry in enumerate(row):
+            assert abs(number(entry) - expected[m, n]) < 1e-13 * (1 + abs(expected[m, n]))
+
+
+def test_an_exponential_too_large_or_without_closed_eigenvalues_is_refused():
+    large = tuple(tuple(sp.Symbol(f"a_{m}_{n}") for n in range(12)) for m in range(12))
+    companion = ((ZERO, ONE, ZERO), (ZERO, ZERO, ONE), (x, y, w))
+    for matrix in (large, companion):
+        with pytest.raises(NoClosedForm):
+            exponential(matrix)
+
+
+@share(1 / 2)
+@given(st.integers(1, 5), st.randoms(use_true_random=False))
+def test_inverse_and_determinant_of_whole_numbers_are_sympys(order: int, source: random.Random):
+    rows = [[source.randint(-5, 5) for _ in range(order)] for _ in range(order)]
+    matrix = tuple(tuple(map(sp.Integer, row)) for row in rows)
+    expected = sympy.Matrix(rows)
+    assert determinant(matrix) == expected.det()
+    if expected.det() == 0:
+        with pytest.raises(NoClosedForm, match="determinant is zero"):
+            inverse(matrix)
+    else:
+        assert product(matrix, inverse(matrix)) == identity(order)
+        assert inverse(transposed(matrix)) == transposed(inverse(matrix))
+
+
+def test_a_matrix_times_its_inverse_is_the_unit_matrix_for_symbols():
+    matrix = ((x, y, a), (w, x, q), (T, a, y))
+    back = product(matrix, inverse(matrix))
+    assert all(proved_equal(back[m][n], ONE if m == n else ZERO) for m in range(3) for n in range(3))
+
+
+def test_a_full_matrix_of_symbols_that_is_too_large_is_refused():
+    matrix = tuple(tuple(sp.Symbol(f"a_{m}_{n}") for n in range(12)) for m in range(12))
+    with pytest.raises(NoClosedForm, match="too large"):
+        determinant(matrix)
+
+
+FUNCTIONS: dict[str, Callable[[Expr, Expr], Expr]] = {
+    "polynomial": lambda u, v: u**3 * v - u * v**2,
+    "wave": lambda u, v: u * sp.cos(v),
+    "growth": lambda u, v: sp.exp(u - 2 * v) + v,
+}
+
+
+@pytest.mark.parametrize("function", FUNCTIONS.values(), ids=FUNCTIONS)
+def test_an_expectation_is_what_quadrature_of_the_density_gives(function: Callable[[Expr, Expr], Expr]):
+    closed = expectation(function(x, y), {x: sigma, y: a})
+    plain = sympy.lambdify((x, y), function(x, y), "numpy")
+    nodes, weights = np.polynomial.hermite_e.hermegauss(40)
+    u, v = VALUES[x] + VALUES[sigma] * nodes[:, None], VALUES[y] + VALUES[a] * nodes[None, :]
+    found = weights @ plain(u, v) @ weights / (2 * math.pi)
+    assert abs(number(closed) - found) < 1e-11
+
+
+def test_an_expectation_without_a_closed_form_is_refused():
+    with pytest.raises(NoClosedForm, match="no closed form"):
+        expectation(sp.sqrt(x), {x: sigma})
+
+
+def test_derivatives_are_those_of_differences():
+    f = x**2 * sp.sin(y) + sp.exp(x * y)
+    step = mpmath.mpf("1e-9")
+    plain = sympy.lambdify((x, y), f, "mpmath")
+    with mpmath.workdps(40):
+        u, v = mpmath.mpf(VALUES[x]), mpmath.mpf(VALUES[y])
+        by_x = (plain(u + step, v) - plain(u - step, v)) / (2 * step)
+        mixed = (
+            plain(u + step, v + step)
+            - plain(u + step, v - step)
+            - plain(u - step, v + step)
+            + plain(u - step, v - step)
+        ) / (4 * step**2)
+    assert abs(number(jacobian([f], [x, y])[0][0]) - by_x) < 1e-12
+    assert abs(number(hessian(f, [x, y])[0][1]) - mixed) < 1e-12
+
+
+def test_a_taylor_polynomial_leaves_an_error_of_the_next_order():
+    f = sp.exp(x) * sp.cos(y - 2 * x)
+    polynomial = taylor(f, [x, y], 4)
+    errors = []
+    for scale in (1e-2, 5e-3):
+        point = {x: sympy.Float(0.7 * scale, 40), y: sympy.Float(-1.1 * scale, 40)}
+        errors.append(abs(sympy.N((f - polynomial).xreplace(point), 40)))
+    assert 28 < errors[0] / errors[1] < 36  # 2^5, up to the order after
+
+
+def test_a_function_without_a_taylor_polynomial_is_refused():
+    with pytest.raises(NoClosedForm, match="not finite"):
+        taylor(1 / x, [x], 2)
