@@ -19,7 +19,7 @@ from radartrack.derive.symbolic import Expr, PolyElement, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
 from radartrack.derive.verbs.partial_fractions import PartialFraction, partial_fractions
 
-ZERO = sp.Integer(0)
+ZERO: Expr = sp.Integer(0)
 
 
 def integrated(function: Expr, variable: Symbol, low: Expr, high: Expr) -> Expr:

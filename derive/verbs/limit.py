@@ -15,7 +15,8 @@ from radartrack.derive.verbs.derivatives import is_finite
 from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
 
 MOST_DERIVATIVES = 24  # until numerator and denominator are known at a point where both vanish
-ZERO = sp.Integer(0)
+ZERO: Expr = sp.Integer(0)
+ONE: Expr = sp.Integer(1)
 _CONTINUOUS = (sp.Abs, sp.acos, sp.asin, sp.atan, sp.cos, sp.cosh, sp.exp, sp.sin, sp.sinh, sp.tanh)
 
 
@@ -82,7 +83,7 @@ def _leading(total: Expr, x: Symbol) -> tuple[Expr, int, Expr]:
 
 
 def _term(part: Expr, x: Symbol) -> tuple[Expr, int, Expr]:
-    rate, power, coefficient = ZERO, 0, sp.Integer(1)
+    rate, power, coefficient = ZERO, 0, ONE
     for factor in sp.Mul.make_args(part):
         base, exponent = factor.as_base_exp()
         if x not in factor.free_symbols:

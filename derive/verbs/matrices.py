@@ -6,7 +6,6 @@ Determinants are expanded by rows with every minor computed once, so zeros cost 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
 from itertools import combinations
 from typing import TypeAlias
 
@@ -19,7 +18,8 @@ Matrix: TypeAlias = tuple[Vector, ...]
 
 MOST_ROWS = 12  # of a matrix that is multiplied or transposed
 MOST_MINORS = 4_000  # that are not zero; a full matrix of order 10 has a thousand, of order 12 four thousand
-ZERO, ONE = sp.Integer(0), sp.Integer(1)
+ZERO: Expr = sp.Integer(0)
+ONE: Expr = sp.Integer(1)
 
 
 def product(first: Matrix, second: Matrix) -> Matrix:
@@ -93,10 +93,16 @@ class _Minors:
     def __init__(self, matrix: Matrix) -> None:
         self._matrix = matrix
         self._count = 0
-        self.of = cache(self._of)
+        self._known: dict[tuple[tuple[int, ...], tuple[int, ...]], Expr] = {}
 
-    def _of(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
-        """The minor of some rows and columns, expanded by the first row."""
+    def of(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
+        """The minor of some rows and columns."""
+        if (rows, columns) not in self._known:
+            self._known[rows, columns] = self._expanded(rows, columns)
+        return self._known[rows, columns]
+
+    def _expanded(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
+        """By the first row."""
         if not rows:
             return ONE
         self._count += 1

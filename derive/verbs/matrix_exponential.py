@@ -16,7 +16,7 @@ from radartrack.derive.verbs.no_closed_form import NoClosedForm
 from radartrack.derive.verbs.partial_fractions import PartialFraction, partial_fractions
 
 LARGEST_ORDER = 8
-ZERO = sp.Integer(0)
+ZERO: Expr = sp.Integer(0)
 
 
 def exponential(matrix: Matrix) -> Matrix:

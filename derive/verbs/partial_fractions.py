@@ -9,7 +9,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
 
 HIGHEST_DEGREE = 12  # of a denominator
-ZERO = sp.Integer(0)
+ZERO: Expr = sp.Integer(0)
 
 
 @dataclass(frozen=True)

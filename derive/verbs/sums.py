@@ -15,7 +15,8 @@ from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
 
 MOST_ADDED = 1_000  # terms that are added one by one where there is no closed form
 HIGHEST_POWER = 64  # of the index; as of any power in a formula
-ZERO, ONE = sp.Integer(0), sp.Integer(1)
+ZERO: Expr = sp.Integer(0)
+ONE: Expr = sp.Integer(1)
 
 
 def summed(term: Expr, index: Symbol, first: Expr, last: Expr) -> Expr:
@@ -48,7 +49,8 @@ def _summed(part: Expr, index: Symbol, first: Expr, last: Expr) -> Expr:
 
 def _split(part: Expr, index: Symbol) -> tuple[Expr, int, Expr]:
     """A product as c, p and q of c · j^p · q^j."""
-    factor, power, base = ONE, 0, ONE
+    factor: Expr = ONE
+    power, base = 0, ONE
     for one in sp.Mul.make_args(part):
         if index not in one.free_symbols:
             factor *= one
