@@ -82,7 +82,8 @@ def inverse(matrix: Matrix) -> Matrix:
 
     def entry(m: int, n: int) -> Expr:
         rows, columns = (tuple(place for place in order if place != left_out) for left_out in (n, m))
-        return (-1) ** (m + n) * minors.of(rows, columns) / whole
+        minor = minors.of(rows, columns)
+        return (-minor if (m + n) % 2 else minor) / whole
 
     return tuple(tuple(entry(m, n) for n in order) for m in order)
 
