@@ -21,7 +21,7 @@ from radartrack.derive.finite_sample.least_squares_filter import (
 )
 from radartrack.derive.finite_sample.orthogonal_polynomials import HIGHEST_DEGREE, GramForm
 from radartrack.derive.finite_sample.range_rate_gain import Gain
-from radartrack.derive.language.matrix import product, transposed
+from radartrack.derive.language.matrix import product, rows, transposed
 from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.source import Source
@@ -203,14 +203,15 @@ def weight_scale(of: FiniteSample, kind: str, *, lagged: bool) -> Tensor[Expr]:
     is_rate = kind == "rate"
     information = of.information_of_rates if is_rate else of.information_of_ranges
     precision = of.weight_of_rate * T**2 if is_rate else sp.Integer(1)
-    squares = product(of.covariance, product(information, of.covariance))
+    covariance, transition = rows(of.covariance), rows(of.transition)
+    squares = product(covariance, product(rows(information), covariance))
     if lagged:
-        squares = product(of.transition, product(squares, transposed(of.transition)))
+        squares = product(transition, product(squares, transposed(transition)))
     unit = {sigma_r: sp.Integer(1)}
     ends = [own.map(lambda entry, at=at: entry.xreplace({j: at})) for at in (j, sp.Integer(1), k)]
     return Tensor.build(
         (of.size,),
-        lambda m: sp.sqrt(squares[m, m].xreplace(unit) * precision / k + sp.Add(*(some[m,] ** 2 for some in ends))),
+        lambda m: sp.sqrt(squares[m][m].xreplace(unit) * precision / k + sp.Add(*(some[m,] ** 2 for some in ends))),
     )
 
 

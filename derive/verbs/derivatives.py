@@ -7,8 +7,8 @@ from itertools import combinations_with_replacement
 from math import factorial, prod
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.language.matrix import Matrix, Vector
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.matrices import Matrix, Vector
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 MOST_TERMS = 500  # of a Taylor polynomial: six variables to order 4 have 210, to order 5 462

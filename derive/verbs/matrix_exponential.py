@@ -10,8 +10,9 @@ from __future__ import annotations
 from math import factorial
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.language.matrix import Matrix, identity
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.matrices import Matrix, identity, inverse
+from radartrack.derive.verbs.determinants import inverse
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 from radartrack.derive.verbs.partial_fractions import PartialFraction, partial_fractions
 

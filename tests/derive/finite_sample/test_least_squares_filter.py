@@ -18,7 +18,7 @@ from radartrack.derive.finite_sample.least_squares_filter import (
     tau,
 )
 from radartrack.derive.finite_sample.power_sums import summed
-from radartrack.derive.language.matrix import product, transposed
+from radartrack.derive.language import matrix
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from tests.least_squares import exact_fit, full_fit
@@ -40,6 +40,16 @@ def over_scans(expression: sympy.Expr) -> sympy.Expr:
 
 def column(entries: Tensor[sympy.Expr]) -> Tensor[sympy.Expr]:
     return Tensor((len(entries.entries), 1), entries.entries)
+
+
+def product(first: Tensor[Expr], second: Tensor[Expr]) -> Tensor[Expr]:
+    shape = (first.shape[0], second.shape[1])
+    found = matrix.product(matrix.rows(first), matrix.rows(second))
+    return Tensor.build(shape, lambda m, n: found[m][n])
+
+
+def transposed(of: Tensor[Expr]) -> Tensor[Expr]:
+    return Tensor.build(of.shape[::-1], lambda m, n: of[n, m])
 
 
 @every_filter

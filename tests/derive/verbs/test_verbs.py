@@ -13,12 +13,13 @@ from hypothesis import strategies as st
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.language.matrix import identity, product, transposed
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.derivatives import hessian, jacobian, taylor
+from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
 from radartrack.derive.verbs.integrals import integrated
 from radartrack.derive.verbs.limit import limit
-from radartrack.derive.verbs.matrices import determinant, identity, inverse, product, transposed
 from radartrack.derive.verbs.matrix_exponential import exponential
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 from radartrack.derive.verbs.sums import summed

@@ -1,62 +1,18 @@
-"""Matrices of expressions: products, transposes, inverses, determinants, traces, and how they are made.
+"""Determinants and inverses of matrices of expressions.
 
 Determinants are expanded by rows with every minor computed once, so zeros cost nothing and nothing is divided.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import combinations
-from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.language.matrix import ONE, ZERO, Matrix
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
-Vector: TypeAlias = tuple[Expr, ...]
-Matrix: TypeAlias = tuple[Vector, ...]
-
-MOST_ROWS = 12  # of a matrix that is multiplied or transposed
 MOST_MINORS = 4_000  # that are not zero; a full matrix of order 10 has a thousand, of order 12 four thousand
-ZERO: Expr = sp.Integer(0)
-ONE: Expr = sp.Integer(1)
-
-
-def product(first: Matrix, second: Matrix) -> Matrix:
-    """The matrix product, shape (rows of the first, columns of the second)."""
-    columns = transposed(second)
-    return tuple(tuple(inner(row, column) for column in columns) for row in first)
-
-
-def inner(first: Sequence[Expr], second: Sequence[Expr]) -> Expr:
-    """The sum of the products of entries."""
-    return sp.Add(*(a * b for a, b in zip(first, second, strict=True)))
-
-
-def outer(first: Sequence[Expr], second: Sequence[Expr]) -> Matrix:
-    """All products of an entry of one with an entry of the other."""
-    return tuple(tuple(a * b for b in second) for a in first)
-
-
-def transposed(matrix: Matrix) -> Matrix:
-    """Rows as columns."""
-    return tuple(zip(*matrix, strict=True))
-
-
-def identity(order: int) -> Matrix:
-    """The unit matrix."""
-    return diagonal([ONE] * order)
-
-
-def diagonal(entries: Sequence[Expr]) -> Matrix:
-    """A matrix with these entries on its diagonal and zeros elsewhere."""
-    places = range(len(entries))
-    return tuple(tuple(entries[m] if m == n else ZERO for n in places) for m in places)
-
-
-def trace(matrix: Matrix) -> Expr:
-    """The sum of the diagonal."""
-    return sp.Add(*(row[place] for place, row in enumerate(matrix)))
 
 
 def determinant(matrix: Matrix) -> Expr:
