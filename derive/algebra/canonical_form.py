@@ -169,7 +169,9 @@ class Field:
     def _power(self, expression: Expr) -> Quotient:
         base, exponent = expression.base, expression.exp
         if not isinstance(exponent, sp.Rational):
-            return self._exponential(self.read(exponent) * self.read(sp.log(base)))
+            number, rest = sp.expand(exponent).as_coeff_Add()  # q^(k + 1) is q q^k
+            grown = self._exponential(self.read(rest) * self.read(sp.log(base)))
+            return grown * self.read(base**number) if isinstance(number, sp.Rational) else grown
         root = self.read(base) if exponent.q == 1 else self._root(self.read(base), int(exponent.q))
         return root ** int(exponent.p) if exponent.p >= 0 else self._inverse(root) ** int(-exponent.p)
 

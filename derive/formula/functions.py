@@ -1,4 +1,4 @@
-"""The functions that a formula may use."""
+"""The functions and verbs that a formula may use."""
 
 from __future__ import annotations
 
@@ -28,6 +28,31 @@ NUMBER_OF_ARGUMENTS = MappingProxyType(
         "tanh": 1,
     }
 )
+
+# Verbs work on formulas, not on numbers: the fewest and the most arguments of each.
+VERBS = MappingProxyType(
+    {
+        "det": (1, 1),
+        "diag": (1, 12),
+        "diff": (2, 6),
+        "expectation": (2, 2),
+        "expm": (1, 1),
+        "eye": (1, 1),
+        "hessian": (2, 2),
+        "integral": (4, 4),
+        "inv": (1, 1),
+        "jacobian": (2, 2),
+        "limit": (3, 3),
+        "outer": (2, 2),
+        "sum": (4, 4),
+        "taylor": (3, 3),
+        "trace": (1, 1),
+        "transpose": (1, 1),
+    }
+)
+
+# The second argument of these is a name of their own: an index, a variable of integration, what goes to a limit.
+BINDING = frozenset({"integral", "limit", "sum"})
 
 OTHER_SPELLINGS = MappingProxyType({"arccos": "acos", "arcsin": "asin", "arctan": "atan", "ln": "log"})
 

@@ -16,11 +16,12 @@ from typing import TypeAlias
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold
-from radartrack.derive.formula.functions import EXPONENTIAL
+from radartrack.derive.formula.functions import EXPONENTIAL, VERBS
 from radartrack.derive.formula.tree import (
     Array,
     Call,
     Constant,
+    Entries,
     Name,
     Negation,
     Number,
@@ -37,6 +38,7 @@ MAX_DEGREE = 512  # of products and powers of powers, as if expanded
 MAX_DIGITS = 10_000  # of all exact numbers together
 LARGEST = Fraction(10) ** 300
 SMALLEST = 1 / LARGEST
+INFINITY = Constant("inf")
 
 Value: TypeAlias = Fraction | float
 
@@ -75,15 +77,18 @@ class Measure:
         digits: bound on those of its exact numbers together, were it expanded.
         value: what it is worth, when no symbol occurs.
         has_logarithm: whether one occurs.
+        is_infinite: whether it is infinity, where a limit goes.
     """
 
     degree: int
     digits: int
     value: Value | None
     has_logarithm: bool
+    is_infinite: bool = False
 
 
 _SYMBOL = Measure(degree=1, digits=0, value=None, has_logarithm=False)
+_INFINITY = Measure(degree=0, digits=1, value=None, has_logarithm=False, is_infinite=True)
 
 
 def magnitudes() -> Fold[Measure]:
@@ -98,6 +103,10 @@ def magnitudes() -> Fold[Measure]:
 def _measure(tree: Tree, parts: Sequence[Measure]) -> Measure:
     if isinstance(tree, Name):
         return _SYMBOL
+    if tree == INFINITY or (isinstance(tree, Negation) and parts[0].is_infinite):
+        return _INFINITY
+    if any(part.is_infinite for part in parts) and not (isinstance(tree, Call) and tree.function == "limit"):
+        raise FormulaError("inf stands only where a limit goes, limit(f, x, inf)", span=tree.span)
     if isinstance(tree, Power):
         _check_power(tree, *parts)
     if isinstance(tree, Call) and tree.function in EXPONENTIAL:
@@ -111,9 +120,14 @@ def _measure(tree: Tree, parts: Sequence[Measure]) -> Measure:
             span=tree.span,
         )
     values = [part.value for part in parts if part.value is not None]
-    constant = len(values) == len(parts) and not isinstance(tree, Array)
+    constant = len(values) == len(parts) and not _is_worked_out(tree)
     logarithm = any(part.has_logarithm for part in parts) or (isinstance(tree, Call) and tree.function == "log")
     return Measure(degree, digits, _checked_value(tree, values) if constant else None, logarithm)
+
+
+def _is_worked_out(tree: Tree) -> bool:
+    """Whether it is an array, or made of one by a verb: no number that is known at once."""
+    return isinstance(tree, Array | Entries) or (isinstance(tree, Call) and tree.function in VERBS)
 
 
 def _degree(tree: Tree, parts: Sequence[Measure]) -> int:
@@ -147,9 +161,10 @@ def _check_power(tree: Power, base: Measure, exponent: Measure) -> None:
         return
     span = tree.exponent.span
     if not isinstance(exponent.value, Fraction):
-        if base.value is None or base.value <= 0:
+        is_positive = base.value is not None and base.value > 0
+        if not is_positive and not isinstance(tree.base, Name):  # a name may stand for something positive
             raise FormulaError(
-                "an exponent that is no plain number is read only over e or a positive number", span=span
+                "an exponent that is no plain number is read only over e, a positive number or a name", span=span
             )
     elif abs(exponent.value) > MAX_EXPONENT:
         raise FormulaError(f"exponents lie between -{MAX_EXPONENT} and {MAX_EXPONENT}", span=span)

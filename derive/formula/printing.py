@@ -13,14 +13,17 @@ from radartrack.derive.formula.tree import (
     Array,
     Call,
     Constant,
+    Entries,
     Name,
     Negation,
     Number,
+    Place,
     Power,
     Product,
     Quotient,
     Sum,
     Tree,
+    children,
 )
 
 _LATEX_FUNCTIONS = MappingProxyType(
@@ -47,10 +50,40 @@ def to_text(tree: Tree) -> str:
         case Power(base, exponent):
             shown = f"({to_text(base)})" if isinstance(base, Power) else _text_of_factor(base)
             return f"{shown}**{_text_of_factor(exponent)}"
-        case Call(function, parts):
-            return f"{function}({', '.join(map(to_text, parts))})"
+        case Call():
+            return _text_of_call(tree)
         case Array(parts):
-            return f"[{', '.join(map(to_text, parts))}]"
+            return f"[{_listed(parts)}]"
+        case Entries(array, places):
+            return f"{_text_of_operand(array)}[{', '.join(map(_text_of_place, places))}]"
+
+
+def _text_of_call(tree: Call) -> str:
+    match tree:
+        case Call("transpose", (operand,)):
+            return f"{_text_of_operand(operand)}.T"
+        case Call("expectation", (function, Array(pairs))):
+            return f"expectation({to_text(function)}, {{{', '.join(map(_text_of_pair, pairs))}}})"
+        case Call(function, parts):
+            return f"{function}({_listed(parts)})"
+
+
+def _listed(trees: Sequence[Tree]) -> str:
+    return ", ".join(map(to_text, trees))
+
+
+def _text_of_operand(tree: Tree) -> str:
+    """What a transpose or an index follows."""
+    return to_text(tree) if isinstance(tree, Name | Call | Array | Entries) else f"({to_text(tree)})"
+
+
+def _text_of_pair(pair: Tree) -> str:
+    name, value = children(pair)
+    return f"{to_text(name)}: {to_text(value)}"
+
+
+def _text_of_place(place: Place) -> str:
+    return str(place) if isinstance(place, int) else ":".join("" if end is None else str(end) for end in place)
 
 
 def _text_of_term(tree: Tree) -> str:
@@ -80,6 +113,8 @@ def to_latex(tree: Tree) -> str:
             return _latex_of_call(function, arguments)
         case Array(entries):
             return _latex_of_array(entries)
+        case Entries(array, places):
+            return f"{_latex_of_factor(array)}_{{{', '.join(map(_text_of_place, places))}}}"
 
 
 def _latex_of_leaf(tree: Number | Constant | Name) -> str:
@@ -87,7 +122,7 @@ def _latex_of_leaf(tree: Number | Constant | Name) -> str:
         case Number(text):
             return _decimal(text)
         case Constant(name):
-            return "\\pi" if name == "pi" else "\\mathrm{e}"
+            return {"pi": "\\pi", "inf": "\\infty"}.get(name, "\\mathrm{e}")
         case Name(name):
             return latex_name(name)
 
@@ -123,6 +158,8 @@ def _latex_of_call(function: str, arguments: Sequence[Tree], raised: str = "") -
         return f"\\sqrt{{{listed}}}"
     if function == "abs":
         return f"\\left|{listed}\\right|"
+    if function == "transpose":
+        return f"{_latex_of_factor(arguments[0])}^{{\\mathsf{{T}}}}"
     command = _LATEX_FUNCTIONS.get(function, f"\\operatorname{{{function}}}")
     return f"{command}{raised}\\left({listed}\\right)"
 

@@ -16,6 +16,7 @@ from types import MappingProxyType
 from typing import TypeAlias, TypeVar
 
 from radartrack.derive.formula.error import Span
+from radartrack.derive.formula.functions import BINDING, VERBS
 
 Path: TypeAlias = tuple[int, ...]
 
@@ -95,7 +96,7 @@ class Power(Node):
 
 @dataclass(frozen=True, slots=True)
 class Call(Node):
-    """A function of `radartrack.derive.formula.functions`, by its name there, and its arguments."""
+    """A function or a verb of `radartrack.derive.formula.functions`, by its name there, and its arguments."""
 
     function: str
     arguments: tuple[Tree, ...]
@@ -108,7 +109,16 @@ class Array(Node):
     entries: tuple[Tree, ...]
 
 
-Tree: TypeAlias = Number | Constant | Name | Sum | Product | Quotient | Negation | Power | Call | Array
+@dataclass(frozen=True, slots=True)
+class Entries(Node):
+    """One entry of an array, or those of a slice: along each axis a place, or from where to where, None for an end."""
+
+    array: Tree
+    places: tuple[Place, ...]
+
+
+Place: TypeAlias = "int | tuple[int | None, int | None]"
+Tree: TypeAlias = Number | Constant | Name | Sum | Product | Quotient | Negation | Power | Call | Array | Entries
 AnyTree = TypeVar("AnyTree", bound=Node)
 
 
@@ -126,6 +136,7 @@ _CHILDREN: Mapping[type[Tree], Callable[..., tuple[Tree, ...]]] = MappingProxyTy
         Quotient: attrgetter("numerator", "denominator"),
         Power: attrgetter("base", "exponent"),
         Negation: lambda tree: (tree.operand,),
+        Entries: lambda tree: (tree.array,),
         **dict.fromkeys((Number, Constant, Name), lambda _: ()),
     }
 )
@@ -146,7 +157,9 @@ def with_children(tree: Tree, new: tuple[Tree, ...]) -> Tree:
             return _with_fixed_children(tree, new)
 
 
-def _with_fixed_children(tree: Number | Constant | Name | Quotient | Negation | Power, new: tuple[Tree, ...]) -> Tree:
+def _with_fixed_children(
+    tree: Number | Constant | Name | Quotient | Negation | Power | Entries, new: tuple[Tree, ...]
+) -> Tree:
     match tree:
         case Quotient():
             numerator, denominator = new
@@ -157,6 +170,9 @@ def _with_fixed_children(tree: Number | Constant | Name | Quotient | Negation | 
         case Negation():
             (operand,) = new
             return replace(tree, operand=operand)
+        case Entries():
+            (array,) = new
+            return replace(tree, array=array)
         case Number() | Constant() | Name():
             return tree
 
@@ -207,3 +223,14 @@ def parts(*trees: Tree) -> Iterator[Tree]:
 def names(tree: Tree) -> frozenset[str]:
     """The symbols that occur; the constants pi and e are none."""
     return frozenset(node.name for node in parts(tree) if isinstance(node, Name))
+
+
+def bound_names(tree: Tree) -> frozenset[str]:
+    """The names that verbs bring with them: indices of sums, variables of integration."""
+    verbs = (node for node in parts(tree) if isinstance(node, Call) and node.function in BINDING)
+    return frozenset(verb.arguments[1].name for verb in verbs if isinstance(verb.arguments[1], Name))
+
+
+def has_verbs(tree: Tree) -> bool:
+    """Whether verbs, products of arrays or picked entries occur, which are worked out and not only written."""
+    return any(isinstance(node, Entries) or (isinstance(node, Call) and node.function in VERBS) for node in parts(tree))

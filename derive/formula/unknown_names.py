@@ -7,7 +7,7 @@ from difflib import SequenceMatcher
 
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS
 
-CONSTANTS = {"pi": "pi", "e": "e", "E": "e"}
+CONSTANTS = {"pi": "pi", "e": "e", "E": "e", "inf": "inf"}
 MEANT = 0.6  # similarity from which a name is offered as the one meant
 SHOWN = 40  # characters of an unknown name that are repeated
 

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 from lark import Token, Transformer
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.fold import Fold, shared
-from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
+from radartrack.derive.formula.functions import BINDING, NUMBER_OF_ARGUMENTS, VERBS
 from radartrack.derive.formula.limits import check_number, check_size
 from radartrack.derive.formula.magnitude import Measure, magnitudes
-from radartrack.derive.formula.shape import shape
+from radartrack.derive.formula.shape import NO_SHAPES, Shape, shape
 from radartrack.derive.formula.tree import (
     Array,
     Call,
+    Entries,
     Name,
     Negation,
     Number,
+    Place,
     Power,
     Product,
     Quotient,
@@ -87,8 +89,44 @@ class TreeBuilder(Transformer[Token, Tree]):
         return Power(base, exponent, span=place(parts))
 
     def array(self, parts: Sequence[Part]) -> Tree:
-        """Entries of a vector, or rows."""
+        """Entries of a vector, or rows; a semicolon ends a row."""
+        rows: list[list[Tree]] = [[]]
+        for part in parts:
+            if not isinstance(part, Token):
+                rows[-1].append(part)
+            elif part == ";":
+                rows.append([])
+        if len(rows) == 1:
+            return Array(tuple(rows[0]), span=place(parts))
+        return Array(tuple(Array(tuple(row), span=place(row)) for row in rows), span=place(parts))
+
+    def verb(self, parts: Sequence[Part]) -> Tree:
+        """A verb and its arguments."""
+        return verb(str(parts[0]), trees(parts), place(parts))
+
+    def transposed(self, parts: Sequence[Part]) -> Tree:
+        """A matrix with rows for columns."""
+        return Call("transpose", tuple(trees(parts)), span=place(parts))
+
+    def pairs(self, parts: Sequence[Part]) -> Tree:
+        """A table of names and formulas, kept as rows of two."""
         return Array(tuple(trees(parts)), span=place(parts))
+
+    def pair(self, parts: Sequence[Part]) -> Tree:
+        """A name and a formula."""
+        name, _, value = parts
+        return Array((self.name([name]), *trees([value])), span=place(parts))
+
+    def entries(self, parts: Sequence[Part]) -> Tree:
+        """Entries that are picked from an array."""
+        array, *rest = parts
+        groups: list[list[Token]] = [[]]
+        for one in rest[1:-1]:
+            if one == ",":
+                groups.append([])
+            else:
+                groups[-1].append(one)
+        return Entries(next(trees([array])), tuple(map(_picked, groups)), span=place(parts))
 
 
 def call(function: str, arguments: Iterable[Tree], span: Span) -> Tree:
@@ -105,6 +143,22 @@ def call(function: str, arguments: Iterable[Tree], span: Span) -> Tree:
     return Call(function, given, span=span)
 
 
+def verb(name: str, arguments: Iterable[Tree], span: Span) -> Tree:
+    """A verb with its arguments.
+
+    Raises:
+        FormulaError: for more or fewer than it takes, or where it wants a name of its own.
+    """
+    given = tuple(arguments)
+    fewest, most = VERBS[name]
+    if not fewest <= len(given) <= most:
+        wanted = str(fewest) if fewest == most else f"{fewest} to {most}"
+        raise FormulaError(f"{name} takes {wanted} arguments, here it has {len(given)}", span=span)
+    if name in BINDING and not isinstance(given[1], Name):
+        raise FormulaError(f"the second argument of {name} is a name, such as {name}(..., j, ...)", span=span)
+    return Call(name, given, span=span)
+
+
 def trees(parts: Iterable[Part]) -> Iterator[Tree]:
     """The parts that are trees."""
     return (part for part in parts if not isinstance(part, Token))
@@ -115,42 +169,46 @@ def place(parts: Sequence[Part]) -> Span:
     return _span(parts[0])[0], _span(parts[-1])[1]
 
 
-def finished(tree: Tree, resolved: Callable[[Tree], Tree] = lambda node: node) -> Tree:
+def finished(
+    tree: Tree, resolved: Callable[[Tree], Tree] = lambda node: node, shapes: Mapping[str, Shape] = NO_SHAPES
+) -> Tree:
     """A tree as a parser made it, let through when it is safe to work on, with one object for all equal parts.
 
     Args:
         tree: the formula.
         resolved: makes of each node what it means.
+        shapes: of the names that stand for arrays.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(shared(tree, resolved), magnitudes())
+    return _check_meaning(shared(tree, resolved), magnitudes(), shapes)
 
 
-def check_tree(tree: Tree, measure: Fold[Measure] | None = None) -> Tree:
+def check_tree(tree: Tree, measure: Fold[Measure] | None = None, shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
     """Let through a tree that is safe to work on.
 
     Args:
         tree: the formula.
         measure: the magnitudes of formulas that share parts with it.
+        shapes: of the names that stand for arrays.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(tree, measure or magnitudes())
+    return _check_meaning(tree, measure or magnitudes(), shapes)
 
 
-def _check_meaning(tree: Tree, measure: Fold[Measure]) -> Tree:
+def _check_meaning(tree: Tree, measure: Fold[Measure], shapes: Mapping[str, Shape]) -> Tree:
     """Let through a tree of allowed size that has a meaning.
 
     Raises:
         FormulaError: when it has none, or its powers and numbers are too large.
     """
     measure(tree)
-    shape(tree)
+    shape(tree, shapes)
     return tree
 
 
@@ -158,6 +216,21 @@ def _span(part: Part) -> Span:
     if isinstance(part, Token):
         return part.start_pos or 0, part.end_pos or 0
     return part.span or (0, 0)
+
+
+def _picked(tokens: Sequence[Token]) -> Place:
+    """A place, or from where to where."""
+    colon = next((at for at, one in enumerate(tokens) if one == ":"), None)
+    if colon is None:
+        return _whole(tokens[0])
+    before, after = tokens[:colon], tokens[colon + 1 :]
+    return (_whole(before[0]) if before else None), (_whole(after[0]) if after else None)
+
+
+def _whole(token: Token) -> int:
+    if not token.isdigit() or len(token) > 3:
+        raise FormulaError("an entry is picked by a whole number of at most three digits", span=place([token]))
+    return int(token)
 
 
 def _product(factors: Sequence[Tree]) -> Tree:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from typing import cast
 
@@ -12,18 +12,24 @@ from lark import Lark, Token, UnexpectedInput, UnexpectedToken
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_brackets, check_count
-from radartrack.derive.formula.tree import Constant, Name, Tree
+from radartrack.derive.formula.shape import NO_SHAPES, Shape
+from radartrack.derive.formula.tree import Constant, Name, Tree, bound_names
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
 from radartrack.derive.reading.text_hints import hint
 
-_BRACKETS = {"(": ")", "[": "]"}
+_BRACKETS = {"(": ")", "[": "]", "{": "}"}
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*)")
 
 
-def read_text(text: str, names: Collection[str]) -> Tree:
+def read_text(text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
     """Read a formula in these symbols, and `pi`, `e` and `E` where they are not among them.
+
+    Args:
+        text: the formula.
+        names: the symbols.
+        shapes: of those that stand for arrays.
 
     Raises:
         FormulaError: when it is no such formula, or too large.
@@ -32,9 +38,11 @@ def read_text(text: str, names: Collection[str]) -> Tree:
     allowed = check_names(names)
     check_characters(text, allowed)
     try:
-        check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]]", text)], _BRACKETS)
+        check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
-        return finished(_parse(text, allowed), lambda node: _resolved(node, allowed))
+        tree = _parse(text, allowed)
+        known = allowed | bound_names(tree)
+        return finished(tree, lambda node: _resolved(node, known), shapes)
     except FormulaError as error:
         raise error.within(text) from None
 

@@ -14,11 +14,11 @@ _OPERAND = re.compile(r"[\w.(|]")
 _FOREIGN = MappingProxyType(
     {
         "=": "give the right-hand side alone, without an equals sign",
-        "[": "indexing is not read: a formula has no entries to pick from",
-        ".": "a dot stands only inside a number: nothing in a formula has attributes",
+        "[": "entries are picked by numbers, such as A[0,1] or A[0:2,0]; a list of entries stands alone",
+        ".": "a dot stands only inside a number, and before the T of a transpose",
         "\\": "a backslash belongs to LaTeX: read this formula as LaTeX",
-        "{": "braces are not read: use round brackets",
-        "}": "braces are not read: use round brackets",
+        "{": "braces stand only around the deviations of an expectation: use round brackets",
+        "}": "braces stand only around the deviations of an expectation: use round brackets",
         "!": "factorials are not read",
         "#": "comments are not read",
         "'": "quoted text has no place in a formula",
@@ -30,9 +30,10 @@ _FOREIGN = MappingProxyType(
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Where the parser stopped: what it stopped at, the operand before that, if any, and the text after."""
+    """Where the parser stopped: what it stopped at, the operand before that, if any, and the text around."""
 
     last: str
+    before: str
     at: str
     after: str
 
@@ -46,7 +47,7 @@ def hint(before: str, at: str, after: str) -> str:
         after: what follows.
     """
     last = _LAST.search(before.rstrip()[-200:])
-    fault = Fault(last.group() if last else "", at, after)
+    fault = Fault(last.group() if last else "", before.rstrip()[-1:], at, after)
     return next(said for rule in _RULES if (said := rule(fault)))
 
 
@@ -75,6 +76,11 @@ def _product(fault: Fault) -> str | None:
     return f"products are written out: {left[:40]}*{right[:40]}{call}"
 
 
+def _index(fault: Fault) -> str | None:
+    """A bracket behind an operand picks entries; one that begins a list takes what follows."""
+    return _FOREIGN["["] if fault.before == "[" and fault.at != "]" else None
+
+
 def _foreign(fault: Fault) -> str | None:
     return _FOREIGN.get(fault.at)
 
@@ -95,6 +101,7 @@ _RULES: tuple[Callable[[Fault], str | None], ...] = (
     _function_without_brackets,
     _decimal_comma,
     _product,
+    _index,
     _foreign,
     _end,
     _misplaced,

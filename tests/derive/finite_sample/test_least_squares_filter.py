@@ -21,6 +21,7 @@ from radartrack.derive.finite_sample.power_sums import summed
 from radartrack.derive.language import matrix
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.symbolic import Expr
 from tests.least_squares import exact_fit, full_fit
 
 FILTERS = [(degree, with_rate) for degree in range(4) for with_rate in (False, True)]

@@ -147,7 +147,7 @@ def test_a_symbol_may_stand_for_an_expression():
 
 
 def test_a_vector_in_a_power_is_refused_even_if_no_reader_saw_it():
-    with pytest.raises(FormulaError, match="a vector or matrix cannot stand here"):
+    with pytest.raises(FormulaError, match="as many rows as columns"):
         to_expression(Power(read_text("[t, 1]", ["t"]), Number("2")), SYMBOLS)
 
 

@@ -31,7 +31,7 @@ HOSTILE_TEXT = {
     "a negative power": "r**-65",
     "a large power": "r**65",
     "a power by a fine fraction": "r**(1/9)",
-    "a power by a symbol": "r**k",
+    "a power by a symbol": "(r + 1)**k",
     "a power of something negative by a symbol": "(-2)**k",
     "a number too large": "((10^64)^5)",
     "a number too small": "((10^-64)^5)",
@@ -97,7 +97,7 @@ HOSTILE_LATEX = {
     "a tower of powers": "9^{9^{9^9}}",
     "a power of a power": "((r^{64})^{64})^{64}",
     "a root": "\\sqrt[9]{r}",
-    "a power by a symbol": "r^k",
+    "a power by a symbol": "(r + 1)^k",
 }
 HOSTILE = [(read_text, name, formula) for name, formula in HOSTILE_TEXT.items()] + [
     (read_latex, name, formula) for name, formula in HOSTILE_LATEX.items()
@@ -178,7 +178,7 @@ def test_all_that_is_refused_is_refused_in_little_memory():
         ("9**9**9**9", "exponents lie between -64 and 64"),
         ("r**(1/9)", "the denominator of an exponent is at most 8"),
         ("(((x + 1)^64)^64)^64", "expanded, this has degree 4096; at most 512 is allowed"),
-        ("r**k", "an exponent that is no plain number is read only over e or a positive number"),
+        ("(r + 1)**k", "an exponent that is no plain number is read only over e, a positive number or a name"),
         ("exp(2*log(r))", "an exponential of a logarithm is not read: write it as a power"),
         ("exp(1000)", "a number that arises here is larger than 1e300"),
         ("exp(-1000)", "a number that arises here is smaller than 1e-300"),
