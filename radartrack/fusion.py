@@ -10,7 +10,7 @@ when all deviations are multiplied by one number. The deviations may come from
 """
 
 from collections.abc import Sequence
-from typing import Any, Literal, NamedTuple, TypeAlias, get_args
+from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,11 +24,11 @@ from radartrack._arrays.validation import (
     broadcast_shape,
     one_of,
     real_arrays,
+    require_covariance,
     require_trailing_shape,
     require_within,
 )
 from radartrack.generated import fusion as formulas
-from radartrack.generated import line as line_formulas
 from radartrack.generated import spherical
 from radartrack.line import COORDINATE, TIME, WEIGHT
 
@@ -38,6 +38,9 @@ FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 SYMMETRY = 1e-9
+SMALLEST_PIVOT = 1e-9  # of a column of length 1; rounding of 1e-16 is then 1e-7 of a deviation
+DOUBT = 1e-3  # of its deviation may be rounding in a parameter,
+DIGITS = 1e-9  # or of what is measured
 
 
 class Fused(NamedTuple):
@@ -64,7 +67,7 @@ class Motion(NamedTuple):
 
     def at(self, t: ArrayLike) -> Floats:
         """Positions [m] at times of shape (..., m), shape (..., m, 2)."""
-        elapsed = np.asarray(t, np.float64) - self.time[..., np.newaxis]
+        elapsed = _read({"t": t}, {"t": TIME})["t"] - self.time[..., np.newaxis]
         return self.position[..., np.newaxis, :] + elapsed[..., np.newaxis] * self.velocity[..., np.newaxis, :]
 
 
@@ -116,7 +119,7 @@ def stated_std(range_std: ArrayLike, azimuth_std: ArrayLike, reference_range: Ar
     )
     broadcast_shape(arrays)
     across = formulas.cross_range_std(r=arrays["reference_range"], sigma_beta=arrays["azimuth_std"])
-    return line_formulas.position_std(sigma_x=arrays["range_std"], sigma_y=across).astype(np.float64)
+    return line.position_std(arrays["range_std"], across.astype(np.float64))
 
 
 def propagated_covariance(
@@ -163,7 +166,10 @@ def propagated_covariance(
         sigma_r=arrays["range_std"], sigma_beta=arrays["azimuth_std"], sigma_epsilon=arrays["elevation_std"],
         rho=0.0,
     )  # fmt: skip
-    return covariance[..., :2, :2].astype(np.float64)
+    plane = covariance[..., :2, :2].astype(np.float64)
+    mixed = line.bounded_product(plane[..., 0, 1], plane[..., 0, 0], plane[..., 1, 1])
+    plane[..., 0, 1] = plane[..., 1, 0] = mixed
+    return plane
 
 
 def position_std(covariance: ArrayLike) -> Floats:
@@ -174,22 +180,21 @@ def position_std(covariance: ArrayLike) -> Floats:
 
     Raises:
         TypeError: the covariance is not made of real numbers.
-        ValueError: an entry is not finite, a variance is negative, or the shape does not fit.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive semidefinite, or the shape
+            does not fit.
     """
     matrices = _read({"covariance": covariance}, {"covariance": COVARIANCE})["covariance"]
     require_trailing_shape("covariance", matrices, (2, 2))
-    variances = np.diagonal(matrices, axis1=-2, axis2=-1)
-    if not np.all(variances >= 0):
-        raise ValueError("covariance must have no negative variance; got one")
-    along_x, along_y = np.moveaxis(np.sqrt(variances), -1, 0)
-    return line_formulas.position_std(sigma_x=along_x, sigma_y=along_y).astype(np.float64)
+    require_covariance("covariance", matrices)
+    along_x, along_y = np.moveaxis(np.sqrt(np.diagonal(matrices, axis1=-2, axis2=-1)), -1, 0)
+    return line.position_std(along_x, along_y)
 
 
 def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
     """The best linear unbiased estimate from independent measurements of one point, by their covariances.
 
     Each measurement gets the matrix weight M P^-1, with P its covariance and M the fused covariance, the
-    inverse of the sum of all P^-1. Computed by Cholesky factors.
+    inverse of the sum of all P^-1. Computed by an orthogonal factorisation.
 
     Args:
         mean: unbiased measurements, shape (..., n, d); `radartrack.convert` makes them of plots.
@@ -200,8 +205,8 @@ def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes
-            do not fit.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the covariances
+            are too unequal to fuse in double precision, or the shapes do not fit.
     """
     arrays = _read({"mean": mean, "covariance": covariance}, {"mean": COORDINATE, "covariance": COVARIANCE})
     points, errors = arrays["mean"], arrays["covariance"]
@@ -209,11 +214,11 @@ def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
         raise ValueError(f"mean must have shape (..., n, d) with n and d from 1; got {points.shape}")
     size = points.shape[-1]
     require_trailing_shape("covariance", errors, (points.shape[-2], size, size))
-    broadcast_shape({"mean": points[..., 0, 0], "covariance": errors[..., 0, 0, 0]})
+    shape = broadcast_shape({"mean": points[..., 0], "covariance": errors[..., 0, 0]})
     white = _whitener("covariance", errors)
-    origin = points[..., :1, :]
-    estimate = _least_squares(white, white @ (points - origin)[..., np.newaxis])
-    return Fused(estimate.mean + origin[..., 0, :], estimate.covariance)
+    origin = _of_most_accurate(np.broadcast_to(points, (*shape, size)), white)
+    estimate = _least_squares(np.eye(size), white, points - origin)
+    return Fused(estimate.value + origin[..., 0, :], _squares(estimate.root))
 
 
 def fuse_lines(
@@ -243,14 +248,21 @@ def fuse_lines(
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: an argument is out of its domain, numbers of radars differ, the shapes do not broadcast,
-            or the times of the plots do not determine a motion.
+        ValueError: an argument is out of its domain, numbers of radars differ, there is none, the shapes do not
+            broadcast, or the times of the plots do not determine a motion. A plot with less than 1e-100 of the
+            largest weight counts as none.
     """
     layer: FirstLayer = one_of("first_layer", first_layer, get_args(FirstLayer))
     between = _read({"radar_weights": radar_weights}, {"radar_weights": WEIGHT})["radar_weights"]
-    require_trailing_shape("radar_weights", between, (len(t),))
     if not len(t) == len(x) == len(y):
         raise ValueError(f"t, x and y must be given for the same radars; got {len(t)}, {len(x)} and {len(y)}")
+    if not len(t):
+        raise ValueError("t must hold the times of at least one radar; got none")
+    require_trailing_shape("radar_weights", between, (len(t),))
+    largest = between.max(axis=-1, keepdims=True)
+    if not np.all(largest > 0):
+        raise ValueError("radar_weights must have a positive one for each track; got a track of zeros")
+    between = between / largest
     fits = [_fused_line(t, coordinate, between, layer) for coordinate in (x, y)]
     if not all(np.all(fit.converged) for fit in fits):
         raise ValueError("t must hold at least two different times with positive weights; got a track without")
@@ -269,8 +281,9 @@ def fuse_plots(t: ArrayLike, position: ArrayLike, covariance: ArrayLike) -> Moti
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the shapes do
-            not fit, or all times of a track are the same.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the covariances
+            are too unequal to fuse in double precision, the shapes do not fit, or all times of a track are the
+            same, or so close that a velocity or its variance is not finite.
     """
     arrays = _read(
         {"t": t, "position": position, "covariance": covariance},
@@ -280,19 +293,23 @@ def fuse_plots(t: ArrayLike, position: ArrayLike, covariance: ArrayLike) -> Moti
     require_trailing_shape("position", points, (2,))
     require_trailing_shape("covariance", errors, (2, 2))
     shape = broadcast_shape({"t": times, "position": points[..., 0], "covariance": errors[..., 0, 0]})
-    times = np.broadcast_to(times, shape)
+    if not shape or shape[-1] < 2:
+        raise ValueError(f"t must hold at least two different times for each track; got plots of shape {shape}")
+    times, points = np.broadcast_to(times, shape), np.broadcast_to(points, (*shape, 2))
     middle = times[..., :1] + (times - times[..., :1]).mean(axis=-1, keepdims=True)
-    scale = np.abs(times - middle).max(axis=-1, keepdims=True, initial=0.0)
+    scale = np.abs(times - times[..., :1]).max(axis=-1, keepdims=True)
     if not np.all(scale > 0):
         raise ValueError("t must hold at least two different times for each track; got a track without")
     white = _whitener("covariance", errors)
-    design = _design((times - middle) / scale)
-    origin = points[..., :1, :]
-    estimate = _least_squares(white @ design, white @ (points - origin)[..., np.newaxis])
-    units = np.concatenate([np.ones_like(scale)] * 2 + [1 / scale] * 2, axis=-1)
-    state = estimate.mean * units
-    spread = estimate.covariance * units[..., :, np.newaxis] * units[..., np.newaxis, :]
-    return Motion(middle[..., 0], state[..., :2] + origin[..., 0, :], state[..., 2:], spread)
+    origin, start = (_of_most_accurate(values, white) for values in (points, np.stack([times] * 2, axis=-1)))
+    design = _design((times[..., np.newaxis] - start) / scale[..., np.newaxis])
+    estimate = _least_squares(design, white, points - origin)
+    with np.errstate(over="ignore", invalid="ignore"):
+        change = _change(middle - start[..., 0, :], scale)
+        state, covariance = _applied(change, estimate.value), _squares(change @ estimate.root)
+    if not (np.all(np.isfinite(state)) and np.all(np.isfinite(covariance))):
+        raise ValueError("t must differ by more: the velocity of a track or its variance is not finite")
+    return Motion(middle[..., 0], state[..., :2] + origin[..., 0, :], state[..., 2:], covariance)
 
 
 def _fused_line(t: Sequence[ArrayLike], x: Sequence[ArrayLike], between: Floats, first_layer: FirstLayer) -> line.Fit:
@@ -326,38 +343,117 @@ def _plots_of_radar(number: int, t: ArrayLike, x: ArrayLike, first_layer: FirstL
     return times, values, own / mean
 
 
-def _whitener(name: str, covariance: Floats) -> Floats:
-    """Inverses of the Cholesky factors: they turn errors into uncorrelated ones of variance one."""
-    scale = np.sqrt(np.abs(np.diagonal(covariance, axis1=-2, axis2=-1)))
-    product = scale[..., :, np.newaxis] * scale[..., np.newaxis, :]
-    if not np.all(np.abs(covariance - np.swapaxes(covariance, -1, -2)) <= SYMMETRY * product):
+class _Whitener(NamedTuple):
+    """What turns errors into uncorrelated ones of variance one.
+
+    Attributes:
+        matrix: the inverses of the Cholesky factors, shape (..., n, d, d).
+        doubt: how far rounding may have changed what they give, as a share, shape (..., n).
+    """
+
+    matrix: Floats
+    doubt: Floats
+
+
+class _Estimate(NamedTuple):
+    """Parameters, shape (..., p), and a root of the covariance of their errors, shape (..., p, p)."""
+
+    value: Floats
+    root: Floats
+
+
+def _whitener(name: str, covariance: Floats) -> _Whitener:
+    variances = np.diagonal(covariance, axis1=-2, axis2=-1)
+    indefinite = ValueError(f"{name} must be positive definite; got a matrix that is not")
+    if not np.all(variances > 0):
+        raise indefinite
+    scale = np.sqrt(variances)
+    with np.errstate(over="ignore"):
+        correlations = covariance / scale[..., :, np.newaxis] / scale[..., np.newaxis, :]
+    if not np.all(np.abs(correlations) < 1 + SYMMETRY):
+        raise indefinite
+    if not np.all(np.abs(correlations - np.swapaxes(correlations, -1, -2)) <= SYMMETRY):
         raise ValueError(f"{name} must be symmetric; got a matrix that is not")
     try:
-        factor = np.linalg.cholesky(covariance)
+        factor: Floats = np.linalg.cholesky(correlations)
     except np.linalg.LinAlgError:
-        raise ValueError(f"{name} must be positive definite; got a matrix that is not") from None
-    return _inverse(factor)
+        raise indefinite from None
+    inverse = _inverse(factor)
+    doubt = np.finfo(np.float64).eps * np.abs(inverse).max(axis=(-2, -1)) ** 2
+    return _Whitener(inverse / scale[..., np.newaxis, :], doubt)
 
 
-def _inverse(factor: NDArray[np.floating[Any]]) -> Floats:
-    inverse = np.linalg.solve(factor, np.broadcast_to(np.eye(factor.shape[-1]), factor.shape))
-    return inverse.astype(np.float64, copy=False)
+def _inverse(factor: Floats) -> Floats:
+    inverse: Floats = np.linalg.solve(factor, np.broadcast_to(np.eye(factor.shape[-1]), factor.shape))
+    return inverse
 
 
-def _least_squares(design: Floats, observed: Floats) -> Fused:
-    """Parameters and their covariance from white observations, shapes (..., n, d, p) and (..., n, d, 1)."""
-    information = np.sum(np.swapaxes(design, -1, -2) @ design, axis=-3)
-    root = _inverse(np.linalg.cholesky(information))
-    covariance = np.swapaxes(root, -1, -2) @ root
-    gathered = np.sum(np.swapaxes(design, -1, -2) @ observed, axis=-3)
-    return Fused((covariance @ gathered)[..., 0], covariance)
+def _applied(matrices: Floats, values: Floats) -> Floats:
+    applied: Floats = (matrices @ values[..., np.newaxis])[..., 0]
+    return applied
+
+
+def _of_most_accurate(values: Floats, white: _Whitener) -> Floats:
+    """For each coordinate the value that the most accurate measurement of it has, shape (..., 1, d).
+
+    Counted from there no rounding error gets the weight of an accurate measurement.
+    """
+    accuracy = np.broadcast_to(np.abs(white.matrix).max(axis=-2), values.shape)
+    return np.take_along_axis(values, np.argmax(accuracy, axis=-2)[..., np.newaxis, :], axis=-2)
+
+
+def _least_squares(design: Floats, white: _Whitener, observed: Floats) -> _Estimate:
+    """Parameters from observations, shape (..., n, d), of which each has a design, shape (..., n, d, p).
+
+    With the largest rows first, an orthogonal factorisation keeps what small ones add. What the estimate leaves is
+    fitted once more: its rounding then goes with the residuals.
+
+    Raises:
+        ValueError: double precision cannot tell the parameters.
+    """
+    rows = white.matrix @ design
+    count, parameters = rows.shape[-3] * rows.shape[-2], rows.shape[-1]
+    rows = np.broadcast_to(rows, (*observed.shape, parameters)).reshape(*observed.shape[:-2], count, parameters)
+    order = np.argsort(-np.abs(rows).max(axis=-1), axis=-1, kind="stable")[..., np.newaxis]
+    scale = np.abs(rows).max(axis=-2, keepdims=True)
+    value, root, doubt = (np.zeros(observed.shape[:-2] + shape) for shape in ((parameters,), (), ()))
+    for _ in range(2):
+        left = _applied(white.matrix, observed - _applied(design, value[..., np.newaxis, :]))
+        both = np.concatenate([rows / scale, left.reshape(*rows.shape[:-1], 1)], axis=-1)
+        factor = np.linalg.qr(np.take_along_axis(both, order, axis=-2), mode="r")[..., :parameters, :]
+        root = _inverse(_independent(factor[..., :parameters])) / np.swapaxes(scale, -1, -2)
+        value = value + _applied(root, factor[..., parameters])
+        doubt = (np.abs(left).max(axis=-1) * white.doubt).max(axis=-1)
+    deviations = np.abs(root).max(axis=-1)
+    size = np.concatenate([np.abs(observed).max(axis=-2)] * (parameters // observed.shape[-1]), axis=-1)
+    if not np.all(doubt[..., np.newaxis] * deviations <= DOUBT * deviations + DIGITS * size):
+        raise ValueError("covariance must be less unequal for measurements that differ by so many deviations")
+    return _Estimate(value, root)
+
+
+def _independent(triangular: Floats) -> Floats:
+    pivots = np.abs(np.diagonal(triangular, axis1=-2, axis2=-1))
+    if not np.all(pivots >= SMALLEST_PIVOT * np.linalg.norm(triangular, axis=-2)):
+        raise ValueError("covariance must be less unequal: double precision cannot fuse what was given")
+    return triangular
+
+
+def _squares(root: Floats) -> Floats:
+    """The products of the rows of each matrix, symmetric to the last bit."""
+    squares: Floats = (root[..., :, np.newaxis, :] * root[..., np.newaxis, :, :]).sum(axis=-1)
+    return squares
 
 
 def _design(elapsed: Floats) -> Floats:
-    """The rows by which (x, y, vx, vy) gives x and y at each time, shape (..., n, 2, 4)."""
-    one, zero = np.ones_like(elapsed), np.zeros_like(elapsed)
-    rows = [one, zero, elapsed, zero, zero, one, zero, elapsed]
-    return np.stack(rows, axis=-1).reshape(*elapsed.shape, 2, 4)
+    """The rows by which (x, y, vx, vy) gives x and y at times from the start of each, shape (..., 2, 4)."""
+    one = np.broadcast_to(np.eye(2), (*elapsed.shape, 2))
+    return np.concatenate([one, one * elapsed[..., np.newaxis]], axis=-1)
+
+
+def _change(elapsed: Floats, scale: Floats) -> Floats:
+    """From a state at the start of each coordinate, in units of a scale, to one after these times, in seconds."""
+    velocity = np.concatenate([np.zeros((2, 2)), np.eye(2)], axis=-1) / scale[..., np.newaxis]
+    return np.concatenate([_design(elapsed / scale), velocity], axis=-2)
 
 
 def _read(given: dict[str, ArrayLike], domains: dict[str, Domain]) -> dict[str, Floats]:

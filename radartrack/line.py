@@ -40,6 +40,9 @@ TIME = Domain(" s", 1e100, 1e10, "squares of larger numbers overflow", signed=Tr
 COORDINATE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow", signed=True)
 WEIGHT = Domain("", 1e50, 1e10, "their products with squares overflow")
 GUARD = float(np.sqrt(np.finfo(np.float64).eps))
+NEGLIGIBLE = 1e-100  # squares of such shares do not underflow yet
+STEEPEST = 1e200  # times any time that is allowed it does not overflow
+ISOTROPIC = 64 * float(np.finfo(np.float64).eps)  # rounding of the sums leaves a tenth of this
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +51,8 @@ class Fit:
 
     Attributes:
         mean_t: weighted mean of the times [s], shape (...).
-        mean_x: weighted mean of the coordinates [m], shape (...); the line passes through both means.
+        mean_x: weighted mean of the coordinates [m], shape (...); the line passes through both means. Of an
+            "ordinary" line it is the coordinate at the mean time as that is rounded.
         slope: slope [m/s], shape (...); infinite for a vertical line, NaN where the plots determine no line.
         weights: weight of each squared distance in the sum that the line makes least, shape (..., n).
         iterations: number of weighted solutions, shape (...); 0 without reweighting.
@@ -75,7 +79,7 @@ class Fit:
 
     def residual(self, t: ArrayLike, x: ArrayLike) -> Floats:
         """How far x lies above the line [m], shape (..., n)."""
-        return np.asarray(x, np.float64) - self.mean_x[..., np.newaxis] - self._travelled(t)
+        return self._moved(x) - self._travelled(t)
 
     def distance(self, t: ArrayLike, x: ArrayLike) -> Floats:
         """Perpendicular distance from the line in the plane of t and x, as pure numbers; (3) of Gao et al.
@@ -83,10 +87,13 @@ class Fit:
         Positive above the line, for a vertical one to its left; shape (..., n).
         """
         cosine, sine = _direction(self.slope[..., np.newaxis])
-        return (np.asarray(x, np.float64) - self.mean_x[..., np.newaxis]) * cosine - self._elapsed(t) * sine
+        return self._moved(x) * cosine - self._elapsed(t) * sine
 
     def _elapsed(self, t: ArrayLike) -> Floats:
-        return np.asarray(t, np.float64) - self.mean_t[..., np.newaxis]
+        return _read("t", t, TIME) - self.mean_t[..., np.newaxis]
+
+    def _moved(self, x: ArrayLike) -> Floats:
+        return _read("x", x, COORDINATE) - self.mean_x[..., np.newaxis]
 
     def _travelled(self, t: ArrayLike) -> Floats:
         """Not a number beside an infinite slope at the mean time."""
@@ -94,11 +101,25 @@ class Fit:
             return self.slope[..., np.newaxis] * self._elapsed(t)
 
 
-class _Sums(NamedTuple):
-    """Weighted means, and weighted sums of squares and products about them."""
+class _Centred(NamedTuple):
+    """Plots about their weighted mean, each coordinate over a scale at which its largest value is about 1.
+
+    Attributes:
+        mean_t: weighted mean of the times, shape (...).
+        mean_x: weighted mean of the coordinates, shape (...).
+        lost: how much later the mean time is than the plots are centred about: what its rounding has added.
+        scale_t: 0 where all times are the same, shape (...).
+        scale_x: 0 where all coordinates are the same, shape (...).
+        S_tt: weighted sum of the squares of the scaled times about their mean, shape (...).
+        S_tx: of their products with the coordinates.
+        S_xx: of the squares of the coordinates.
+    """
 
     mean_t: Floats
     mean_x: Floats
+    lost: Floats
+    scale_t: Floats
+    scale_x: Floats
     S_tt: Floats
     S_tx: Floats
     S_xx: Floats
@@ -124,20 +145,22 @@ def fit(
     A distance counts in a weight as at least 1.5e-8 times the root mean square distance of the plots from the
     first line (the square root of the machine precision), so that a plot on the line does not divide by zero;
     where all plots lie on the line the weights are equal. Plots that determine no line give NaN, and
-    `converged` is False: for "ordinary" identical times, for the others plots that coincide or scatter alike
-    in all directions.
+    `converged` is False: for "ordinary" identical times, for the others plots that coincide or, to within
+    rounding, scatter alike in all directions. Times that differ in the last bit are not identical.
 
     Args:
         t: times [s], shape (..., n), n at least 2.
         x: coordinates [m], shape (..., n); broadcasts with t.
         weights: weights of the squared distances, not negative, at least one of a track positive; shape (...,
-            n). Not for "reweighted", which makes its own.
+            n). One of less than 1e-100 of the largest of its track counts as 0. Not for "reweighted", which
+            makes its own.
         method: which squares are made least.
         max_iterations: the largest number of weighted solutions of "reweighted".
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: an argument is out of its domain, the shapes do not broadcast, or there are too few plots.
+        ValueError: an argument is out of its domain, the shapes do not broadcast, there are too few plots, or
+            the slope of a track exceeds 1e200.
     """
     chosen: Method = one_of("method", method, get_args(Method))
     if chosen == "reweighted" and weights is not None:
@@ -167,7 +190,7 @@ class MeasurementStd:
         x: standard deviation along x [m], shape (...).
         y: standard deviation along y [m], shape (...).
         degrees_of_freedom: of each variance; None for the printed method, which has no such count.
-        converged: whether both lines were found, shape (...).
+        converged: whether both lines were found, shape (...); without a line a deviation is NaN.
     """
 
     x: Floats
@@ -178,7 +201,7 @@ class MeasurementStd:
     @property
     def position(self) -> Floats:
         """Root mean square of both, (10) of Gao et al. [m], shape (...)."""
-        return formulas.position_std(sigma_x=self.x, sigma_y=self.y).astype(np.float64)
+        return position_std(self.x, self.y)
 
     def bound(self, multiple: float) -> Floats:
         """So many times the deviations of x, y and position [m], shape (..., 3).
@@ -239,12 +262,12 @@ def measurement_std(
     if chosen == "printed":
         lines = [fit(times, values, method="reweighted", max_iterations=max_iterations) for values in coordinates]
         distances = [line.distance(times, values) for line, values in zip(lines, coordinates, strict=True)]
-        along_x, along_y = (np.abs(distance).std(axis=-1, ddof=1) for distance in distances)
+        along_x, along_y = (_deviation(np.abs(distance)) for distance in distances)
         return MeasurementStd(along_x, along_y, None, lines[0].converged & lines[1].converged)
     lines = [fit(times, values) for values in coordinates]
     freedom = int(formulas.ordinary_degrees_of_freedom(n=times.shape[-1]))
-    squares = [np.sum(line.residual(times, values) ** 2, -1) for line, values in zip(lines, coordinates, strict=True)]
-    along_x, along_y = (np.sqrt(total / freedom) for total in squares)
+    residuals = [line.residual(times, values) for line, values in zip(lines, coordinates, strict=True)]
+    along_x, along_y = (_norm(residual) / np.sqrt(freedom) for residual in residuals)
     return MeasurementStd(along_x, along_y, freedom, lines[0].converged & lines[1].converged)
 
 
@@ -281,6 +304,18 @@ def to_plane(
     return plane[..., 0], plane[..., 1]
 
 
+def position_std(along_x: Floats, along_y: Floats) -> Floats:
+    """Root mean square of both deviations, (10) of Gao et al., where their squares would underflow too."""
+    scale = _positive(np.maximum(along_x, along_y))
+    return scale * formulas.position_std(sigma_x=along_x / scale, sigma_y=along_y / scale).astype(np.float64)
+
+
+def bounded_product(mixed: Floats, first: Floats, second: Floats) -> Floats:
+    """A mixed moment, which rounding and underflow do not lift above the geometric mean of the two variances."""
+    most = np.sqrt(first) * np.sqrt(second)
+    return np.clip(mixed, -most, most)
+
+
 def require_count(name: str, given: object, least: int = 1) -> None:
     """Check that an argument is a whole number.
 
@@ -288,7 +323,7 @@ def require_count(name: str, given: object, least: int = 1) -> None:
         TypeError: it is not.
         ValueError: it is less than allowed.
     """
-    if isinstance(given, bool) or not isinstance(given, int):
+    if isinstance(given, (bool, np.bool_)) or not isinstance(given, (int, np.integer)):
         raise TypeError(f"{name} must be a whole number; got {given!r}")
     if given < least:
         raise ValueError(f"{name} must be at least {least}; got {given}")
@@ -305,38 +340,85 @@ def _plots(given: Mapping[str, ArrayLike], domains: Mapping[str, Domain], least:
     return {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
 
 
-def _sums(t: Floats, x: Floats, weights: Floats) -> _Sums:
-    """Differences from the first plot vanish where plots coincide, and spare large time stamps."""
-    share = weights / weights.sum(axis=-1, keepdims=True)
-    elapsed, moved = t - t[..., :1], x - x[..., :1]
-    mean_elapsed = np.sum(share * elapsed, axis=-1, keepdims=True)
-    mean_moved = np.sum(share * moved, axis=-1, keepdims=True)
+def _read(name: str, given: ArrayLike, domain: Domain) -> Floats:
+    array = real_arrays({name: given})[name].astype(np.float64)
+    require_within(name, array, domain)
+    return array
+
+
+def _centred(t: Floats, x: Floats, weights: Floats, *, one_unit: bool) -> _Centred:
+    """Counted from the plot of most weight, plots that coincide with it are exactly at 0.
+
+    So times are the same if and only if the scale is 0, and in the sums about the mean no rounding error has the
+    weight of more than what is there: each is right to some rounding errors, however unequal the weights.
+    """
+    heaviest = np.argmax(weights, axis=-1)[..., np.newaxis]
+    most, first_t, first_x = (np.take_along_axis(values, heaviest, -1) for values in (weights, t, x))
+    counted = weights >= NEGLIGIBLE * most
+    share = np.where(counted, weights / most, 0.0)
+    share = share / share.sum(axis=-1, keepdims=True)
+    elapsed, moved = np.where(counted, t - first_t, 0.0), np.where(counted, x - first_x, 0.0)
+    scale_t, scale_x = (np.abs(values).max(axis=-1, keepdims=True) for values in (elapsed, moved))
+    if one_unit:
+        scale_t = scale_x = np.maximum(scale_t, scale_x)
+    elapsed, moved = elapsed / _positive(scale_t), moved / _positive(scale_x)
+    mean_elapsed, mean_moved = (np.sum(share * values, axis=-1, keepdims=True) for values in (elapsed, moved))
     elapsed, moved = elapsed - mean_elapsed, moved - mean_moved
-    means = t[..., 0] + mean_elapsed[..., 0], x[..., 0] + mean_moved[..., 0]
-    products = (elapsed * elapsed, elapsed * moved, moved * moved)
-    return _Sums(*means, *(np.sum(share * product, axis=-1) for product in products))
+    mean_t, mean_x = first_t + scale_t * mean_elapsed, first_x + scale_x * mean_moved
+    lost = (mean_t - first_t) - scale_t * mean_elapsed
+    squares = (np.sum(share * product, axis=-1) for product in (elapsed * elapsed, elapsed * moved, moved * moved))
+    return _Centred(*(values[..., 0] for values in (mean_t, mean_x, lost, scale_t, scale_x)), *squares)
+
+
+def _positive(scale: Floats) -> Floats:
+    """The scale, or 1 where there is nothing to scale."""
+    return np.where(scale > 0, scale, 1.0)
+
+
+def _norm(values: Floats) -> Floats:
+    """The root of the sum of squares over the last axis, where they would underflow too."""
+    scale = _positive(np.abs(values).max(axis=-1, keepdims=True))
+    norm: Floats = scale[..., 0] * np.sqrt(np.sum((values / scale) ** 2, axis=-1))
+    return norm
+
+
+def _deviation(values: Floats) -> Floats:
+    """The standard deviation of a sample, shape (..., n)."""
+    return _norm(values - values.mean(axis=-1, keepdims=True)) / np.sqrt(values.shape[-1] - 1)
 
 
 def _solved(t: Floats, x: Floats, weights: Floats, method: Method) -> Fit:
-    sums = _sums(t, x, weights)
-    slope = _ordinary_slope(sums) if method == "ordinary" else _perpendicular_slope(sums)
+    plots = _centred(t, x, weights, one_unit=method != "ordinary")
+    slope, mean_x = _ordinary(plots) if method == "ordinary" else (_perpendicular_slope(plots), plots.mean_x)
     none = np.zeros(slope.shape, np.intp)
-    return Fit(sums.mean_t, sums.mean_x, slope, weights, none, ~np.isnan(slope))
+    return Fit(plots.mean_t, mean_x, slope, weights, none, ~np.isnan(slope))
 
 
-def _ordinary_slope(sums: _Sums) -> Floats:
-    known = sums.S_tt > 0
-    slope = formulas.ordinary_slope(S_tt=np.where(known, sums.S_tt, 1.0), S_tx=sums.S_tx)
-    return np.where(known, slope, np.nan)
-
-
-def _perpendicular_slope(sums: _Sums) -> Floats:
-    """The generated root, and its limits where the mixed sum vanishes."""
-    tilted = sums.S_tx != 0
+def _ordinary(plots: _Centred) -> tuple[Floats, Floats]:
+    """The slope, and the coordinate at the mean time as that is rounded."""
+    known = plots.scale_t > 0
+    scaled = formulas.ordinary_slope(S_tt=np.where(known, plots.S_tt, 1.0), S_tx=plots.S_tx)
     with np.errstate(over="ignore"):
-        slope = formulas.slope(S_xx=sums.S_tt, S_xy=np.where(tilted, sums.S_tx, 1.0), S_yy=sums.S_xx)
-    straight = np.select([sums.S_tt > sums.S_xx, sums.S_tt < sums.S_xx], [0.0, np.inf], np.nan)
-    return np.where(tilted, slope, straight)
+        slope = np.where(known, scaled * plots.scale_x / _positive(plots.scale_t), np.nan)
+    _require_representable(slope)
+    return slope, plots.mean_x + np.where(known, slope, 0.0) * plots.lost
+
+
+def _perpendicular_slope(plots: _Centred) -> Floats:
+    """The generated root, and its limits where the mixed sum vanishes."""
+    S_tt, S_tx, S_xx = plots.S_tt, plots.S_tx, plots.S_xx
+    tilted = S_tx != 0
+    with np.errstate(over="ignore"):
+        slope = formulas.slope(S_xx=S_tt, S_xy=np.where(tilted, S_tx, 1.0), S_yy=S_xx)
+    _require_representable(slope)
+    straight = np.where(S_tt > S_xx, 0.0, np.inf)
+    alike = np.hypot(2 * S_tx, S_tt - S_xx) <= ISOTROPIC * (S_tt + S_xx)
+    return np.where(alike, np.nan, np.where(tilted, slope, straight))
+
+
+def _require_representable(slope: Floats) -> None:
+    if np.any(np.abs(slope) > STEEPEST):
+        raise ValueError(f"t must differ by more beside x: the slope of a track exceeds {STEEPEST:g}")
 
 
 def _direction(slope: Floats) -> tuple[Floats, Floats]:
@@ -350,7 +432,7 @@ def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
     """The printed iteration on all tracks at once; a track that has met the stopping rule is left alone."""
     t_rows, x_rows = (values.reshape(-1, t.shape[-1]) for values in (t, x))
     line = _solved(t_rows, x_rows, np.ones_like(t_rows), "perpendicular")
-    floor = GUARD * np.sqrt(np.mean(line.distance(t_rows, x_rows) ** 2, axis=-1, keepdims=True))
+    floor = GUARD * _norm(line.distance(t_rows, x_rows))[:, np.newaxis] / np.sqrt(t.shape[-1])
     active = np.flatnonzero(line.converged)
     line = replace(line, converged=np.zeros_like(line.converged))
     before = np.full(len(t_rows), np.inf)
@@ -368,7 +450,7 @@ def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
 
 def _shares(distance: Floats, floor: Floats) -> Floats:
     """The printed weights 1/|l| over their sum, with the guard; equal ones where every distance is zero."""
-    inverse: Floats = 1.0 / np.where(floor > 0, np.maximum(np.abs(distance), floor), 1.0)
+    inverse: Floats = 1.0 / np.where(floor > 0, np.maximum(np.abs(distance) / _positive(floor), 1.0), 1.0)
     total: Floats = inverse.sum(axis=-1, keepdims=True)
     return inverse / total
 

@@ -5,6 +5,7 @@ straight flight without giving numbers. The numbers here are this project's; eac
 one thing.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, TypeAlias
@@ -28,14 +29,27 @@ class Station:
     """A radar as it is stated, and how it differs from that.
 
     Attributes:
-        radar: of the sensor "spherical", with the stated deviations, and with constant errors that nobody states.
+        radar: of the sensor "spherical", with the stated deviations, and with constant errors that nobody states;
+            it counts the azimuth from the y axis and misses nothing.
         has_elevation: False for a two-coordinate radar, whose elevations count as 0.
-        ageing: the true deviations over the stated ones.
+        ageing: the true deviations over the stated ones, more than 0.
+
+    Raises:
+        ValueError: the radar is another, a deviation of its range or azimuth is 0, or the ageing out of place.
     """
 
     radar: Radar
     has_elevation: bool = True
     ageing: float = 1.0
+
+    def __post_init__(self) -> None:
+        radar = self.radar
+        if radar.sensor != "spherical" or radar.azimuth_from == "x" or radar.detection_probability < 1:
+            raise ValueError(f"radar must be spherical, with its azimuth from y, and miss nothing; got {radar}")
+        if not (radar.noise["range_std"] > 0 and radar.noise["azimuth_std"] > 0):
+            raise ValueError(f"radar must have positive deviations of range and azimuth; got {radar.noise}")
+        if not 0 < self.ageing < math.inf:
+            raise ValueError(f"ageing must be finite and more than 0; got {self.ageing}")
 
     @property
     def site(self) -> tuple[float, float]:
@@ -129,12 +143,21 @@ def compare(
     plot.
 
     Args:
-        stations: the radars.
+        stations: the radars, one at least, each with three plots or more.
         runs: number of runs, at least 2.
         seed: of the simulation.
-        confidence: of the intervals, which are normal approximations.
+        confidence: of the intervals, which are normal approximations; between 0 and 1.
+
+    Raises:
+        TypeError: the number of runs is not whole.
+        ValueError: an argument is out of place.
     """
     line.require_count("runs", runs, least=2)
+    if not 0 < confidence < 1:
+        raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
+    if not stations or any(_scans(station.radar) < 3 for station in stations):
+        periods = [station.radar.period for station in stations]
+        raise ValueError(f"stations must be one or more, of periods up to {DURATION / 2:g} s; got periods {periods}")
     seen = [plots_of(station, runs, (seed, number)) for number, station in enumerate(stations)]
     times = np.linspace(0.0, DURATION, EVALUATED)
     motions = {name: fused(name, stations, seen) for name in _SOURCES}
@@ -152,10 +175,14 @@ def compare(
 def plots_of(station: Station, runs: int, seed: Seed) -> Plots:
     """What one radar sees of the flight, converted as by Gao et al. 2020, without the height."""
     radar = station.as_it_is()
-    seen = plots(FLIGHT, radar, scans=int(DURATION / radar.period) + 1, trials=runs, seed=seed)
+    seen = plots(FLIGHT, radar, scans=_scans(radar), trials=runs, seed=seed)
     r, azimuth = seen.measured["r"], seen.measured["azimuth"]
     elevation = seen.measured["elevation"] if station.has_elevation else np.zeros_like(r)
     return Plots(seen.t, r, azimuth, elevation, *line.to_plane(r, azimuth, elevation, site=station.site))
+
+
+def _scans(radar: Radar) -> int:
+    return int(DURATION / radar.period) + 1
 
 
 def fused(source: str, stations: Sequence[Station], seen: Sequence[Plots]) -> fusion.Motion:

@@ -4,9 +4,9 @@ The table keeps what every flight contributed to every cell, never the totals: s
 formed with exact rounding when they are asked for, so that tables merge in any order to the same numbers.
 """
 
+import errno
 import hashlib
 import math
-import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -17,16 +17,19 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack import line
+from radartrack import bounded_archive, line
 from radartrack._arrays.validation import (
     ANGLE,
     RANGE,
     Domain,
     broadcast_shape,
     real_arrays,
+    require_covariance,
     require_trailing_shape,
     require_within,
 )
+from radartrack._regeneration.directory_swap import replace_file
+from radartrack.bounded_archive import ArchiveError, Stored
 from radartrack.generated import line as formulas
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -35,7 +38,9 @@ Columns: TypeAlias = Mapping[str, NDArray[Any]]
 FORMAT = "radartrack variance table"
 VERSION = 1
 VARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
-ROUNDING = 1e-9
+ROUNDING = 1e-9  # beside it, rounding errors of 1e-16 are nothing: of 1 - leverage, and of a correlation of 1
+MOST_CELLS = 2**20
+LARGEST_SUM = 1e250  # of squares of deviations below 1e100; sums of these do not overflow
 
 
 class VarianceTableError(ValueError):
@@ -105,17 +110,33 @@ class VarianceTable:
     squares, and the residuals are turned into the direction of each plot, where variances change slowly:
     along the line of sight and across it. A plot counts 1 less its leverage as degrees of freedom, so that
     those of a flight sum to n - 2, and the estimate of a cell is unbiased where the variance is the same
-    along the flight.
+    along the flight. Where it is less than 1e-9, the line goes through the plot whatever its error, and the plot
+    counts for nothing.
 
     Attributes:
         range_edges: edges of the range bins [m], ascending, shape (ranges + 1,).
         sectors: number of equal azimuth sectors, from north clockwise.
         contributions: what the flights gave.
+
+    Raises:
+        TypeError: the edges are no real numbers, or the number of sectors is not whole.
+        ValueError: the edges do not ascend from 0 or more, there are fewer than two, no sector, more than a million
+            cells, or a contribution is impossible.
     """
 
     range_edges: Floats
     sectors: int
     contributions: Contributions
+
+    def __post_init__(self) -> None:
+        ranges = _require_edges(self.range_edges)
+        line.require_count("sectors", self.sectors)
+        object.__setattr__(self, "sectors", int(self.sectors))  # a narrow integer of NumPy would overflow
+        if ranges * self.sectors > MOST_CELLS:
+            raise ValueError(
+                f"sectors must be at most {MOST_CELLS // ranges} of {ranges} range bins; got {self.sectors}"
+            )
+        _require_sound(self.contributions, ranges, self.sectors)
 
     @classmethod
     def empty(cls, range_edges: ArrayLike, sectors: int) -> "VarianceTable":
@@ -123,13 +144,10 @@ class VarianceTable:
 
         Raises:
             TypeError: the edges are no real numbers, or the number of sectors is not whole.
-            ValueError: the edges do not ascend from 0 or more, or there are fewer than two, or no sector.
+            ValueError: the edges do not ascend from 0 or more, there are fewer than two, no sector, or more than a
+                million cells.
         """
         edges = real_arrays({"range_edges": range_edges})["range_edges"].astype(np.float64)
-        require_within("range_edges", edges, RANGE)
-        if edges.ndim != 1 or edges.size < 2 or not np.all(np.diff(edges) > 0):
-            raise ValueError(f"range_edges must be two or more ascending ranges; got {edges.tolist()}")
-        line.require_count("sectors", sectors)
         return cls(edges, sectors, Contributions.none())
 
     @property
@@ -152,10 +170,12 @@ class VarianceTable:
         Raises:
             TypeError: an argument is not made of real numbers, or the label is no text.
             ValueError: an argument is out of its domain or of the table, shapes do not broadcast, a flight
-                has too few plots or its times are all the same.
+                has too few plots or its times are all the same, or the label ends in a NUL.
         """
         if not isinstance(label, str):
             raise TypeError(f"label must be text; got {label!r}")
+        if label.endswith("\0"):
+            raise ValueError(f"label must not end in a NUL, which arrays of text drop; got {label!r}")
         x, y = line.to_plane(r, azimuth, elevation)
         arrays = {"t": t, "r": r, "azimuth": azimuth, "x": x, "y": y}
         flights = {name: array.astype(np.float64) for name, array in real_arrays(arrays).items()}
@@ -175,7 +195,7 @@ class VarianceTable:
             if other.sectors != self.sectors or not np.array_equal(other.range_edges, self.range_edges):
                 raise ValueError(
                     f"tables to merge must have the same cells; got {self.sectors} sectors and range_edges "
-                    f"{self.range_edges.tolist()}, and {other.sectors} and {other.range_edges.tolist()}"
+                    f"{self.range_edges}, and {other.sectors} and {other.range_edges}"
                 )
         return self._joined([self.contributions, *(other.contributions for other in others)])
 
@@ -228,21 +248,36 @@ class VarianceTable:
             require_within(name, arrays[name], domain)
         spare = arrays.pop("fallback")
         require_trailing_shape("fallback", spare, (2, 2))
+        require_covariance("fallback", spare)
+        spare = (spare + np.swapaxes(spare, -1, -2)) / 2
         shape = broadcast_shape({**arrays, "fallback": spare[..., 0, 0]})
         ranges, angles = (np.broadcast_to(array, shape) for array in arrays.values())
         table, share = self._interpolated(ranges, angles, label, minimum_degrees)
         return Lookup(_turned(table, angles) + (1 - share)[..., np.newaxis, np.newaxis] * spare, share)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the table as a NumPy archive (NPZ) with its format, version and checksum."""
+        """Write the table as a NumPy archive (NPZ) with its format, version and checksum.
+
+        It is written beside and put in place in one step: whatever happens, at the path is all of the table or
+        what was there before.
+
+        Raises:
+            OSError: the file system refuses, or at the path is something other than a file.
+        """
         columns = self._columns()
         head = {
             "format": np.array(FORMAT),
             "version": np.array(VERSION),
             "digest": np.array(_digest(columns)),
         }
-        with Path(path).open("wb") as file:
-            np.savez_compressed(file, allow_pickle=False, **head, **columns)
+        target = Path(path)
+        if target.exists() and not target.is_file():
+            number = errno.EISDIR if target.is_dir() else errno.EINVAL
+            raise OSError(number, "a table is saved to a file, and this is something else", str(path))
+        try:
+            replace_file(target, bounded_archive.packed({**head, **columns}))
+        except OSError as error:  # which names the file beside
+            raise OSError(error.errno, error.strerror, str(path)) from error
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> "VarianceTable":
@@ -252,15 +287,15 @@ class VarianceTable:
             VarianceTableError: the file is something else, damaged, changed, or of a newer version.
             OSError: it cannot be read.
         """
-        stored = _read(Path(path))
-        columns = {name: stored[name] for name in _COLUMNS}
+        columns = _read(Path(path))
         edges, sectors = columns.pop("range_edges"), columns.pop("sectors")
+        freedom = columns["degrees_of_freedom"]
+        # Earlier versions kept the rounding error of 1 - leverage where that is 0.
+        columns["degrees_of_freedom"] = np.where(np.abs(freedom) < ROUNDING, 0.0, freedom)
         try:
-            table = cls.empty(edges, int(sectors))
-            _require_sound(Contributions(**columns), edges.size - 1, table.sectors)
+            return cls(edges, int(sectors), Contributions(**columns))
         except (TypeError, ValueError) as error:
             raise VarianceTableError(f"{path} holds no sound variance table: {error}") from error
-        return cls(table.range_edges, table.sectors, Contributions(**columns))
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         return {
@@ -293,14 +328,17 @@ class VarianceTable:
             return np.bincount(place.ravel(), values.ravel(), minlength=keys.size).astype(np.float64)
 
         cell = keys % ((self.range_edges.size - 1) * self.sectors)
+        freedom = 1 - _leverage(t)
+        tells = freedom > ROUNDING
+        squares = [gathered(np.where(tells, radial * radial, 0.0)), gathered(np.where(tells, transverse**2, 0.0))]
         return Contributions(
             np.full(keys.size, label),
             cell // self.sectors,
             cell % self.sectors,
-            gathered(1 - _leverage(t)),
-            gathered(radial**2),
-            gathered(radial * transverse),
-            gathered(transverse**2),
+            gathered(np.where(tells, freedom, 0.0)),
+            squares[0],
+            line.bounded_product(gathered(np.where(tells, radial * transverse, 0.0)), *squares),
+            squares[1],
         )
 
     def _range_bin(self, r: Floats) -> NDArray[np.int64]:
@@ -329,7 +367,8 @@ class VarianceTable:
         cells = parts.range_bin[chosen] * self.sectors + parts.sector[chosen]
         columns = (parts.degrees_of_freedom, parts.radial, parts.mixed, parts.transverse)
         sums = (np.bincount(cells, column[chosen], minlength=math.prod(shape)) for column in columns)
-        return _Totals(*(total.reshape(shape).astype(np.float64) for total in sums))
+        freedom, radial, mixed, transverse = (total.reshape(shape).astype(np.float64) for total in sums)
+        return _Totals(freedom, radial, line.bounded_product(mixed, radial, transverse), transverse)
 
     def _interpolated(self, r: Floats, azimuth: Floats, label: str, minimum_degrees: float) -> tuple[Floats, Floats]:
         """Weighted sum over the cells around each plot that are not thin, and the sum of the weights."""
@@ -345,7 +384,7 @@ class VarianceTable:
         return total, np.minimum(share, 1.0)
 
     def _neighbours_in_range(self, r: Floats) -> list[tuple[NDArray[np.intp], Floats]]:
-        centres = (self.range_edges[:-1] + self.range_edges[1:]) / 2
+        centres = _centres(self.range_edges)
         place = np.interp(r, centres, np.arange(centres.size, dtype=np.float64))
         below = np.floor(place).astype(np.intp)
         above = np.minimum(below + 1, centres.size - 1)
@@ -359,10 +398,12 @@ class VarianceTable:
 
 
 _COLUMNS = ("range_edges", "sectors", *(field.name for field in fields(Contributions)))
+_KINDS = {"sectors": "i8", "label": "U", "range_bin": "i8", "sector": "i8"}
 
 
 def _leverage(t: Floats) -> Floats:
     elapsed = t - t[..., :1]
+    elapsed = elapsed / np.abs(elapsed).max(axis=-1, keepdims=True)
     mean = elapsed.mean(axis=-1, keepdims=True)
     spread = np.sum((elapsed - mean) ** 2, axis=-1, keepdims=True)
     leverage = formulas.ordinary_leverage(t=elapsed, mean_t=mean, n=t.shape[-1], S_tt=spread)
@@ -370,11 +411,18 @@ def _leverage(t: Floats) -> Floats:
 
 
 def _turned(local: Floats, azimuth: Floats) -> Floats:
-    """Covariances along and across the line of sight as those of x and y."""
+    """Covariances along and across the line of sight as those of x and y.
+
+    What is turned is a root of them, so that rounding leaves them symmetric and positive semidefinite.
+    """
     sine, cosine = np.sin(azimuth), np.cos(azimuth)
-    turn = np.stack([sine, cosine, cosine, -sine], axis=-1).reshape(*azimuth.shape, 2, 2)
-    turned: Floats = turn @ local @ np.swapaxes(turn, -1, -2)
-    return turned
+    along = np.sqrt(local[..., 0, 0])
+    mixed = local[..., 0, 1] / np.where(along > 0, along, 1.0)
+    across = np.sqrt(np.maximum(local[..., 1, 1] - mixed**2, 0.0))
+    x = sine * along + cosine * mixed, cosine * across
+    y = cosine * along - sine * mixed, -sine * across
+    entries = [a[0] * b[0] + a[1] * b[1] for a, b in ((x, x), (x, y), (y, x), (y, y))]
+    return np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2)
 
 
 def _digest(columns: Columns) -> str:
@@ -387,41 +435,77 @@ def _digest(columns: Columns) -> str:
     return total.hexdigest()
 
 
-def _read(path: Path) -> Columns:
+def _read(path: Path) -> dict[str, NDArray[Any]]:
+    """The columns of a table of this version, with a checksum that fits."""
     try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
-            stored = {name: archive[name] for name in archive.files}
-    except (ValueError, EOFError, KeyError, AttributeError, TypeError, zipfile.BadZipFile) as error:
+        with path.open("rb") as file:
+            stored = bounded_archive.unpacked(file)
+        return _table(path, stored)
+    except ArchiveError as error:
         raise VarianceTableError(f"{path} is no variance table: {error}") from error
-    if "format" not in stored or str(stored["format"]) != FORMAT or "version" not in stored:
+
+
+def _table(path: Path, stored: Mapping[str, Stored]) -> dict[str, NDArray[Any]]:
+    if "format" not in stored or "version" not in stored or str(_column(stored, "format", "U", 0)) != FORMAT:
         raise VarianceTableError(f"{path} is no variance table: it does not say so")
-    if stored["version"].shape or stored["version"].dtype.kind != "i" or stored["version"] > VERSION:
-        raise VarianceTableError(
-            f"{path} has format version {stored['version']}; this version of radartrack reads up to {VERSION}"
-        )
+    version = stored["version"]
+    if version.descr != "<i8" or version.shape or not 1 <= version.values() <= VERSION:
+        raise VarianceTableError(f"{path} has another format version; this version of radartrack reads up to {VERSION}")
     missing = {*_COLUMNS, "digest"} - stored.keys()
     if missing:
         raise VarianceTableError(f"{path} is no variance table: it lacks {', '.join(sorted(missing))}")
-    if str(stored["digest"]) != _digest(stored):
+    columns = {name: _column(stored, name, _KINDS.get(name, "f8"), int(name != "sectors")) for name in _COLUMNS}
+    if str(_column(stored, "digest", "U", 0)) != _digest(columns):
         raise VarianceTableError(f"{path} was changed or damaged since it was saved: the checksum does not fit")
-    return stored
+    return columns
+
+
+def _column(stored: Mapping[str, Stored], name: str, kind: str, dimensions: int) -> NDArray[Any]:
+    """One array, which must be of a type and have so many axes."""
+    column = stored[name]
+    if not column.descr.startswith(f"<{kind}") or len(column.shape) != dimensions:
+        raise ArchiveError(f"the column {name} has dtype {column.descr} and shape {column.shape}")
+    return column.values()
+
+
+def _require_edges(edges: Floats) -> int:
+    """Check the edges of the range bins, and count the bins.
+
+    Raises:
+        TypeError: they are no array of float64.
+        ValueError: they do not ascend from 0 or more, nor do their centres, or there are fewer than two.
+    """
+    if not isinstance(edges, np.ndarray) or edges.dtype != np.float64:
+        raise TypeError(f"range_edges must be an array of float64; got {edges!r}")
+    require_within("range_edges", edges, RANGE)
+    if edges.ndim != 1 or edges.size < 2 or not np.all(np.diff(edges) > 0):
+        raise ValueError(f"range_edges must be two or more ascending ranges; got {edges}")
+    if not np.all(np.diff(_centres(edges)) > 0):
+        raise ValueError(f"range_edges must be further apart, for the bins to have centres; got {edges}")
+    return edges.size - 1
+
+
+def _centres(edges: Floats) -> Floats:
+    return (edges[:-1] + edges[1:]) / 2
 
 
 def _require_sound(parts: Contributions, ranges: int, sectors: int) -> None:
-    """Check what a careful forger of checksums could have put in place of contributions.
+    """Check that contributions are what flights can have given.
 
     Raises:
         ValueError: a column has the wrong type or shape, or an entry is impossible.
     """
-    kinds = {"label": "U", "range_bin": "i", "sector": "i"}
     for name, column in parts.columns.items():
-        if column.dtype.kind != kinds.get(name, "f") or column.shape != parts.label.shape or column.ndim != 1:
+        typed = column.dtype.str.startswith(f"<{_KINDS.get(name, 'f8')}")
+        if not typed or column.shape != parts.label.shape or column.ndim != 1:
             raise ValueError(f"the column {name} has dtype {column.dtype} and shape {column.shape}")
     for name, column, below in (("range_bin", parts.range_bin, ranges), ("sector", parts.sector, sectors)):
         if not np.all((column >= 0) & (column < below)):
             raise ValueError(f"{name} must be from 0 to {below - 1}")
     sums = (parts.degrees_of_freedom, parts.radial, parts.transverse)
-    if not all(np.all(np.isfinite(column) & (column >= 0)) for column in sums):
-        raise ValueError("degrees of freedom and sums of squares must be finite and not negative")
+    if not all(np.all((column >= 0) & (column <= LARGEST_SUM)) for column in sums):
+        raise ValueError(f"degrees of freedom and sums of squares must be finite (to {LARGEST_SUM:g}) and not negative")
+    if np.any((parts.degrees_of_freedom > 0) & (parts.degrees_of_freedom < ROUNDING)):
+        raise ValueError(f"degrees of freedom must be 0, or at least {ROUNDING:g}")
     if not np.all(np.abs(parts.mixed) <= np.sqrt(parts.radial) * np.sqrt(parts.transverse) * (1 + ROUNDING)):
         raise ValueError("a mixed sum must not exceed the geometric mean of both sums of squares")

@@ -17,6 +17,7 @@ import contextlib
 import ctypes
 import errno
 import os
+import secrets
 import shutil
 import sys
 from collections.abc import Callable, Iterator
@@ -60,17 +61,28 @@ def replace_directory(target: Path, write: Callable[[Path], None]) -> None:
             _clean_up(target)
 
 
-def replace_file(target: Path, text: str) -> None:
-    """Replace a text file, or create it, in one step.
+def replace_file(target: Path, content: str | bytes) -> None:
+    """Replace a file, or create it, in one step; text is written as UTF-8, with its line ends as they are.
+
+    A symbolic link at `target` is followed. Whatever goes wrong, the file is as before.
 
     Raises:
         OSError: the file system refuses.
 
     """
-    new = _beside(target, "new")
-    new.write_text(text, newline="\n")
-    _flush(new)
-    new.replace(target)
+    target = target.resolve()
+    new = target.with_name(f".swap-{secrets.token_hex(8)}")
+    try:
+        with new.open("xb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
+        if target.exists():
+            shutil.copymode(target, new)
+        _flush(new)
+        new.replace(target)
+    except BaseException:
+        new.unlink(missing_ok=True)
+        raise
+    _flush(target.parent)
 
 
 def _beside(target: Path, role: str) -> Path:
