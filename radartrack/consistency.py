@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from radartrack import convert
 from radartrack._arrays.prediction import Predicted
 from radartrack._arrays.sensors import SENSORS, Sensor, SensorName
-from radartrack._arrays.validation import RealArray, one_of, real_arrays
+from radartrack._arrays.validation import RealArray, number_between, one_of, real_arrays, whole_number
 from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
 from radartrack.simulate import noise_covariance, scatter
@@ -158,19 +158,15 @@ def _simulated(
 
 
 def _generator(draws: int, seed: int) -> Callable[[int], RealArray]:
-    if isinstance(draws, bool) or not isinstance(draws, int):
-        raise TypeError(f"draws must be an integer; got {draws!r}")
-    if draws < MINIMUM:
-        raise ValueError(f"draws must be at least {MINIMUM}; got {draws}")
-    generator = np.random.default_rng(seed)
-    return lambda size: generator.standard_normal((draws, size))
+    count = whole_number("draws", draws, MINIMUM)
+    generator = np.random.default_rng(whole_number("seed", seed, 0))
+    return lambda size: generator.standard_normal((count, size))
 
 
 def _width(false_alarm: float) -> float:
     """By how many standard errors a normal mean is off with this probability."""
-    if not SMALLEST_FALSE_ALARM <= false_alarm <= 1 / 2:
-        raise ValueError(f"false_alarm must be from {SMALLEST_FALSE_ALARM} to 0.5; got {false_alarm}")
-    return math.sqrt(quantile(1 - false_alarm, 1))  # the square of a normal variable
+    probability = number_between("false_alarm", false_alarm, SMALLEST_FALSE_ALARM, 1 / 2)
+    return math.sqrt(quantile(1 - probability, 1))  # the square of a normal variable
 
 
 def _summary(errors: RealArray, covariance: RealArray, width: float) -> Consistency:

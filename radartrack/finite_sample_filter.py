@@ -10,24 +10,35 @@ estimated with it.
 from __future__ import annotations
 
 import math
-import operator
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack import kalman
+from radartrack import kalman, patterns
 from radartrack._arrays.normal_equations import Sample, Solution, solve
 from radartrack._arrays.row_products import Product, rowwise_product
-from radartrack._arrays.validation import RealArray, broadcast_shape, real_arrays
+from radartrack._arrays.validation import (
+    RealArray,
+    broadcast_shape,
+    positive_number,
+    real_arrays,
+    real_number,
+    require_variances,
+    rounded_to,
+    whole_number,
+)
 from radartrack.generated import finite_sample as formulas
 
 HIGHEST_DEGREE = 3
 MOST_SCANS = 1_000_000
 LARGEST_RATIO = 1e12
+SMALLEST_RATIO = 1e-60
+LARGEST_SCALE = 1e60  # so that no square in the closed forms overflows, nor underflows
+LONGEST_LAG = 1e12
 LONGEST_KEPT = 4096
 SCANS_AT_ONCE = 32
 
@@ -103,8 +114,9 @@ class FiniteSampleFilter:
 
     Raises:
         TypeError: a value is no real number, or the degree is no whole one.
-        ValueError: a value is not finite or not positive, the degree is not from 0 to 3, or
-            C = range_std^2/(period rate_std)^2 is more than 1e12.
+        ValueError: a value is not finite or not positive, the degree is not from 0 to 3, the lag is longer than 1e12
+            scans, range_std/period^n is not from 1e-60 to 1e60 for all n up to the degree, or
+            C = range_std^2/(period rate_std)^2 is not from 1e-60 to 1e12.
 
     Source: Gorshkov & Zavizhenets, (1)-(20), for degree 2; the other degrees by the same derivation.
 
@@ -117,20 +129,35 @@ class FiniteSampleFilter:
     lag: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("period", "range_std", "rate_std"):
-            if name != "rate_std" or self.rate_std is not None:
-                _require_positive(name, _number(name, getattr(self, name)))
-        _number("lag", self.lag)
-        _whole_number("degree", self.degree, 0, HIGHEST_DEGREE)
-        if not self.C <= LARGEST_RATIO:
-            raise ValueError(f"range_std^2/(period rate_std)^2 must be at most {LARGEST_RATIO:g}; got {self.C:g}")
+        numbers = {name: positive_number(name, getattr(self, name)) for name in ("period", "range_std")}
+        if self.rate_std is not None:
+            numbers["rate_std"] = positive_number("rate_std", self.rate_std)
+        degree = whole_number("degree", self.degree, 0, HIGHEST_DEGREE)
+        for name, number in {**numbers, "lag": real_number("lag", self.lag), "degree": degree}.items():
+            object.__setattr__(self, name, number)
+        self._require_moderate()
+
+    def _require_moderate(self) -> None:
+        if abs(self.lag) > LONGEST_LAG:
+            raise ValueError(f"lag must be from {-LONGEST_LAG:g} to {LONGEST_LAG:g}; got {self.lag:g}")
+        scales = [math.log10(self.range_std) - n * math.log10(self.period) for n in (0, self.degree)]
+        if max(map(abs, scales)) > math.log10(LARGEST_SCALE):
+            raise ValueError(
+                f"range_std/period^n must be from {1 / LARGEST_SCALE:g} to {LARGEST_SCALE:g} for all n up to the "
+                f"degree {self.degree}; got range_std {self.range_std:g} and period {self.period:g}"
+            )
+        if self.rate_std is not None and not SMALLEST_RATIO <= self.C <= LARGEST_RATIO:
+            raise ValueError(
+                f"range_std^2/(period rate_std)^2 must be at most {LARGEST_RATIO:g} and at least {SMALLEST_RATIO:g}; "
+                f"got {self.C:g}"
+            )
 
     @property
     def C(self) -> float:  # noqa: N802 - the letter of the literature
         """The weight of the range rate, range_std^2/(period rate_std)^2; 0 without range rate."""
         if self.rate_std is None:
             return 0.0
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", under="ignore"):
             return float((np.float64(self.range_std) / self.period / self.rate_std) ** 2)
 
     @property
@@ -184,12 +211,13 @@ class FiniteSampleFilter:
         Raises:
             TypeError: an argument is not made of real numbers.
             ValueError: the shapes do not fit, a number is infinite, a time is NaN or earlier than the one
-                before it, or the observations of some track do not determine its state.
+                before it, the observations of some track do not determine its state, or the state or its
+                covariance is too large or too small for the type.
 
         """
         observed = self._checked(ranges, rates, times)
         count = observed.ranges.shape[-1]
-        if times is None:
+        if times is None or not count:
             self._checked_count(count)
         state, covariance, degree = self._fit(observed, range(count, count + 1), count)
         if degree.min(initial=self.degree) < self.degree:
@@ -222,10 +250,10 @@ class FiniteSampleFilter:
         """
         observed = self._checked(ranges, rates, times)
         count = observed.ranges.shape[-1]
-        length = count if window is None else _whole_number("window", window, 1, MOST_SCANS)
-        starts = range(0, count, SCANS_AT_ONCE) if count else [0]
+        length = count if window is None else whole_number("window", window, 1, MOST_SCANS)
+        starts = range(0, count, SCANS_AT_ONCE)
         parts = [self._fit(observed, range(n + 1, min(n + SCANS_AT_ONCE, count) + 1), length) for n in starts]
-        return _joined(parts, len(observed.ranges.shape) - 1)
+        return _joined(parts, observed.ranges.ndim - 1) if parts else self._nothing(observed.ranges)
 
     def kalman(self, k: int, process_noise: float = 0.0) -> HandOver:
         """Hand over to a Kalman filter of the same order after k scans.
@@ -236,17 +264,15 @@ class FiniteSampleFilter:
                 m^2/s^(2 degree + 1); 0 continues the growing sample exactly.
 
         Raises:
-            ValueError: so few scans do not determine the state, the intensity is negative, or `lag` is not 0.
+            TypeError: k is no whole number, or the intensity no real one.
+            ValueError: so few scans do not determine the state, the intensity is negative or too large, or `lag`
+                is not 0.
 
         """
-        if self.lag:
-            raise ValueError(f"lag must be 0 to hand over to a Kalman filter; got {self.lag}")
-        if not 0 <= _number("process_noise", process_noise) < math.inf:
-            raise ValueError(f"process_noise must be finite and at least 0; got {process_noise}")
-        return HandOver(self, self._checked_count(k), process_noise)
+        return HandOver(self, k, process_noise)
 
     def _checked_count(self, k: int) -> int:
-        count = _whole_number("k", k, 1, MOST_SCANS)
+        count = whole_number("k", k, 1, MOST_SCANS)
         if count < self.fewest_scans:
             highest = count - 1 if self.rate_std is None else 2 * count - 1
             raise ValueError(
@@ -275,14 +301,23 @@ class FiniteSampleFilter:
             raise ValueError(f"rates must be {wanted} rate_std")
         given = {"ranges": ranges, "rates": rates, "times": times}
         arrays = real_arrays({name: value for name, value in given.items() if value is not None})
-        if times is not None:
-            _require_times(arrays["times"])
         for name, array in arrays.items():
             if array.ndim == 0:
                 raise ValueError(f"{name} must have shape (..., k); got a single number")
+        if times is not None:
+            _require_times(arrays["times"])
         shape = broadcast_shape(arrays)
         spread = {name: np.broadcast_to(array, shape) for name, array in arrays.items()}
         return _Observed(spread["ranges"], spread.get("rates"), spread.get("times"))
+
+    def _nothing(self, ranges: RealArray) -> Run:
+        """The run of no scans."""
+        size = self.degree + 1
+        return Run(
+            np.empty((*ranges.shape, size), ranges.dtype),
+            np.empty((*ranges.shape, size, size), ranges.dtype),
+            np.empty(ranges.shape, dtype=np.int64),
+        )
 
     def _fit(self, observed: _Observed, ends: range, length: int) -> Run:
         """The estimates after each of these numbers of scans, from the last `length` of them."""
@@ -301,29 +336,30 @@ class FiniteSampleFilter:
     def _banded(self, used: _Observed, ends: range, length: int) -> Product:
         """All estimates as products with one matrix, which is zero where a scan is outside a window."""
         parts = [part for part in (used.ranges, used.rates) if part is not None]
-        band = self._band(ends, max(ends.start - length, 0), length).astype(used.ranges.dtype, copy=False)
+        band = rounded_to(used.ranges.dtype, "weights", self._band(ends, max(ends.start - length, 0), length))
         fitted, is_finite = rowwise_product(parts, band)
         return Product(fitted.reshape(*fitted.shape[:-1], len(ends), self.degree + 1), is_finite)
 
     def _shared(self, fitted: RealArray, ends: range, length: int) -> Run:
-        """With the covariances and degrees that all full tracks share."""
+        """With the covariances and degrees that all full tracks share, and NaN for what they do not determine."""
         closed = [self._closed(min(end, length)) for end in ends]
         degrees = np.array([part.degree for part in closed])
         size = self.degree + 1
-        covariances = np.full((len(ends), size, size), np.nan, fitted.dtype)
+        covariances = np.full((len(ends), size, size), np.nan)
         for n, part in enumerate(closed):
             covariances[n, : part.degree + 1, : part.degree + 1] = part.covariance
+            fitted[..., n, part.degree + 1 :] = np.nan
         tracks = fitted.shape[:-2]
         return Run(
             fitted,
-            np.broadcast_to(covariances, (*tracks, *covariances.shape)),
+            np.broadcast_to(_in_type(covariances, fitted.dtype), (*tracks, *covariances.shape)),
             np.broadcast_to(degrees, (*tracks, *degrees.shape)),
         )
 
     def _band(self, ends: range, first: int, length: int) -> RealArray:
         """The weights of the ranges, then of the rates, from scan `first` on.
 
-        There is a column for each component of each estimate, NaN for components that the scans do not determine.
+        There is a column for each component of each estimate, zero for components that the scans do not determine.
         """
         size = self.degree + 1
         bands = np.zeros((1 + (self.rate_std is not None), ends.stop - 1 - first, len(ends), size))
@@ -332,7 +368,6 @@ class FiniteSampleFilter:
             for band, weights in zip(bands, closed.weights, strict=False):
                 if weights is not None:
                     band[max(end - length, 0) - first : end - first, n, : closed.degree + 1] = weights.T
-                    band[:, n, closed.degree + 1 :] = np.nan
         return bands.reshape(-1, len(ends) * size)
 
     def _closed(self, k: int) -> _Closed:
@@ -350,30 +385,37 @@ class FiniteSampleFilter:
             if uneven.any():
                 for part, replacement in zip(run, self._fit_each(window, uneven), strict=True):
                     part[uneven, n] = replacement
+        _require_finite_estimates(run)
         return run
 
     def _fit_each(self, observed: _Observed, chosen: NDArray[np.bool_]) -> Run:
         """The estimates of the chosen tracks by the normal equations of each."""
         ranges = observed.ranges[chosen].astype(np.float64)
         rates = np.full_like(ranges, np.nan) if observed.rates is None else observed.rates[chosen].astype(np.float64)
-        steps = np.arange(1 - ranges.shape[1], 1) * float(self.period)
-        times = np.broadcast_to(steps, ranges.shape) if observed.times is None else observed.times[chosen]
+        scans = np.broadcast_to(np.arange(1.0 - ranges.shape[1], 1.0), ranges.shape)
+        unit = self.period if observed.times is None else 1.0  # in periods, even times are whole numbers, not rounded
+        times = scans if observed.times is None else observed.times[chosen].astype(np.float64)
         size = self.degree + 1
         result = Run(
-            np.full((len(ranges), size), np.nan, observed.ranges.dtype),
-            np.full((len(ranges), size, size), np.nan, observed.ranges.dtype),
+            np.full((len(ranges), size), np.nan),
+            np.full((len(ranges), size, size), np.nan),
             np.full(len(ranges), -1),
         )
-        patterns, pattern = _distinct(Sample(times.astype(np.float64), np.isfinite(ranges), np.isfinite(rates)))
+        samples, which = _distinct(Sample(times, np.isfinite(ranges), np.isfinite(rates)))
         data = np.stack([np.where(np.isfinite(values), values, 0.0) for values in (ranges, rates)])
-        for degree in range(self.degree, -1, -1):
-            self._fill(result, degree, patterns, pattern, data)
-        return result
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # what is not finite is refused
+            for degree in range(self.degree, -1, -1):
+                self._fill(result, degree, samples, which, data, unit)
+        _require_finite_estimates(result)
+        dtype = observed.ranges.dtype
+        return Run(rounded_to(dtype, "the state", result.state), _in_type(result.covariance, dtype), result.degree)
 
-    def _fill(self, result: Run, degree: int, patterns: Sample, pattern: NDArray[np.int64], data: RealArray) -> None:
+    def _fill(
+        self, result: Run, degree: int, samples: Sample, which: NDArray[np.int64], data: RealArray, unit: float
+    ) -> None:
         """Enter the estimates of this degree for the tracks that support it and no higher one."""
-        waiting, place = np.unique(pattern[result.degree < 0], return_inverse=True)
-        solution = self._solution(patterns.chosen(waiting), degree)
+        waiting, place = np.unique(which[result.degree < 0], return_inverse=True)
+        solution = self._solution(samples.chosen(waiting), degree, unit)
         determined = solution.determined[place]
         tracks, chosen = np.flatnonzero(result.degree < 0)[determined], place[determined]
         state = sum(
@@ -381,13 +423,21 @@ class FiniteSampleFilter:
             for weights, values in zip((solution.range_weights, solution.rate_weights), data, strict=True)
         )
         result.state[tracks, : degree + 1] = state
-        result.covariance[tracks, : degree + 1, : degree + 1] = float(self.range_std) ** 2 * solution.covariance[chosen]
+        result.covariance[tracks, : degree + 1, : degree + 1] = solution.covariance[chosen]
         result.degree[tracks] = degree
 
-    def _solution(self, patterns: Sample, degree: int) -> Solution:
-        newest = patterns.times[:, -1]
-        rate_weight = 0.0 if self.rate_std is None else self.range_std / self.rate_std
-        return solve(patterns, newest + self.lag * self.period, degree, rate_weight, float(self.period))
+    def _solution(self, samples: Sample, degree: int, unit: float) -> Solution:
+        """The weights and the covariance of the errors in m and s, from times in a unit [s]."""
+        rate_weight = 0.0 if self.rate_std is None else self.range_std / self.rate_std / unit
+        per_unit = unit ** -np.arange(degree + 1.0)
+        solved = solve(samples, self.lag * (self.period / unit), degree, rate_weight, self.period / unit)
+        deviations = self.range_std * per_unit
+        return Solution(
+            solved.determined,
+            solved.range_weights * per_unit[:, np.newaxis],
+            solved.rate_weights * (per_unit * unit)[:, np.newaxis],
+            solved.covariance * deviations[:, np.newaxis] * deviations,
+        )
 
 
 @dataclass(frozen=True)
@@ -404,6 +454,13 @@ class HandOver:
     start: FiniteSampleFilter
     k: int
     process_noise: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.start.lag:
+            raise ValueError(f"lag must be 0 to hand over to a Kalman filter; got {self.start.lag}")
+        if real_number("process_noise", self.process_noise) < 0:
+            raise ValueError(f"process_noise must be finite and at least 0; got {self.process_noise}")
+        self.start._checked_count(self.k)  # noqa: SLF001 - one thought in two classes
 
     @property
     def motion(self) -> kalman.Motion:
@@ -486,16 +543,10 @@ def _computed(of: FiniteSampleFilter, k: int, degree: int) -> _Closed:
 
 def _distinct(sample: Sample) -> tuple[Sample, NDArray[np.int64]]:
     """The distinct samples, and which of them each one is."""
-    count = len(sample.times)
     if (sample.times != sample.times[:1]).any():
-        return sample, np.arange(count)
-    bits = np.packbits(np.concatenate([sample.has_range, sample.has_rate], axis=1), axis=1)
-    order = np.lexsort(bits.T)
-    starts = np.ones(count, dtype=bool)
-    starts[1:] = (np.diff(bits[order], axis=0) != 0).any(axis=1)
-    which = np.empty(count, dtype=np.int64)
-    which[order] = np.cumsum(starts) - 1
-    return sample.chosen(order[starts]), which
+        return sample, np.arange(len(sample.times))
+    first, which = patterns.distinct(np.concatenate([sample.has_range, sample.has_rate], axis=1))
+    return sample.chosen(first), which
 
 
 def _joined(parts: Sequence[Run], axis: int) -> Run:
@@ -527,26 +578,18 @@ def _require_times(times: RealArray) -> None:
         raise ValueError("times must not decrease along the last axis")
 
 
-def _number(name: str, value: float) -> float:
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise TypeError(f"{name} must be a real number; got {value!r}")
-    if not math.isfinite(value):
-        raise ValueError(f"{name} must be finite; got {value}")
-    return float(value)
+def _require_finite_estimates(run: Run) -> None:
+    """Refuse what overflowed among the components that are determined."""
+    known = np.arange(run.state.shape[-1]) <= run.degree[..., np.newaxis]
+    both = known[..., np.newaxis] & known[..., np.newaxis, :]
+    if not ((np.isfinite(run.state) | ~known).all() and (np.isfinite(run.covariance) | ~both).all()):
+        raise ValueError(
+            "ranges, rates and times must give a state and a covariance that float64 holds; got some that overflow"
+        )
 
 
-def _require_positive(name: str, value: float) -> None:
-    if not value > 0:
-        raise ValueError(f"{name} must be more than 0; got {value:g}")
-
-
-def _whole_number(name: str, value: int, low: int, high: int) -> int:
-    if isinstance(value, (bool, np.bool_)):
-        raise TypeError(f"{name} must be a whole number; got {value!r}")
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name} must be a whole number; got {value!r}") from None
-    if not low <= number <= high:
-        raise ValueError(f"{name} must be from {low} to {high}; got {number}")
-    return number
+def _in_type(covariance: RealArray, dtype: np.dtype[Any]) -> RealArray:
+    """Covariances, NaN where not determined, in the type of the observations."""
+    result = rounded_to(dtype, "the covariance", covariance)
+    require_variances("the covariance", np.diagonal(result, axis1=-2, axis2=-1))
+    return result

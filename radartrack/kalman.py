@@ -3,7 +3,7 @@
 The covariance of a track depends on what is observed, not on the values. So tracks that start from one
 covariance and miss nothing share one, and it is computed once. Arrays are worked on with the tracks along the
 last axis, component by component: that is fast, and the result for a track has the same bits however many
-others are filtered with it.
+others are filtered with it. What overflows is not finite in the result, and is refused there.
 """
 
 from __future__ import annotations
@@ -16,7 +16,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack._arrays.validation import RealArray, real_arrays, require_trailing_shape
+from radartrack import patterns
+from radartrack._arrays.validation import (
+    RealArray,
+    positive_number,
+    real_arrays,
+    real_number,
+    require_covariance,
+    require_finite,
+    require_trailing_shape,
+    require_variances,
+    whole_number,
+)
 from radartrack.generated import kinematics
 
 MOTIONS = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
@@ -67,20 +78,24 @@ def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
         intensity: of the noise [m^2/s^(2 degree + 1)].
 
     Raises:
-        ValueError: the degree is not from 0 to 3, the period is not positive, or the intensity is negative.
+        TypeError: the degree is no whole number, or another argument no real one.
+        ValueError: the degree is not from 0 to 3, the period is not positive, the intensity is negative, or the
+            matrices overflow or lose their digits.
 
     Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.
 
     """
-    if degree not in range(len(MOTIONS)):
-        raise ValueError(f"degree must be from 0 to {len(MOTIONS) - 1}; got {degree}")
-    if not 0 < period < math.inf:
-        raise ValueError(f"period must be finite and more than 0; got {period}")
-    if not 0 <= intensity < math.inf:
+    name = MOTIONS[whole_number("degree", degree, 0, len(MOTIONS) - 1)]
+    T, q = positive_number("period", period), real_number("intensity", intensity)
+    if q < 0:
         raise ValueError(f"intensity must be finite and at least 0; got {intensity}")
-    name = MOTIONS[degree]
-    transition = getattr(kinematics, f"{name}_transition")(T=float(period))
-    return Motion(transition, getattr(kinematics, f"{name}_process_noise")(T=float(period), q=float(intensity)))
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # what is not finite is refused below
+        transition: RealArray = getattr(kinematics, f"{name}_transition")(T=T)
+        process_noise: RealArray = getattr(kinematics, f"{name}_process_noise")(T=T, q=q)
+    require_finite(f"the transition over the period {period}", transition)
+    if q:
+        require_variances(f"the process noise of intensity {intensity} over {period} s", np.diagonal(process_noise))
+    return Motion(transition, process_noise)
 
 
 class _Observation(NamedTuple):
@@ -112,15 +127,17 @@ def predict(belief: Belief, motion: Motion) -> Belief:
 
     Raises:
         TypeError: a part is not made of real numbers.
-        ValueError: the shapes do not fit.
+        ValueError: the shapes do not fit, a number is not finite, a covariance is none, or the result overflows.
 
     """
     tracks, mean, covariance = _tracks_last(belief, ())
-    return _tracks_first(*_predicted(mean, covariance, _checked(motion, len(mean))), tracks)
+    with np.errstate(over="ignore", invalid="ignore"):
+        moved = _predicted(mean, covariance, _checked(motion, len(mean)))
+    return _tracks_first(*moved, tracks)
 
 
 def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
-    """Combine beliefs with measurements, in the form of Joseph, which keeps covariances positive.
+    """Combine beliefs with measurements, in factors (Bierman 1977), which keeps covariances positive.
 
     Args:
         belief: of n components.
@@ -134,14 +151,17 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
+        ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
+            none, R is not positive definite, or the result overflows.
 
     """
     values, H, R = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
     tracks, mean, covariance = _tracks_last(belief, _common(values.shape[:-1], R.shape[:-2]))
-    flat = np.broadcast_to(values, (*tracks, len(H))).reshape(-1, 1, len(H))
-    [sensor] = _sensors(H, R[..., np.newaxis, :, :] if R.ndim > 2 else R, tracks, 1)
-    return _tracks_first(*_updated(mean, covariance, _whitened(flat[:, 0].T, sensor)), tracks)
+    flat = np.broadcast_to(values, (*tracks, len(H))).reshape(-1, len(H))
+    with np.errstate(over="ignore", invalid="ignore"):
+        [sensor] = _sensors(H, R[..., np.newaxis, :, :] if R.ndim > 2 else R, tracks, 1)
+        updated = _updated(mean, covariance, _whitened(flat.T, sensor))
+    return _tracks_first(*updated, tracks)
 
 
 def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
@@ -160,7 +180,8 @@ def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, n
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: the shapes do not fit, a measurement is infinite, or R is not positive definite.
+        ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
+            none, R is not positive definite, or the result overflows.
 
     """
     values, H, R = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
@@ -169,36 +190,79 @@ def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, n
     *others, scans = _common(values.shape[:-1], R.shape[:-2])
     tracks, mean, covariance = _tracks_last(start, tuple(others))
     checked = _checked(motion, len(mean))
-    flat = np.broadcast_to(values, (*tracks, scans, len(H))).reshape(-1, scans, len(H))
+    flat = np.broadcast_to(values, (*tracks, scans, len(H))).reshape(math.prod(tracks), scans, len(H))
     means = np.empty((scans, *mean.shape), mean.dtype)
     covariances = []
-    sensors = _sensors(H, R, tracks, scans)
-    for number, (scan, sensor) in enumerate(zip(np.ascontiguousarray(np.moveaxis(flat, 0, -1)), sensors, strict=True)):
-        predicted = _predicted(mean, covariance, checked)
-        mean, covariance = _updated(*predicted, _whitened(scan, sensor))
-        means[number] = mean
-        covariances.append(covariance)
+    with np.errstate(over="ignore", invalid="ignore"):
+        sensors = zip(np.ascontiguousarray(np.moveaxis(flat, 0, -1)), _sensors(H, R, tracks, scans), strict=True)
+        for number, (scan, sensor) in enumerate(sensors):
+            predicted = _predicted(mean, covariance, checked)
+            mean, covariance = _updated(*predicted, _whitened(scan, sensor))
+            means[number] = mean
+            covariances.append(covariance)
     return _tracks_first(means, _stacked(covariances, len(mean)), tracks)
 
 
 def _predicted(mean: RealArray, covariance: RealArray, motion: Motion) -> tuple[RealArray, RealArray]:
     F, Q = motion
     moved = _combination(F.T[:, :, np.newaxis], mean[:, np.newaxis])
-    half = _combination(F.T[:, :, np.newaxis, np.newaxis], covariance[:, np.newaxis])
-    whole = _combination(F.T[:, np.newaxis, :, np.newaxis], half.swapaxes(0, 1)[:, :, np.newaxis])
-    return moved, _symmetric(whole + Q[:, :, np.newaxis])
+    upper, variances = _factored(covariance)
+    columns = _combination(F.T[:, :, np.newaxis, np.newaxis], upper[:, np.newaxis])
+    return moved, _product(columns, variances) + Q[:, :, np.newaxis]
 
 
 def _updated(mean: RealArray, covariance: RealArray, observation: _Observation) -> tuple[RealArray, RealArray]:
     """The belief after independent measurements of variance one, taken one by one; so no matrix is inverted."""
+    factors = _factored(covariance)
     for value, row in zip(*observation, strict=True):
-        product = _combination(row[:, np.newaxis], covariance)
-        gain = product / (_combination(row, product) + 1)
+        gain, factors = _measured(factors, row)
         mean = mean + gain * (value - _combination(row, mean))
-        reduced = covariance - gain[:, np.newaxis] * product
-        left = _combination(row[:, np.newaxis], reduced.swapaxes(0, 1))
-        covariance = _symmetric(reduced + (gain - left)[:, np.newaxis] * gain)
-    return mean, covariance
+    told = (observation.rows != 0).any(axis=(0, 1))  # what measures nothing leaves the last bit as it was
+    return mean, np.where(told, _product(*factors), covariance)
+
+
+def _measured(factors: tuple[RealArray, RealArray], row: RealArray) -> tuple[RealArray, tuple[RealArray, RealArray]]:
+    """The gain of a measurement of variance one, and the factors after it (Bierman 1977, V.3).
+
+    Differences of covariances, in the form of Joseph too, turn negative where the measurement is better than what was
+    believed by as many digits as a float has.
+    """
+    upper, variances = factors
+    along = _combination(row[:, np.newaxis], upper)
+    weighted = variances * along
+    gain, total = np.zeros_like(weighted), np.ones_like(weighted[0])
+    columns, reduced = [], []
+    for place, column in enumerate(np.moveaxis(upper, 1, 0)):
+        before, total = total, total + along[place] * weighted[place]
+        reduced.append(variances[place] * (before / total))
+        columns.append(column - gain * (along[place] / before))
+        gain = gain + column * weighted[place]
+    return gain / total, (np.stack(columns, axis=1), np.stack(reduced))
+
+
+def _factored(covariance: RealArray) -> tuple[RealArray, RealArray]:
+    """Columns U, upper triangular with a diagonal of ones, and variances D with U D U' the covariance.
+
+    Where others determine a component but for rounding, its own variance counts as what rounding may have been: so
+    nothing is believed better than the covariance can say.
+    """
+    size = len(covariance)
+    upper, rest = np.zeros_like(covariance), covariance.copy()
+    variances = np.zeros_like(covariance[0])
+    for j in reversed(range(size)):
+        rounding = size * np.finfo(covariance.dtype).eps * covariance[j, j]
+        kept = rest[j, j] > rounding
+        variances[j] = np.where(kept, rest[j, j], rounding)
+        upper[:j, j] = np.where(kept, rest[:j, j], 0) / np.where(kept, rest[j, j], 1)
+        upper[j, j] = 1
+        rest[:j, :j] -= upper[:j, j] * upper[:j, np.newaxis, j] * variances[j]
+    return upper, variances
+
+
+def _product(columns: RealArray, variances: RealArray) -> RealArray:
+    """Columns times variances times the columns transposed: a sum of squares, symmetric to the last bit."""
+    roots = np.moveaxis(columns * np.sqrt(variances), 1, 0)
+    return _combination(roots[:, np.newaxis], roots[:, :, np.newaxis])
 
 
 def _combination(coefficients: RealArray, parts: RealArray) -> RealArray:
@@ -207,10 +271,6 @@ def _combination(coefficients: RealArray, parts: RealArray) -> RealArray:
     for coefficient, part in zip(coefficients[1:], parts[1:], strict=True):
         total = total + coefficient * part
     return total
-
-
-def _symmetric(covariance: RealArray) -> RealArray:
-    return (covariance + covariance.swapaxes(0, 1)) / 2
 
 
 def _whitened(values: RealArray, sensor: _Sensor) -> _Observation:
@@ -232,7 +292,7 @@ def _sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans
     size = len(matrix)
     leading = (1,) if math.prod(noise.shape[:-3]) == 1 else tracks
     spread = np.broadcast_to(
-        noise.reshape(-1, *noise.shape[-3:]) if leading == (1,) else noise, (*leading, scans, size, size)
+        noise.reshape(1, *noise.shape[-3:]) if leading == (1,) else noise, (*leading, scans, size, size)
     )
     for part in np.moveaxis(spread, -3, 0):
         own = np.ascontiguousarray(np.moveaxis(part.reshape(-1, size, size), 0, -1))
@@ -251,7 +311,7 @@ def _whitening_of_each(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
         both = seen[:, np.newaxis] & seen
         alone = np.where(both, noise, np.eye(len(noise))[..., np.newaxis])
         return np.where(both, np.moveaxis(_inverse_root(np.moveaxis(alone, -1, 0)), 0, -1), 0.0)
-    _, first, which = np.unique(2 ** np.arange(len(seen)) @ seen, return_index=True, return_inverse=True)
+    first, which = patterns.distinct(seen.T)
     return np.stack([_whitening(pattern, noise) for pattern in seen.T[first]], axis=-1)[..., which]
 
 
@@ -285,6 +345,7 @@ def _tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ..
     mean, covariance = arrays["mean"], arrays["covariance"]
     if mean.ndim == 0:
         raise ValueError("mean must have shape (..., n); got a single number")
+    require_finite("mean", mean)
     size = mean.shape[-1]
     require_trailing_shape("covariance", covariance, (size, size))
     try:
@@ -294,22 +355,25 @@ def _tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ..
         shapes = f"{mean.shape} of mean, {covariance.shape} of covariance and {others} of the measured tracks"
         raise ValueError(f"shapes must broadcast; got {shapes}") from None
     flat = np.ascontiguousarray(np.broadcast_to(mean, (*tracks, size)).reshape(-1, size).T)
-    if all(
-        stride == 0 or length == 1 for stride, length in zip(covariance.strides, covariance.shape[:-2], strict=False)
-    ):
-        first = (0,) * (covariance.ndim - 2)
-        return tracks, flat, covariance[first][..., np.newaxis]
+    leading = zip(covariance.strides, covariance.shape[:-2], strict=False)
+    if all(length == 1 or (length > 0 and stride == 0) for stride, length in leading):
+        shared = covariance[(0,) * (covariance.ndim - 2)]
+        require_covariance("covariance", shared)
+        return tracks, flat, shared[..., np.newaxis]
+    require_covariance("covariance", covariance)
     spread = np.broadcast_to(covariance, (*tracks, size, size)).reshape(-1, size, size)
     return tracks, flat, np.ascontiguousarray(np.moveaxis(spread, 0, -1))
 
 
 def _tracks_first(mean: RealArray, covariance: RealArray, tracks: tuple[int, ...]) -> Belief:
-    """Means (..., n) and covariances (..., n, n) of all tracks."""
+    """Means (..., n) and covariances (..., n, n) of all tracks, all of them finite."""
     means, covariances = np.moveaxis(mean, -1, 0), np.moveaxis(covariance, -1, 0)
+    require_finite("the mean of the result", means)
+    require_finite("the covariance of the result", covariances)
+    first = means.reshape(*tracks, *means.shape[1:])
     if len(covariances) == 1:
-        shared = np.broadcast_to(covariances[0], (*tracks, *covariances.shape[1:]))
-        return Belief(means.reshape(*tracks, *means.shape[1:]), shared)
-    return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
+        return Belief(first, np.broadcast_to(covariances[0], (*tracks, *covariances.shape[1:])))
+    return Belief(first, covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
 def _stacked(covariances: list[RealArray], size: int) -> RealArray:
@@ -325,14 +389,15 @@ def _measurement(
 ) -> tuple[RealArray, RealArray, RealArray]:
     arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
     values, H, R = arrays["measured"], arrays["matrix"], arrays["noise"]
-    if H.ndim != 2 or not np.isfinite(H).all():
-        raise ValueError(f"matrix must be finite, of shape (m, n); got {H.tolist()}")
+    if H.ndim != 2 or not H.size or not np.isfinite(H).all():
+        raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
     if H.shape[1:] != size:
         raise ValueError(f"matrix must have {size[0]} columns, one a component; got {H.shape[1]}")
     require_trailing_shape("noise", R, (len(H), len(H)))
     require_trailing_shape("measured", values, (len(H),))
     if np.isinf(values).any():
         raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
+    require_finite("noise", R)
     if not np.array_equal(R, np.swapaxes(R, -1, -2)):
         raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
     return values, H, R
@@ -343,4 +408,5 @@ def _checked(motion: Motion, size: int) -> Motion:
     for name, array in arrays.items():
         if array.shape != (size, size) or not np.isfinite(array).all():
             raise ValueError(f"{name} must be finite, of shape ({size}, {size}); got {array.tolist()}")
+    require_covariance("process_noise", arrays["process_noise"])
     return Motion(arrays["transition"], arrays["process_noise"])

@@ -11,9 +11,9 @@ one stream, trial after trial: the first thousand of two thousand are the same t
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from hashlib import sha256
 from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
@@ -21,8 +21,16 @@ from numpy.typing import ArrayLike
 
 from radartrack import observe
 from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
-from radartrack._arrays.validation import RealArray, one_of, real_arrays, require_within
-from radartrack.line import require_count
+from radartrack._arrays.validation import (
+    RealArray,
+    number_between,
+    one_of,
+    real_arrays,
+    real_number,
+    require_finite,
+    require_within,
+    whole_number,
+)
 
 Seed: TypeAlias = int | Sequence[int]
 
@@ -64,10 +72,17 @@ class Accelerated:
             _vector(name, getattr(self, name))
 
     def states(self, t: ArrayLike) -> RealArray:
-        """Position [m] and velocity [m/s] at times [s], shape (..., 6)."""
+        """Position [m] and velocity [m/s] at times [s], shape (..., 6).
+
+        Raises:
+            TypeError: the times are not made of real numbers.
+            ValueError: a time is not finite, or a state overflows.
+
+        """
         times = _times(t)
         r, v, a = (_vector(name, getattr(self, name)) for name in ("position", "velocity", "acceleration"))
-        return np.concatenate([r + v * times + a * times**2 / 2, v + a * times], axis=-1)
+        with np.errstate(over="ignore", invalid="ignore"):
+            return _finite_states(r + v * times + a * times**2 / 2, v + a * times)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,22 +116,28 @@ class Turning:
     def __post_init__(self) -> None:
         _vector("position", self.position)
         _vector("velocity", self.velocity)
-        if not math.isfinite(self.turn_rate):
-            raise ValueError(f"turn_rate must be finite; got {self.turn_rate}")
+        real_number("turn_rate", self.turn_rate)
 
     def states(self, t: ArrayLike) -> RealArray:
-        """Position [m] and velocity [m/s] at times [s], shape (..., 6)."""
+        """Position [m] and velocity [m/s] at times [s], shape (..., 6).
+
+        Raises:
+            TypeError: the times are not made of real numbers.
+            ValueError: a time is not finite, or a state overflows.
+
+        """
         times = _times(t)
         x, y, z = _vector("position", self.position)
         vx, vy, vz = _vector("velocity", self.velocity)
-        angle = self.turn_rate * times
-        sine, cosine = np.sin(angle), np.cos(angle)
-        along, across = times * np.sinc(angle / np.pi), times * angle / 2 * np.sinc(angle / (2 * np.pi)) ** 2
-        parts = [
-            x + vx * along - vy * across, y + vy * along + vx * across, z + vz * times,
-            vx * cosine - vy * sine, vy * cosine + vx * sine, np.full_like(times, vz),
-        ]  # fmt: skip
-        return np.concatenate(parts, axis=-1)
+        with np.errstate(over="ignore", invalid="ignore"):
+            angle = float(self.turn_rate) * times
+            sine, cosine = np.sin(angle), np.cos(angle)
+            along, across = times * np.sinc(angle / np.pi), times * angle / 2 * np.sinc(angle / (2 * np.pi)) ** 2
+            parts = [
+                x + vx * along - vy * across, y + vy * along + vx * across, z + vz * times,
+                vx * cosine - vy * sine, vy * cosine + vx * sine, np.full_like(times, vz),
+            ]  # fmt: skip
+        return _finite_states(*parts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,12 +150,12 @@ class Radar:
         noise: standard deviations, and `correlation` where it is not 0, by the names that the conversion of the
             sensor gives them: {"range_std": 250.0, "azimuth_std": 0.017}.
         site: x and y, or x, y and z, of the radar [m].
-        bias: constant errors by measured quantity: {"azimuth": 0.01}.
+        bias: constant errors by measured quantity: {"azimuth": 0.01}, each in size at most what the conversion takes.
         detection_probability: that a scan sees the target; the scans are independent.
-        azimuth_from: as the conversion of the sensor takes it; None for its default.
+        azimuth_from: as the conversion of the sensor takes it; None for its default. "ruv" has none.
 
     Raises:
-        TypeError: a deviation is missing, or a name is none of the sensor's.
+        TypeError: a deviation is missing, a name is none of the sensor's, or a value is no real number.
         ValueError: a number lies out of its domain, or a word is unknown.
 
     """
@@ -153,19 +174,34 @@ class Radar:
             raise TypeError(
                 f"noise must have {[*model.noise]} (correlation is 0 if left out); got {sorted(self.noise)}"
             )
-        for name, value in real_arrays(self._all_noise()).items():
-            require_within(name, value, model.noise[name].domain)
+        for name, value in self._all_noise().items():
+            require_within(name, np.asarray(real_number(name, value)), model.noise[name].domain)
         if not set(self.bias) <= set(model.coordinates):
             raise TypeError(f"bias must be of {[*model.coordinates]}; got {sorted(self.bias)}")
+        for name, value in self.bias.items():
+            domain = model.coordinates[name].domain._replace(signed=True)
+            require_within(f"bias of {name}", np.asarray(real_number(f"bias of {name}", value)), domain)
         _vector("site", self.site)
-        if not 0 < self.period < math.inf:
+        if real_number("period", self.period) <= 0:
             raise ValueError(f"period must be finite and more than 0; got {self.period}")
-        if not 0 <= self.detection_probability <= 1:
-            raise ValueError(f"detection_probability must be from 0 to 1; got {self.detection_probability}")
+        number_between("detection_probability", self.detection_probability, 0, 1)
+        if self.azimuth_from is not None and model.azimuth_from is None:
+            raise ValueError(f"azimuth_from must be None for sensor {self.sensor!r}; got {self.azimuth_from!r}")
+        if self.azimuth_from is not None:
+            model.is_turned(self.azimuth_from)
 
     def times(self, scans: int) -> RealArray:
-        """The times of the first scans [s], from 0 on, shape (scans,)."""
-        return np.arange(scans) * self.period
+        """The times of the first scans [s], from 0 on, shape (scans,).
+
+        Raises:
+            TypeError: the count is no whole number.
+            ValueError: the count is negative, or a time overflows.
+
+        """
+        with np.errstate(over="ignore"):
+            times = np.arange(whole_number("scans", scans, 0)) * float(self.period)
+        require_finite(f"times of {scans} scans every {self.period} s", times)
+        return times
 
     def truth(self, states: RealArray) -> dict[str, RealArray]:
         """What it would measure of states, shape (..., 6), without errors: each quantity of shape (...)."""
@@ -216,16 +252,15 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
             (seed, number of the radar).
 
     Raises:
-        TypeError: a count is no whole number.
-        ValueError: a count is less than 1.
+        TypeError: a count or a seed is no whole number.
+        ValueError: a count is less than 1, a seed is negative, or a state lies out of what the radar can see.
 
     """
-    for name, count in (("scans", scans), ("trials", trials)):
-        require_count(name, count)
+    scans, trials = (whole_number(name, count, 1) for name, count in (("scans", scans), ("trials", trials)))
     times = radar.times(scans)
     states = target.states(times)
     truth = radar.truth(states)
-    errors, detections = (np.random.default_rng(part) for part in np.random.SeedSequence(seed).spawn(2))
+    errors, detections = (np.random.default_rng(part) for part in np.random.SeedSequence(_entropy(seed)).spawn(2))
     noise = scatter(radar.noise_covariance(), errors.standard_normal((trials, scans, len(truth))))
     missed = detections.random((trials, scans)) >= radar.detection_probability
     measured = {
@@ -235,9 +270,17 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
     return Plots(times, measured, truth, states)
 
 
+def _entropy(seed: Seed) -> int:
+    """What seeds the streams: of several numbers a digest, as NumPy would take 0, (0,) and (0, 0) for one."""
+    if not isinstance(seed, Iterable) or getattr(seed, "shape", None) == ():
+        return whole_number("seed", seed, 0)
+    text = ",".join(f"{whole_number('seed', number, 0):x}" for number in seed)
+    return int.from_bytes(sha256(text.encode()).digest(), "big")
+
+
 def noise_covariance(sensor: SensorName, noise: Mapping[str, float]) -> RealArray:
     """The covariance of measured quantities from their deviations and the one correlation, by name."""
-    model = SENSORS[sensor]
+    model = SENSORS[one_of("sensor", sensor, SENSORS)]
     *deviations, correlation = (float(noise[name]) for name in model.noise)
     correlations = np.eye(len(deviations))
     first, second = model.correlated
@@ -265,4 +308,12 @@ def _vector(name: str, given: Sequence[float]) -> RealArray:
 
 
 def _times(t: ArrayLike) -> RealArray:
-    return real_arrays({"t": t})["t"].astype(np.float64)[..., np.newaxis]
+    times = real_arrays({"t": t})["t"].astype(np.float64)
+    require_finite("t", times)
+    return times[..., np.newaxis]
+
+
+def _finite_states(*parts: RealArray) -> RealArray:
+    states = np.concatenate(parts, axis=-1)
+    require_finite("states of the target", states)
+    return states

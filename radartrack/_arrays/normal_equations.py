@@ -3,23 +3,31 @@
 These are the normal equations of the finite-sample filter, solved through an orthogonal factorisation of
 scaled polynomials. Ranges are counted from their mean, which splits the constant off; of the rest, the more
 accurate kind of observation comes first, so that very unequal accuracies do no harm.
+
+Whether a sample determines the polynomial is decided exactly. Too few different times are counted. What floating
+point resolves well, against the size before anything cancels, is determined. The rest is solved in rational numbers.
 """
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from radartrack._arrays.validation import RealArray
+from radartrack.exact_fit import exact_fit
 
 Mask = NDArray[np.bool_]
-SMALLEST_PIVOT = 1e-11  # rounding leaves 1e-15 of a column that depends on others; C = 1e-12 leaves 1e-7
+WELL_RESOLVED = 1e-6  # rounding leaves 1e-15 of a column that depends on others; a share of 1e-6 keeps nine digits
 
 
 class Sample(NamedTuple):
-    """What is observed when, each of shape (n, k): times [s], and whether there are a range and a range rate."""
+    """What is observed when, each of shape (n, k): times, and whether there are a range and a range rate.
+
+    The times do not decrease; they and all that has to do with time may have any unit.
+    """
 
     times: RealArray
     has_range: Mask
@@ -37,7 +45,8 @@ class Solution(NamedTuple):
         determined: shape (n,), whether the sample determines the polynomial; the rest holds for those only.
         range_weights: shape (n, degree + 1, k).
         rate_weights: shape (n, degree + 1, k).
-        covariance: shape (n, degree + 1, degree + 1), for ranges with a standard deviation of one.
+        covariance: shape (n, degree + 1, degree + 1), for ranges with a standard deviation of one. What overflows is
+            not finite.
 
     """
 
@@ -55,36 +64,76 @@ class _Basis(NamedTuple):
         rates: shape (n, k, degree), the derivatives over the standard deviation of the rate, in that of the
             range; 0 where the rate is missing.
         wanted: shape (n, degree + 1, degree), value and derivatives at the time of the estimate.
+        sizes: shape (n, degree), what the columns of ranges and rates measure at most before anything cancels.
 
     """
 
     ranges: RealArray
     rates: RealArray
     wanted: RealArray
+    sizes: RealArray
 
 
-def solve(sample: Sample, at: RealArray, degree: int, rate_weight: float, unit_of_time: float) -> Solution:
+def solve(sample: Sample, after: float, degree: int, rate_weight: float, unit_of_time: float) -> Solution:
     """Weights and covariance of the estimate of value and derivatives.
 
     Args:
         sample: what is observed when.
-        at: times of the estimates [s], shape (n,).
+        after: time from the newest scan to the estimate.
         degree: of the polynomial.
-        rate_weight: standard deviation of the range over that of the range rate [s].
-        unit_of_time: scale of time [s] where all observations are of one time.
+        rate_weight: standard deviation of the range over that of the range rate, a time.
+        unit_of_time: scale of time where all observations are of one time.
 
     """
+    with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):  # then nothing is resolved
+        solution, resolved = _in_floating_point(sample, after, degree, rate_weight, unit_of_time)
+    possible = _has_enough_times(sample, degree)
+    solution.determined[:] = possible & resolved
+    for number in np.flatnonzero(possible & ~resolved):
+        _solve_exactly(sample, int(number), after, rate_weight, solution)
+    return solution
+
+
+def _has_enough_times(sample: Sample, degree: int) -> Mask:
+    """Whether there is a range, and as many different times of ranges and of rates as coefficients: what it takes."""
+    ranges, rates = (_different(sample.times, seen) for seen in (sample.has_range, sample.has_rate))
+    return np.asarray((ranges > 0) & (ranges + rates > degree))
+
+
+def _different(times: RealArray, seen: Mask) -> NDArray[np.int64]:
+    """The number of different times at which something is seen, shape (n,)."""
+    places = np.maximum.accumulate(np.where(seen, np.arange(seen.shape[1]), -1), axis=1)
+    before = np.concatenate([np.full((len(seen), 1), -1), places[:, :-1]], axis=1)
+    is_new = (before < 0) | (np.take_along_axis(times, np.maximum(before, 0), axis=1) != times)
+    return np.asarray((seen & is_new).sum(axis=1))
+
+
+def _solve_exactly(sample: Sample, number: int, after: float, rate_weight: float, solution: Solution) -> None:
+    """Enter the solution of one sample, if it has any."""
+    times, has_range, has_rate = (part[number].tolist() for part in sample)
+    at = Fraction(times[-1]) + Fraction(after)
+    since = [Fraction(time) - at for time in times]
+    found = exact_fit(since, has_range, has_rate, solution.covariance.shape[-1] - 1, Fraction(rate_weight) ** 2)
+    if found is not None:
+        solution.determined[number] = True
+        for all_samples, one in zip(solution[1:], found, strict=True):
+            all_samples[number] = one
+
+
+def _in_floating_point(
+    sample: Sample, after: float, degree: int, rate_weight: float, unit_of_time: float
+) -> tuple[Solution, Mask]:
+    """The solutions, and which of them are good."""
     counts = sample.has_range.sum(axis=1)
-    basis = _basis(sample, at, degree, rate_weight, unit_of_time)
-    by_rate, by_range, independent = _coefficients(basis, rates_first=rate_weight >= unit_of_time)
-    determined = independent & (counts > 0)
+    basis = _basis(sample, after, degree, rate_weight, unit_of_time)
+    by_rate, by_range, resolved = _coefficients(basis, rates_first=rate_weight >= unit_of_time)
     range_weights = basis.wanted @ by_range * sample.has_range[:, np.newaxis]
     rate_weights = basis.wanted @ by_rate * sample.has_rate[:, np.newaxis]
     covariance = _squares(range_weights) + _squares(rate_weights)
     share = 1 / np.maximum(counts, 1)
     covariance[:, 0, 0] += share
     range_weights[:, 0] += share[:, np.newaxis] * sample.has_range
-    return Solution(determined, range_weights, rate_weights * rate_weight, covariance)
+    return Solution(resolved, range_weights, rate_weights * rate_weight, covariance), resolved.copy()
 
 
 def _squares(weights: RealArray) -> RealArray:
@@ -93,25 +142,29 @@ def _squares(weights: RealArray) -> RealArray:
     return squares
 
 
-def _basis(sample: Sample, at: RealArray, degree: int, rate_weight: float, unit_of_time: float) -> _Basis:
+def _basis(sample: Sample, after: float, degree: int, rate_weight: float, unit_of_time: float) -> _Basis:
+    since = sample.times - sample.times[:, -1:]  # beside times of 1e9 s a fraction of a period would be rounded away
     seen = sample.has_range | sample.has_rate
     empty = ~seen.any(axis=1)
-    first = np.where(empty, 0.0, np.where(seen, sample.times, np.inf).min(axis=1))
-    last = np.where(empty, 0.0, np.where(seen, sample.times, -np.inf).max(axis=1))
+    first = np.where(empty, 0.0, np.where(seen, since, np.inf).min(axis=1))
+    last = np.where(empty, 0.0, np.where(seen, since, -np.inf).max(axis=1))
     middle = first / 2 + last / 2
     half = np.where(first == last, unit_of_time, last / 2 - first / 2)
-    scaled = (sample.times - middle[:, np.newaxis]) / half[:, np.newaxis]
+    scaled = (since - middle[:, np.newaxis]) / half[:, np.newaxis]
     values, slopes = (_legendre(scaled, degree, order) for order in (0, 1))
     wanted = [
-        _legendre((at - middle) / half, degree, order) / half[:, np.newaxis] ** order for order in range(degree + 1)
+        _legendre((after - middle) / half, degree, order) / half[:, np.newaxis] ** order for order in range(degree + 1)
     ]
-    counts = np.maximum(sample.has_range.sum(axis=1), 1)[:, np.newaxis]
-    mean = (values * sample.has_range[..., np.newaxis]).sum(axis=1) / counts
+    counts = sample.has_range.sum(axis=1)[:, np.newaxis]
+    mean = (values * sample.has_range[..., np.newaxis]).sum(axis=1) / np.maximum(counts, 1)
     wanted[0] = wanted[0] - mean
+    weight = (rate_weight / half)[:, np.newaxis]
+    steepest = _legendre(np.ones(()), degree, 1) * weight
     return _Basis(
         (values - mean[:, np.newaxis]) * sample.has_range[..., np.newaxis],
-        slopes * (rate_weight / half)[:, np.newaxis, np.newaxis] * sample.has_rate[..., np.newaxis],
+        slopes * weight[..., np.newaxis] * sample.has_rate[..., np.newaxis],
         np.stack(wanted, axis=1),
+        np.sqrt(counts + sample.has_rate.sum(axis=1)[:, np.newaxis] * steepest**2),
     )
 
 
@@ -124,18 +177,18 @@ def _legendre(x: RealArray, degree: int, order: int) -> RealArray:
 
 
 def _coefficients(basis: _Basis, *, rates_first: bool) -> tuple[RealArray, RealArray, Mask]:
-    """What each rate and each range adds to the coefficients, and whether all coefficients are determined."""
+    """What each rate and each range adds to the coefficients, and whether rounding left them their digits."""
     parts = (basis.rates, basis.ranges) if rates_first else (basis.ranges, basis.rates)
     rows = np.concatenate(parts, axis=1)
     norms = np.sqrt((rows**2).sum(axis=1))
     norms = np.where(norms > 0, norms, 1.0)
     orthogonal, triangular = _factorised(rows / norms[:, np.newaxis])
     pivots = np.abs(np.diagonal(triangular, axis1=1, axis2=2))
-    independent = np.asarray((pivots > SMALLEST_PIVOT).all(axis=1))
-    triangular = np.where(independent[:, np.newaxis, np.newaxis], triangular, np.eye(triangular.shape[-1]))
+    resolved = np.asarray((pivots * norms > WELL_RESOLVED * basis.sizes).all(axis=1))
+    triangular = np.where(resolved[:, np.newaxis, np.newaxis], triangular, np.eye(triangular.shape[-1]))
     weights = np.linalg.solve(triangular, np.swapaxes(orthogonal, 1, 2)) / norms[..., np.newaxis]
     first, second = np.split(weights, 2, axis=2)
-    return (first, second, independent) if rates_first else (second, first, independent)
+    return (first, second, resolved) if rates_first else (second, first, resolved)
 
 
 def _factorised(rows: RealArray) -> tuple[RealArray, RealArray]:

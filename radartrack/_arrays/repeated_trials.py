@@ -8,10 +8,12 @@ from statistics import NormalDist
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from radartrack._arrays.validation import RealArray
+from radartrack._arrays.validation import RealArray, real_arrays, real_number, require_finite
 
 CONFIDENCE = 0.95
+FEWEST_TRIALS = 2  # one has no scatter
 
 
 class Estimate(NamedTuple):
@@ -22,30 +24,69 @@ class Estimate(NamedTuple):
     upper: RealArray
 
 
-def mean(values: RealArray, confidence: float = CONFIDENCE) -> Estimate:
-    """The mean of values, shape (trials, ...)."""
-    middle, half = values.mean(axis=0), _half_width(values, confidence)
+def mean(values: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
+    """The mean of values, shape (trials, ...).
+
+    Raises:
+        TypeError: the values are not made of real numbers, or the confidence is none.
+        ValueError: a value is not finite, there are fewer than two trials, or the confidence is not between 0 and 1.
+
+    """
+    read = _trials("values", values)
+    middle, half = read.mean(axis=0), _half_width(read, confidence)
     return Estimate(middle, middle - half, middle + half)
 
 
-def root_mean(squares: RealArray, confidence: float = CONFIDENCE) -> Estimate:
-    """The root of the mean of squares, shape (trials, ...)."""
+def root_mean(squares: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
+    """The root of the mean of squares, shape (trials, ...).
+
+    Raises:
+        TypeError, ValueError: as `mean`.
+
+    """
     return Estimate(*(np.sqrt(np.maximum(end, 0.0)) for end in mean(squares, confidence)))
 
 
-def excess(squares: RealArray, reference: RealArray, confidence: float = CONFIDENCE) -> Estimate:
-    """The mean of squares over that of a reference from the same trials, less 1; by linearisation."""
-    ratio = squares.mean(axis=0) / reference.mean(axis=0)
-    half = _half_width(squares - ratio * reference, confidence) / reference.mean(axis=0)
+def excess(squares: ArrayLike, reference: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
+    """The mean of squares over that of a reference from the same trials, less 1; by linearisation.
+
+    Raises:
+        TypeError, ValueError: as `mean`; or the shapes differ, or a mean of the reference is not positive.
+
+    """
+    read, other = _trials("squares", squares), _trials("reference", reference)
+    if read.shape != other.shape:
+        raise ValueError(f"squares and reference must have one shape; got {read.shape} and {other.shape}")
+    divisor = other.mean(axis=0)
+    if not (divisor > 0).all():
+        raise ValueError(f"reference must have a mean of more than 0; got {divisor.min():g}")
+    ratio = read.mean(axis=0) / divisor
+    half = _half_width(read - ratio * other, confidence) / divisor
     return Estimate(ratio - 1, ratio - 1 - half, ratio - 1 + half)
 
 
-def root_excess(squares: RealArray, reference: RealArray, confidence: float = CONFIDENCE) -> Estimate:
-    """The root mean square over that of a reference from the same trials, less 1."""
+def root_excess(squares: ArrayLike, reference: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
+    """The root mean square over that of a reference from the same trials, less 1.
+
+    Raises:
+        TypeError, ValueError: as `excess`.
+
+    """
     return Estimate(*(np.sqrt(np.maximum(1 + end, 0.0)) - 1 for end in excess(squares, reference, confidence)))
 
 
+def _trials(name: str, values: ArrayLike) -> RealArray:
+    read = real_arrays({name: values})[name]
+    require_finite(name, read)
+    if read.ndim == 0 or len(read) < FEWEST_TRIALS:
+        raise ValueError(f"{name} must have at least {FEWEST_TRIALS} trials, the first axis; got shape {read.shape}")
+    return read
+
+
 def _half_width(values: RealArray, confidence: float) -> RealArray:
-    quantile = NormalDist().inv_cdf((1 + confidence) / 2)
+    share = real_number("confidence", confidence)
+    if not 0 < share < 1:
+        raise ValueError(f"confidence must be between 0 and 1; got {share:g}")
+    quantile = NormalDist().inv_cdf((1 + share) / 2)
     half: RealArray = quantile * values.std(axis=0, ddof=1) / np.sqrt(len(values))
     return half

@@ -21,7 +21,7 @@ FEW = 3  # columns; BLAS takes fewer than four one by one in two thirds of the t
 
 
 class Product(NamedTuple):
-    """Rows times a matrix, and whether all is finite, judged by the fewer numbers: the rows or the products."""
+    """Rows times a matrix, and whether rows and products are all finite, judged by sums, which may overflow."""
 
     values: RealArray
     is_finite: bool
@@ -69,11 +69,16 @@ def _blocks(rows: RealArray) -> RealArray:
 
 
 def _multiply(blocks: RealArray, matrix: RealArray, out: RealArray, totals: RealArray) -> None:
-    """Fill the products, and the sums of each block, in which what is not finite shows."""
+    """Fill the products, and the sums of each block, in which what is not finite shows.
+
+    It shows in the products, but that a routine may pass over what is multiplied by zero.
+    """
     with np.errstate(invalid="ignore", over="ignore"):
         if matrix.shape[1] > FEW:
             np.matmul(blocks, matrix, out=out)
         else:
             columns = np.ascontiguousarray(matrix.T)[:, :, np.newaxis]
             np.matmul(blocks[:, np.newaxis], columns, out=out.transpose(0, 2, 1)[..., np.newaxis])
-        np.sum(out if out.size < blocks.size else blocks, axis=(1, 2), out=totals)
+        np.sum(out, axis=(1, 2), out=totals)
+        if blocks.size <= out.size:  # the fewer numbers, in time
+            totals += blocks.sum(axis=(1, 2))

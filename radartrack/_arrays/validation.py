@@ -10,6 +10,7 @@ and float16. Python's own int and float adapt to the arrays beside them, as they
 """
 
 import math
+import operator
 import reprlib
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, TypeAlias, TypeVar
@@ -82,6 +83,68 @@ def one_of(name: str, given: str | None, allowed: Iterable[Choice]) -> Choice:
     raise ValueError(f"{name} must be one of {words}; got {given!r}")
 
 
+def whole_number(name: str, given: object, least: int, most: int | None = None) -> int:
+    """Read a whole number: an int, or what stands for one, such as an integer of NumPy.
+
+    Raises:
+        TypeError: it is none; a bool is none either.
+        ValueError: it is less or more than allowed.
+
+    """
+    try:
+        number = operator.index(given)  # type: ignore[arg-type]
+    except TypeError:
+        number = None
+    if number is None or isinstance(given, (bool, np.bool_)):
+        raise TypeError(f"{name} must be a whole number; got {_shown(given)}")
+    if number < least or (most is not None and number > most):
+        allowed = f"at least {least}" if most is None else f"from {least} to {most}"
+        raise ValueError(f"{name} must be {allowed}; got {_brief(number)}")
+    return number
+
+
+def real_number(name: str, given: object) -> float:
+    """Read one finite real number.
+
+    Raises:
+        TypeError: it is none; a bool is none either.
+        ValueError: it is not finite, or too large for float64.
+
+    """
+    number = _as_float(name, given)
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be finite; got {_brief(given)}")
+    return number
+
+
+def number_between(name: str, given: object, least: float, most: float) -> float:
+    """Read one real number from an interval, whose ends belong to it.
+
+    Raises:
+        TypeError: it is none; a bool is none either.
+        ValueError: it lies outside.
+
+    """
+    number = _as_float(name, given)
+    if not least <= number <= most:
+        raise ValueError(f"{name} must be from {least:g} to {most:g}; got {_brief(given)}")
+    return number
+
+
+def positive_number(name: str, given: object) -> float:
+    """Read one finite real number that is more than zero.
+
+    Raises:
+        TypeError: as `real_number`.
+        ValueError: as `real_number`, or it is not positive.
+
+    """
+    number = real_number(name, given)
+    if number <= 0:
+        raise ValueError(f"{name} must be more than 0; got {number:g}")
+    return number
+
+
 def real_arrays(given: Mapping[str, ArrayLike]) -> dict[str, RealArray]:
     """Read the arguments, by name, as arrays of the one type in which to compute, float64 or float32.
 
@@ -93,7 +156,24 @@ def real_arrays(given: Mapping[str, ArrayLike]) -> dict[str, RealArray]:
     arrays = {name: _array(name, value) for name, value in given.items()}
     typed = [arrays[name].dtype for name, value in given.items() if type(value) not in {int, float}]
     dtype = SINGLE if typed and all(dtype.char == SINGLE.char for dtype in typed) else DOUBLE
-    return {name: array if array.dtype == dtype else _cast(name, array, dtype) for name, array in arrays.items()}
+    return {name: rounded_to(dtype, name, array) for name, array in arrays.items()}
+
+
+def rounded_to(dtype: np.dtype[Any], name: str, array: NDArray[Any]) -> RealArray:
+    """Take numbers over to a type.
+
+    Raises:
+        ValueError: a number is too large for it.
+
+    """
+    if array.dtype == dtype:
+        return array
+    try:
+        with np.errstate(over="raise", under="ignore"):
+            return array.astype(dtype)
+    except FloatingPointError:
+        limit, largest = np.finfo(dtype).max, np.nanmax(np.abs(array))
+        raise ValueError(f"{name} must be at most {limit:.7g} to compute in {dtype}; got {largest}") from None
 
 
 def require_within(name: str, values: RealArray, domain: Domain) -> None:
@@ -107,8 +187,18 @@ def require_within(name: str, values: RealArray, domain: Domain) -> None:
     # One pass each: a NaN passes through min and max, and compares false.
     least, greatest = (values.min(initial=low), values.max(initial=high)) if values.ndim else (values[()], values[()])
     if not (least >= low and greatest <= high):
-        _require(name, values, "finite", np.isfinite(values))
+        require_finite(name, values)
         _require(name, values, domain.describe(values.dtype), (values >= low) & (values <= high))
+
+
+def require_finite(name: str, values: RealArray) -> None:
+    """Check that all values are finite.
+
+    Raises:
+        ValueError: some are not; the message says how many, and which is the first.
+
+    """
+    _require(name, values, "finite", np.isfinite(values))
 
 
 def require_trailing_shape(name: str, values: RealArray, shape: tuple[int, ...]) -> None:
@@ -133,20 +223,42 @@ def require_covariance(name: str, matrices: RealArray) -> None:
             symmetric or not positive semidefinite.
 
     """
-    _require(name, matrices, "finite", np.isfinite(matrices))
+    require_finite(name, matrices)
     variances = np.diagonal(matrices, axis1=-2, axis2=-1)
     _require(name, matrices, "without a negative variance", (variances >= 0).all(axis=-1))
     deviations = np.sqrt(variances)
     scale = deviations[..., :, np.newaxis] * deviations[..., np.newaxis, :]
     tolerance = math.sqrt(np.finfo(matrices.dtype).eps)
-    asymmetry = np.abs(matrices - np.swapaxes(matrices, -1, -2))
+    with np.errstate(over="ignore"):  # what overflows is larger, too
+        asymmetry = np.abs(matrices - np.swapaxes(matrices, -1, -2))
+        bounded = (np.abs(matrices) <= (1 + tolerance) * scale).all(axis=(-2, -1))
     _require(name, matrices, "symmetric", (asymmetry <= tolerance * scale).all(axis=(-2, -1)))
-    bounded = (np.abs(matrices) <= (1 + tolerance) * scale).all(axis=(-2, -1))
     _require(name, matrices, "positive semidefinite", bounded)
     if matrices.shape[-1] > 2:  # of two variables there is one correlation
-        correlations = matrices / np.where(scale > 0, scale, 1)
+        _require_semidefinite(name, matrices, matrices / np.where(scale > 0, scale, 1), tolerance)
+
+
+def _require_semidefinite(name: str, matrices: RealArray, correlations: RealArray, tolerance: float) -> None:
+    size = matrices.shape[-1]
+    try:
+        np.linalg.cholesky(correlations + size * tolerance * np.eye(size, dtype=matrices.dtype))
+    except np.linalg.LinAlgError:  # eigenvalues take ten times as long, and say which it is
         least = np.linalg.eigvalsh(correlations)[..., 0]
-        _require(name, matrices, "positive semidefinite", least >= -matrices.shape[-1] * tolerance)
+        _require(name, matrices, "positive semidefinite", least >= -size * tolerance)
+
+
+def require_variances(name: str, variances: RealArray) -> None:
+    """Check that computed variances, NaN where there are none, neither overflowed nor lost their digits.
+
+    Raises:
+        ValueError: some did.
+
+    """
+    limits = np.finfo(variances.dtype)
+    with np.errstate(invalid="ignore"):
+        fits = np.isnan(variances) | ((variances >= limits.tiny) & (variances <= limits.max))
+    allowed = f"of variances from {limits.tiny:.7g} to {limits.max:.7g} to compute in {variances.dtype}"
+    _require(name, variances, allowed, fits)
 
 
 def broadcast_shape(arrays: Mapping[str, RealArray]) -> tuple[int, ...]:
@@ -183,18 +295,27 @@ def _array(name: str, value: object) -> NDArray[Any]:
         array = np.asarray(float(value) if type(value) is int else value)
     except (ValueError, OverflowError) as error:
         raise ValueError(f"{name} must be a number or an array; got {_shown(value)}: {error}") from error
-    if array.dtype.kind not in "iuf":
+    if array.dtype.kind not in "iuf" or _holds_bool(value):
         raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
     return array
 
 
-def _cast(name: str, array: NDArray[Any], dtype: np.dtype[Any]) -> RealArray:
+def _as_float(name: str, given: object) -> float:
+    if isinstance(given, (bool, np.bool_)) or not isinstance(given, (int, float, np.integer, np.floating)):
+        raise TypeError(f"{name} must be a real number; got {_shown(given)}")
     try:
-        with np.errstate(over="raise", under="ignore"):
-            return array.astype(dtype)
-    except FloatingPointError:
-        limit, largest = np.finfo(dtype).max, np.abs(array).max()
-        raise ValueError(f"{name} must be at most {limit:.7g} to compute in {dtype}; got {largest}") from None
+        return float(given)
+    except OverflowError:
+        return math.inf if given > 0 else -math.inf
+
+
+def _holds_bool(value: object) -> bool:
+    """Whether a bool stands among numbers, which NumPy would read as 0 or 1."""
+    if hasattr(value, "__array__"):
+        return getattr(getattr(value, "dtype", None), "kind", "") == "b"
+    if not isinstance(value, Iterable):
+        return isinstance(value, bool)
+    return not set(map(type, value)) <= {int, float, np.float64} and any(map(_holds_bool, value))
 
 
 def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.bool_] | np.bool_) -> None:
@@ -208,4 +329,12 @@ def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.b
 
 
 def _shown(value: object) -> str:
-    return f"{reprlib.repr(value)} ({type(value).__name__})"
+    return f"{_brief(value)} ({type(value).__name__})"
+
+
+def _brief(value: object) -> str:
+    """What was given, in a few characters; Python does not write integers of thousands of digits."""
+    try:
+        return reprlib.repr(value)
+    except ValueError:
+        return "too many digits to show"

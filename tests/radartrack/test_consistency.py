@@ -158,7 +158,7 @@ def test_the_same_seed_gives_the_same_result() -> None:
         ({"method": "best"}, ValueError, r"method must be one of .*; got 'best'"),
         ({"given": "nothing"}, ValueError, r"given must be one of \['truth', .*; got 'nothing'"),
         ({"draws": 1}, ValueError, r"draws must be at least 2; got 1"),
-        ({"draws": 2.5}, TypeError, r"draws must be an integer; got 2.5"),
+        ({"draws": 2.5}, TypeError, r"draws must be a whole number; got 2.5"),
         ({"false_alarm": 0.0}, ValueError, r"false_alarm must be from 1e-09 to 0.5; got 0.0"),
         ({"false_alarm": math.nan}, ValueError, r"false_alarm must be from 1e-09 to 0.5; got nan"),
         (

@@ -146,9 +146,109 @@ def test_a_track_without_measurements_only_moves() -> None:
     assert np.array_equal(found.covariance[:, 0], moved.covariance)
 
 
+@pytest.mark.parametrize("size", [1, 2, 7, 8, 9, 31, 33, 62, 63, 64, 65, 66, 70, 130])
+@pytest.mark.parametrize("shared", [True, False])
+def test_whatever_is_missing_of_any_number_of_components_the_update_is_the_textbook_one(
+    size: int, *, shared: bool
+) -> None:
+    """Patterns that differ in one component alone, at either end, among them."""
+    generator = np.random.default_rng(size)
+    matrix, root = generator.normal(size=(size, 2)), generator.normal(size=(size, size)) / size
+    noise = root @ root.T + np.diag(generator.uniform(1, 9, size))
+    noise = (noise + noise.T) / 2
+    values = generator.normal(size=(8, size))
+    values[generator.random(values.shape) < 0.3] = np.nan
+    values[0], values[1], values[2] = 1.0, 1.0, 1.0
+    values[1, -1] = values[2, 0] = np.nan
+    values[3] = np.nan
+    start, still = Belief(np.ones(2), np.array([[400.0, 30.0], [30.0, 100.0]])), Motion(np.eye(2), np.zeros((2, 2)))
+    found = kalman.update(start, values, matrix, noise if shared else np.broadcast_to(noise, (8, size, size)))
+    for track, measured in enumerate(values):
+        mean, covariance = textbook(start, still, measured[np.newaxis], matrix, noise)
+        assert found.mean[track] == pytest.approx(mean, rel=1e-9, abs=1e-9)
+        assert found.covariance[track] == pytest.approx(covariance, rel=1e-7, abs=1e-9)
+
+
+@pytest.mark.parametrize("tracks", [(), (1,), (0,), (0, 3), (3, 0), (2, 1)])
+@pytest.mark.parametrize("scans", [0, 1, 3])
+@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize("noise_shape", [(), "scans", "all"])
+def test_no_tracks_and_no_scans_give_results_of_their_shape(
+    tracks: tuple[int, ...], scans: int, noise_shape: Any, *, own: bool
+) -> None:
+    motion = kalman.constant_velocity(1.0, 1.0)
+    start = Belief(np.zeros((*tracks, 2)), np.broadcast_to(np.eye(2), (*tracks, 2, 2)) if own else np.eye(2))
+    start = start._replace(covariance=start.covariance.copy())
+    leading = {"scans": (scans,), "all": (*tracks, scans)}.get(noise_shape, ())
+    noise = np.broadcast_to(np.eye(2), (*leading, 2, 2))
+    found = kalman.run(start, motion, np.zeros((*tracks, scans, 2)), np.eye(2), noise)
+    assert found.mean.shape == (*tracks, scans, 2)
+    assert found.covariance.shape == (*tracks, scans, 2, 2)
+    step = kalman.update(kalman.predict(start, motion), np.zeros((*tracks, 2)), np.eye(2), np.eye(2))
+    assert (step.mean.shape, step.covariance.shape) == ((*tracks, 2), (*tracks, 2, 2))
+    if scans:
+        assert np.array_equal(step.mean, found.mean[..., 0, :])
+
+
+@given(scale=st.floats(-100, 100), prior=st.floats(0, 40), seed=st.integers(0, 99))
+def test_what_a_step_returns_the_next_step_takes(scale: float, prior: float, seed: int) -> None:
+    """However much a measurement tells beside what was believed: up to 40 orders of magnitude in the variances."""
+    generator = np.random.default_rng(seed)
+    root = generator.normal(size=(3, 3)) * 10.0 ** (scale / 2 + prior / 2)
+    belief, motion = Belief(np.zeros(3), root @ root.T), kalman.constant_acceleration(1.0, 10.0**scale * 1e-3)
+    noise = np.diag([10.0**scale, 10.0 ** (scale + 1)])
+    for _ in range(6):
+        belief = kalman.update(kalman.predict(belief, motion), [1.0, np.nan], np.eye(3)[:2], noise)
+    assert np.all(np.diagonal(belief.covariance) > 0)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("call", ["predict", "update", "run"])
+def test_a_belief_that_is_none_is_refused(bad: float, call: str) -> None:
+    good = Belief(np.zeros((2, 3)), np.broadcast_to(np.eye(3), (2, 3, 3)).copy())
+    mean, entry, skew, negative, impossible = (part.copy() for part in (good.mean, *[good.covariance] * 4))
+    mean[1, 1] = entry[1, 0, 0] = bad
+    skew[1, 0, 1] = 0.1
+    negative[1] *= -1
+    impossible[1] = [[1.0, 0.9, -0.9], [0.9, 1.0, 0.9], [-0.9, 0.9, 1.0]]
+    motion = kalman.constant_acceleration(1.0, 1.0)
+    calls: dict[str, Any] = {
+        "predict": lambda belief: kalman.predict(belief, motion),
+        "update": lambda belief: kalman.update(belief, [0.0], [[1.0, 0.0, 0.0]], [[1.0]]),
+        "run": lambda belief: kalman.run(belief, motion, np.zeros((2, 4, 1)), [[1.0, 0.0, 0.0]], [[1.0]]),
+    }
+    with pytest.raises(ValueError, match="mean must be finite"):
+        calls[call](good._replace(mean=mean))
+    for covariance, reason in (
+        (entry, "finite"),
+        (skew, "symmetric"),
+        (negative, "without a negative variance"),
+        (impossible, "positive semidefinite"),
+    ):
+        for given_covariance in (covariance, covariance[1]):
+            with pytest.raises(ValueError, match=f"covariance must be {reason}"):
+                calls[call](good._replace(covariance=given_covariance))
+
+
+@pytest.mark.parametrize("value", [1e200, 1e308])
+def test_what_overflows_is_refused(value: float) -> None:
+    motion = Motion(np.eye(2) * value, np.zeros((2, 2)))
+    with pytest.raises(ValueError, match="of the result must be finite"):
+        kalman.predict(Belief(np.zeros(2), np.eye(2) * value), motion)
+    with pytest.raises(ValueError, match="of the result must be finite"):
+        kalman.run(Belief(np.full(2, value), np.eye(2)), motion, np.zeros((3, 1)), [[1.0, 0.0]], [[1.0]])
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
+        ({"noise": [[np.inf, 0.0], [0.0, 1.0]]}, "noise must be finite"),
+        ({"noise": [[np.nan, 0.0], [0.0, 1.0]]}, "noise must be finite"),
+        ({"noise": -np.eye(2)}, "noise must be symmetric and positive definite"),
+        ({"matrix": np.empty((0, 2)), "noise": np.empty((0, 0)), "measured": np.empty((4, 0))}, "neither of them 0"),
+        ({"motion": Motion(np.eye(2), -np.eye(2))}, "process_noise must be without a negative variance"),
+        ({"motion": Motion(np.eye(2), np.array([[1.0, 0.5], [0.0, 1.0]]))}, "process_noise must be symmetric"),
+        ({"motion": Motion(np.eye(2), np.array([[1.0, 2.0], [2.0, 1.0]]))}, "process_noise must be positive semidef"),
         ({"noise": [[1.0, 2.0], [2.0, 1.0]]}, "noise must be symmetric and positive definite"),
         ({"noise": [[1.0]]}, "noise must have shape"),
         (
@@ -181,8 +281,30 @@ def test_what_does_not_fit_is_refused(change: dict[str, Any], message: str) -> N
         ((4, 1.0, 1.0), "degree must be from 0 to 3"),
         ((1, 0.0, 1.0), "period must be"),
         ((1, 1.0, -1.0), "intensity must"),
+        ((1, 1.0, np.nan), "intensity must be finite"),
+        ((1, 10**400, 1.0), "period must be finite"),
+        ((3, 1e200, 1.0), "period 1e.200 must be finite"),
+        ((3, 1e-60, 1.0), "process noise of intensity 1.0 over 1e-60 s must be of variances from"),
     ],
 )
 def test_a_motion_that_makes_no_sense_is_refused(arguments: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         kalman.polynomial_motion(*arguments)
+
+
+@pytest.mark.parametrize("degree", [True, 1.0, "1", None, np.bool_(1)])
+def test_a_degree_that_is_no_whole_number_is_refused(degree: Any) -> None:
+    with pytest.raises(TypeError, match="degree must be a whole number; got"):
+        kalman.polynomial_motion(degree, 1.0, 1.0)
+
+
+@pytest.mark.parametrize("arguments", [(True, 1.0), ("1", 1.0), (1.0, None), (1.0, [1.0])])
+def test_a_period_or_an_intensity_that_is_no_number_is_refused(arguments: Any) -> None:
+    with pytest.raises(TypeError, match="must be a real number; got"):
+        kalman.constant_velocity(*arguments)
+
+
+def test_whole_numbers_of_numpy_are_degrees() -> None:
+    for degree in (np.int64(2), np.uint8(2)):
+        motion = kalman.polynomial_motion(degree, np.float32(2.0), np.int16(3))  # type: ignore[arg-type]
+        assert np.array_equal(motion, kalman.polynomial_motion(2, 2.0, 3.0))
