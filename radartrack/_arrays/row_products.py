@@ -15,7 +15,9 @@ import numpy as np
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import RealArray
 
-BLOCK = 256
+BLOCK = 256  # rows at most
+FEWEST = 16  # rows, however large the matrix
+PRODUCTS = 2**17  # in a block; above twice that OpenBLAS divides it among its own threads, in ten times the time
 AT_ONCE = 32  # blocks, by one thread
 FEW = 3  # columns; BLAS takes fewer than four one by one in two thirds of the time
 
@@ -40,7 +42,8 @@ def rowwise_product(parts: Sequence[RealArray], matrix: RealArray) -> Product:
     """
     shape, columns = parts[0].shape[:-1], matrix.shape[1]
     rows = math.prod(shape)
-    blocks, whole = math.ceil(rows / BLOCK), rows // BLOCK
+    block = _block(matrix.size)
+    blocks, whole = math.ceil(rows / block), rows // block
     flat = [_contiguous(part).reshape(rows, part.shape[-1]) for part in parts]
     result, sums = np.empty((rows, columns), matrix.dtype), np.empty(blocks, matrix.dtype)
 
@@ -48,14 +51,14 @@ def rowwise_product(parts: Sequence[RealArray], matrix: RealArray) -> Product:
         *some, out, totals = arrays
         _multiply(some[0] if len(some) == 1 else np.concatenate(some, axis=-1), matrix, out, totals)
 
-    full = [_blocks(array[: whole * BLOCK]) for array in (*flat, result)]
+    full = [_divided(array[: whole * block], block) for array in (*flat, result)]
     fill(multiply, full[:-1], [full[-1], sums[:whole]], AT_ONCE)
     if whole < blocks:
-        rest = [np.zeros((BLOCK, array.shape[1]), matrix.dtype) for array in (*flat, result)]
+        rest = [np.zeros((1, block, array.shape[1]), matrix.dtype) for array in (*flat, result)]
         for array, last in zip(flat, rest, strict=False):
-            last[: rows - whole * BLOCK] = array[whole * BLOCK :]
-        multiply(*map(_blocks, rest), sums[whole:])
-        result[whole * BLOCK :] = rest[-1][: rows - whole * BLOCK]
+            last[0, : rows - whole * block] = array[whole * block :]
+        multiply(*rest, sums[whole:])
+        result[whole * block :] = rest[-1][0, : rows - whole * block]
     return Product(result.reshape(*shape, columns), bool(np.isfinite(sums).all()))
 
 
@@ -64,8 +67,14 @@ def _contiguous(rows: RealArray) -> RealArray:
     return rows if rows.strides[-1] == rows.itemsize else np.ascontiguousarray(rows)
 
 
-def _blocks(rows: RealArray) -> RealArray:
-    return rows.reshape(len(rows) // BLOCK, BLOCK, rows.shape[1])
+def _block(size: int) -> int:
+    """The rows of a block, a power of two that depends on nothing but the size of the matrix."""
+    rows = max(PRODUCTS // max(size, 1), FEWEST)
+    return min(1 << (rows.bit_length() - 1), BLOCK)
+
+
+def _divided(rows: RealArray, block: int) -> RealArray:
+    return rows.reshape(len(rows) // block, block, rows.shape[1])
 
 
 def _multiply(blocks: RealArray, matrix: RealArray, out: RealArray, totals: RealArray) -> None:

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 
 import pytest
 import sympy
@@ -17,7 +18,6 @@ from radartrack.derive.finite_sample.least_squares_filter import (
     sigma_r,
     tau,
 )
-from radartrack.derive.finite_sample.power_sums import summed
 from radartrack.derive.language import matrix
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
@@ -33,10 +33,30 @@ def finite_sample(degree: int, *, with_rate: bool) -> FiniteSample:
     return FiniteSample(degree, with_rate)
 
 
-def over_scans(expression: sympy.Expr) -> sympy.Expr:
-    """The sum over j = 1 … k."""
-    back = sympy.Symbol("back")
-    return summed(expression.xreplace({j: k - back}), back, k)
+def over_scans(polynomial: sympy.Expr) -> sympy.Expr:
+    """The sum over j = 1 … k by Newton's formula, so that nothing is expanded: C(k, n + 1) times the nth difference."""
+    differences = [polynomial.xreplace({j: sympy.Integer(scan)}) for scan in range(1, degree_bound(polynomial) + 2)]
+    total = sympy.Integer(0)
+    for n in range(len(differences)):
+        total += sympy.ff(k, n + 1) / sympy.factorial(n + 1) * differences[0]
+        differences = [after - before for before, after in pairwise(differences)]
+    return total
+
+
+def degree_bound(expression: sympy.Expr) -> int:
+    """The degree in j, or more where terms cancel."""
+    if not expression.has(j):
+        return 0
+    match expression:
+        case sympy.Symbol():
+            return 1
+        case sympy.Add():
+            return max(map(degree_bound, expression.args))
+        case sympy.Mul():
+            return sum(map(degree_bound, expression.args))
+        case sympy.Pow(exp=sympy.Integer()) if expression.exp > 0:
+            return degree_bound(expression.base) * int(expression.exp)
+    raise AssertionError(f"{expression} is no polynomial in j")
 
 
 def column(entries: Tensor[sympy.Expr]) -> Tensor[sympy.Expr]:

@@ -16,7 +16,7 @@ def test_the_product_is_right(shape: tuple[int, ...]) -> None:
     assert product.is_finite
 
 
-@pytest.mark.parametrize("columns", [0, 1, 2, 3, 4, 60])
+@pytest.mark.parametrize("columns", [0, 1, 2, 3, 4, 60, 300, 1000])
 def test_a_row_has_the_same_bits_in_any_company_and_layout(columns: int) -> None:
     rows = np.random.default_rng(0).normal(size=(5 * BLOCK + 77, 23))
     matrix = np.random.default_rng(1).normal(size=(23, columns))

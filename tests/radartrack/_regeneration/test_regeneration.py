@@ -81,20 +81,12 @@ def package_copy(folder: Path) -> Path:
     return package
 
 
-def test_another_hash_seed_and_the_other_ground_types_give_the_same_bytes(tmp_path: Path):
-    (tmp_path / "out").mkdir()
-    shutil.copy(GENERATED / "accuracy.json", tmp_path / "out")
-    environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python"}
-    result = run_in_process_of_its_own("--out", tmp_path / "out", environment=environment)
-    assert result.returncode == 0, result.stderr
-    assert contents(tmp_path / "out") == shipped()
-
-
-def test_damaged_generated_code_does_not_keep_the_command_from_restoring_every_byte(tmp_path: Path):
+def test_every_byte_of_damaged_code_is_restored_whatever_hash_seed_and_ground_types(tmp_path: Path):
+    """Pure Python integers here; `make drift` takes the ground types that are installed, and a seed of its own."""
     package = package_copy(tmp_path)
     for name in ("__init__.py", "polar.py"):
         (package / "generated" / name).write_text("def (:\n")
-    environment = {"PYTHONHASHSEED": "1", "SYMPY_GROUND_TYPES": "flint"}
+    environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python"}
     result = run_in_process_of_its_own("--out", package / "generated", cwd=tmp_path, environment=environment)
     assert result.returncode == 0, result.stderr
     assert contents(package / "generated") == shipped()
