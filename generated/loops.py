@@ -1,6 +1,6 @@
 """Conversions as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries.
 
-Written by radartrack regenerate, generator 1, derivation a8be620cef4bce90; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 78dee844b7a41827; not to be edited.
 """
 
 import math
@@ -762,7 +762,7 @@ def ruv_averaged(
 
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion, averaged over
     the truth, to fourth order. Covariance: covariance of the plain conversion, averaged over the truth, to
-    fourth order.
+    fourth order, completed to a sum of squares.
     """
     for i in range(len(all_r)):
         r = all_r[i]
@@ -810,7 +810,8 @@ def ruv_averaged(
         sum_26 = 1.0 - v_squared + 2.0 * u_squared
         product_2 = 3.0 * sigma_u_squared * sum_5 * sum_7
         sum_27 = 1.0 - u_squared + 2.0 * v_squared
-        sum_28 = product_2 + (1.0 + 2.0 * rho**2) * sigma_v_squared * sum_27 + sum_2_squared
+        rho_squared = rho**2
+        sum_28 = product_2 + (1.0 + 2.0 * rho_squared) * sigma_v_squared * sum_27 + sum_2_squared
         sum_29 = 3.0 * rho * sigma_u * sigma_v * sum_26 * v + sum_28 * u
         sum_30 = rho * sigma_v * sum_25 * v + sigma_u * sum_29
         sum_31 = 3.0 - 3.0 * v_squared - u_squared
@@ -830,21 +831,54 @@ def ruv_averaged(
         sum_45 = r_squared * sum_41 + sigma_r_squared * sum_1 * sum_44
         sum_46 = sigma_r_squared * sum_37 * v + sigma_v * sum_45
         sum_47 = 2.0 * sum_2_squared + 6.0 * sigma_v_squared * sum_3
-        sum_48 = 1.0 - 4.0 * u_squared + 22.0 * v_squared
-        sum_49 = 3.0 + sum_48 * u_squared + (1.0 - 4.0 * v_squared) * v_squared
-        sum_50 = 6.0 * sigma_u * sum_11 * u * v + rho * sigma_v * sum_49
-        sum_51 = 2.0 - 2.0 * u_squared + 11.0 * v_squared
-        sum_52 = sum_51 * u_squared + (2.0 - 2.0 * v_squared) * v_squared
-        sum_53 = rho * sum_50 + sigma_v * sum_52
-        sum_54 = 1.5 * sigma_u_squared * sum_5 * sum_6 * sum_7 + sum_2_squared * u_squared + sigma_v * sum_53
-        sum_55 = rho * sigma_v * sum_47 * u * v + sigma_u * sum_54
-        sum_56 = 1.5 * sigma_v_squared * sum_16 * sum_17 * sum_18 + sum_2_squared * v_squared
-        sum_57 = sigma_v_squared * sum_56 + sigma_u * sum_55
-        sum_58 = 2.0 - 2.0 * u_squared - 3.0 * v_squared
-        sum_59 = 2.0 - 2.0 * v_squared - 3.0 * u_squared
-        sum_60 = 2.0 * rho * sigma_v * u * v - sigma_u * sum_59
-        sum_61 = sum_2_squared - sigma_v_squared * sum_58 + sigma_u * sum_60
-        sum_62 = r_squared * sum_57 + sigma_r_squared * sum_2_squared * sum_61
+        sum_48 = 2.0 * sum_2_squared + 4.0 * sigma_v_squared * sum_16 * sum_18
+        sum_49 = r_squared * sum_47 + sigma_r_squared * sum_48
+        sigma_v_squared_squared = sigma_v_squared**2
+        sum_50 = 18.0 * r_squared * sigma_v_squared_squared * sum_16 * sum_18 * sum_27 + sum_2_squared * sum_49
+        sum_51 = 2.0 - 2.0 * v_squared - 3.0 * u_squared
+        term_2 = (v - 1.0)**2
+        sum_52 = 2.0 * sigma_v * sum_16 * sum_18 + 4.0 * rho * sigma_u * u * v
+        sum_53 = 4.0 * rho_squared * sigma_v * u_squared * v_squared + sum_5 * sum_52 * sum_7
+        sum_54 = sum_2_squared * sum_51 - sigma_u_squared * sum_7**2 * term_2 - sigma_v * sum_53
+        sum_55 = 1.5 * sum_2_squared * sum_5 * sum_6 + 9.0 * sigma_u_squared * sum_7 * term_2 * u_squared
+        sum_56 = 18.0 * sigma_u_squared * sum_26 * sum_5 * sum_7 + 6.0 * sum_11 * sum_2_squared
+        sum_57 = 2.0 - 2.0 * u_squared + 11.0 * v_squared
+        sum_58 = sum_57 * u_squared + (2.0 - 2.0 * v_squared) * v_squared
+        sum_59 = 2.0 - 17.0 * v_squared + 5.0 * u_squared
+        sum_60 = 7.0 - sum_59 * u_squared - (2.0 + 5.0 * v_squared) * v_squared
+        sum_61 = 1.0 - 4.0 * u_squared + 22.0 * v_squared
+        sum_62 = 3.0 + sum_61 * u_squared + (1.0 - 4.0 * v_squared) * v_squared
+        sum_63 = 4.0 - 2.0 * u_squared + 14.0 * v_squared
+        sum_64 = 2.0 - sum_63 * u_squared + (11.0 + 11.0 * v_squared) * v_squared
+        sum_65 = sum_64 * u_squared + (3.0 - 3.0 * v_squared) * v_squared
+        sum_66 = 11.0 - 14.0 * v_squared + 11.0 * u_squared
+        sum_67 = 2.0 - (4.0 - 2.0 * v_squared) * v_squared + sum_66 * u_squared
+        sum_68 = sum_67 * v_squared + (3.0 - 3.0 * u_squared) * u_squared
+        sum_69 = 4.0 * sigma_u * sum_68 + 8.0 * rho * sigma_v * sum_26 * sum_27 * u * v
+        sum_70 = 4.0 * sigma_v_squared * sum_65 + sum_2_squared * sum_62 + sigma_u * sum_69
+        sum_71 = 4.0 * sigma_u * sigma_v * sum_60 * u * v + rho * sum_70
+        sum_72 = 10.0 - 16.0 * v_squared + 10.0 * u_squared
+        sum_73 = 1.0 - (2.0 - v_squared) * v_squared + sum_72 * u_squared
+        sum_74 = sum_73 * v_squared + (6.0 - 6.0 * u_squared) * u_squared
+        sum_75 = 2.0 - u_squared + 16.0 * v_squared
+        sum_76 = 1.0 - sum_75 * u_squared + (10.0 + 10.0 * v_squared) * v_squared
+        sum_77 = sum_76 * u_squared + (6.0 - 6.0 * v_squared) * v_squared
+        sum_78 = sigma_u_squared * sum_74 + sigma_v_squared * sum_77 + sum_2_squared * sum_58 + rho * sum_71
+        sum_79 = rho * sigma_u * sum_56 * u * v + sigma_v * sum_78
+        sum_80 = sigma_u_squared * sum_55 * sum_7 + sum_2_squared**2 * u_squared + sigma_v * sum_79
+        sum_81 = r_squared * sum_80 - sigma_r_squared * sum_2_squared * sum_54
+        sum_82 = rho * sigma_v * sum_50 * u * v + sigma_u * sum_81
+        sum_83 = 2.0 - 2.0 * u_squared - 3.0 * v_squared
+        sum_18_squared = sum_18**2
+        term_3 = (u - 1.0)**2
+        sum_84 = sum_2_squared * sum_83 - sigma_v_squared * sum_18_squared * term_3
+        sum_85 = 1.5 * sigma_v_squared * sum_16 * sum_17 * sum_18 + sum_2_squared * v_squared
+        sum_86 = r_squared * sum_85 - sigma_r_squared * sum_84
+        sum_87 = (
+            9.0 * r_squared * sigma_v_squared_squared * sum_18_squared * term_3 * v_squared
+            + sum_2_squared * sum_86
+        )
+        sum_88 = sigma_r_squared * sum_2_squared * sum_2_squared**2 + sigma_v_squared * sum_87 + sigma_u * sum_82
         mean[i, 0] = r * u
         mean[i, 1] = r * v
         mean[i, 2] = r * sum_21
@@ -856,7 +890,7 @@ def ruv_averaged(
         covariance[i, 1, 2] = -sum_46 * term_1
         covariance[i, 2, 0] = covariance[i, 0, 2]
         covariance[i, 2, 1] = covariance[i, 1, 2]
-        covariance[i, 2, 2] = sum_62 / (root_1 * root_1**2)**2
+        covariance[i, 2, 2] = sum_88 / (root_1 * (root_1**2)**2)**2
 
 
 def ruv_unbiased(
@@ -873,7 +907,7 @@ def ruv_unbiased(
     """Conversion ruv, unbiased.
 
     Mean: unbiased estimate of the position, to fourth order. Covariance: error covariance of the unbiased
-    estimate u, to fourth order.
+    estimate u, to fourth order, completed to a sum of squares.
     """
     for i in range(len(all_r)):
         r = all_r[i]
@@ -889,6 +923,7 @@ def ruv_unbiased(
         root_1 = math.sqrt(sum_1)
         sum_2 = u_squared - 1.0 + v_squared
         sum_2_squared = sum_2**2
+        sum_2_squared_squared = sum_2_squared**2
         sigma_v_squared = sigma_v**2
         sum_3 = 3.0 - 3.0 * u_squared + 2.0 * v_squared
         sum_4 = sum_2_squared - 1.5 * sigma_v_squared * sum_3
@@ -909,7 +944,7 @@ def ruv_unbiased(
         sum_17 = 1.0 - u
         sum_18 = 1.0 + u
         sum_19 = 0.5 * sum_2_squared - 0.375 * sigma_v_squared * sum_16
-        sum_20 = sigma_v_squared * sum_17 * sum_18 * sum_19 + sigma_u * sum_15 + sum_2_squared**2
+        sum_20 = sigma_v_squared * sum_17 * sum_18 * sum_19 + sigma_u * sum_15 + sum_2_squared_squared
         r_squared = r**2
         sigma_r_squared = sigma_r**2
         term_1 = 1.0 / (root_1 * (root_1**2)**2)
@@ -919,7 +954,8 @@ def ruv_unbiased(
         sum_23 = 1.0 - v_squared + 2.0 * u_squared
         product_3 = 1.5 * sigma_u_squared * sum_6 * sum_7
         sum_24 = 1.0 - u_squared + 2.0 * v_squared
-        sum_25 = product_3 + (0.5 + rho**2) * sigma_v_squared * sum_24 + sum_2_squared
+        rho_squared = rho**2
+        sum_25 = product_3 + (0.5 + rho_squared) * sigma_v_squared * sum_24 + sum_2_squared
         sum_26 = 1.5 * rho * sigma_u * sigma_v * sum_23 * v + sum_25 * u
         sum_27 = rho * sigma_v * sum_22 * v + sigma_u * sum_26
         sum_28 = 3.0 - 2.0 * u_squared - 3.0 * v_squared
@@ -935,21 +971,58 @@ def ruv_unbiased(
         sum_38 = rho * sigma_u * sum_17 * sum_18 * u + 0.5 * sigma_v * sum_37 * v
         sum_39 = r_squared * sum_36 + sigma_r_squared * sum_1 * sum_38
         sum_40 = sigma_r_squared * sum_32 * v + sigma_v * sum_39
-        sum_41 = 1.0 - sigma_u_squared - sigma_v_squared - u_squared - v_squared
-        sum_42 = 2.0 - 2.0 * u_squared + v_squared
-        sum_43 = 2.0 * sum_2_squared + 6.0 * sigma_v_squared * sum_42
-        sum_44 = 2.0 - 2.0 * v_squared + u_squared
-        sum_45 = 1.0 - 2.0 * u_squared + 14.0 * v_squared
-        sum_46 = 1.0 + product_1 + sum_45 * u_squared
-        sum_47 = 6.0 * sigma_u * sum_44 * u * v + rho * sigma_v * sum_46
+        sum_41 = 2.0 - 2.0 * u_squared + v_squared
+        sum_42 = 6.0 * sum_2_squared * sum_41 + 4.5 * sigma_v_squared * sum_17 * sum_18 * sum_24
+        sum_43 = 2.0 * sum_2_squared_squared + sigma_v_squared * sum_42
+        sum_44 = r_squared * sum_43 + sigma_r_squared * sigma_v_squared * sum_17 * sum_18 * sum_2_squared
+        term_2 = (v - 1.0)**2
+        sum_45 = 1.5 * sum_23 * sum_2_squared * sum_6 + 2.25 * sigma_u_squared * sum_7 * term_2 * u_squared
+        sum_46 = 2.0 - 2.0 * v_squared + u_squared
+        sum_47 = 6.0 * sum_2_squared * sum_46 + 4.5 * sigma_u_squared * sum_23 * sum_6 * sum_7
         sum_48 = 1.0 - 7.0 * v_squared + u_squared
         sum_49 = 2.0 - sum_48 * u_squared - v_squared * (1.0 + v_squared)
-        sum_50 = rho * sum_47 + sigma_v * sum_49
-        sum_51 = 1.5 * sigma_u_squared * sum_23 * sum_6 * sum_7 + sum_2_squared * u_squared + sigma_v * sum_50
-        sum_52 = rho * sigma_v * sum_43 * u * v + sigma_u * sum_51
-        sum_53 = 1.5 * sigma_v_squared * sum_17 * sum_18 * sum_24 + sum_2_squared * v_squared
-        sum_54 = sigma_v_squared * sum_53 + sigma_u * sum_52
-        sum_55 = r_squared * sum_54 - product_2 * sigma_r_squared * sum_41
+        sum_50 = 1.0 - 2.0 * u_squared + 14.0 * v_squared
+        sum_51 = 1.0 + product_1 + sum_50 * u_squared
+        sum_52 = 11.0 - 14.0 * v_squared + 11.0 * u_squared
+        sum_53 = 2.0 - (4.0 - 2.0 * v_squared) * v_squared + sum_52 * u_squared
+        sum_54 = sum_53 * v_squared + (3.0 - 3.0 * u_squared) * u_squared
+        sum_55 = 2.0 * rho * sigma_v * sum_23 * sum_24 * u * v + sigma_u * sum_54
+        sum_56 = 4.0 - 2.0 * u_squared + 14.0 * v_squared
+        sum_57 = 2.0 - sum_56 * u_squared + (11.0 + 11.0 * v_squared) * v_squared
+        sum_58 = sum_57 * u_squared + (3.0 - 3.0 * v_squared) * v_squared
+        sum_59 = sigma_v_squared * sum_58 + sum_2_squared * sum_51 + sigma_u * sum_55
+        sum_60 = 2.0 - 17.0 * v_squared + 5.0 * u_squared
+        sum_61 = 7.0 - sum_60 * u_squared - (2.0 + 5.0 * v_squared) * v_squared
+        sum_62 = rho * sum_59 + sigma_u * sigma_v * sum_61 * u * v
+        sum_63 = 10.0 - 16.0 * v_squared + 10.0 * u_squared
+        sum_64 = 1.0 - (2.0 - v_squared) * v_squared + sum_63 * u_squared
+        sum_65 = sum_64 * v_squared + (6.0 - 6.0 * u_squared) * u_squared
+        sum_66 = 2.0 - u_squared + 16.0 * v_squared
+        sum_67 = 1.0 - sum_66 * u_squared + (10.0 + 10.0 * v_squared) * v_squared
+        sum_68 = sum_67 * u_squared + (6.0 - 6.0 * v_squared) * v_squared
+        sum_69 = (
+            0.25 * sigma_u_squared * sum_65
+            + 0.25 * sigma_v_squared * sum_68
+            + sum_2_squared * sum_49
+            + rho * sum_62
+        )
+        sum_70 = rho * sigma_u * sum_47 * u * v + sigma_v * sum_69
+        sum_71 = sigma_u_squared * sum_45 * sum_7 + sum_2_squared_squared * u_squared + sigma_v * sum_70
+        sum_72 = rho * sigma_u * u * v + 0.5 * sigma_v * sum_17 * sum_18
+        sum_73 = rho_squared * sigma_v * u_squared * v_squared + sum_6 * sum_7 * sum_72
+        sum_74 = product_2 + 0.25 * sigma_u_squared * sum_7**2 * term_2 + sigma_v * sum_73
+        sum_75 = r_squared * sum_71 + sigma_r_squared * sum_2_squared * sum_74
+        sum_76 = rho * sigma_v * sum_44 * u * v + sigma_u * sum_75
+        sum_77 = 1.5 * sigma_v_squared * sum_17 * sum_18 * sum_24 + sum_2_squared * v_squared
+        sum_18_squared = sum_18**2
+        term_3 = (u - 1.0)**2
+        sum_78 = product_2 + 0.25 * sigma_v_squared * sum_18_squared * term_3
+        sum_79 = r_squared * sum_77 + sigma_r_squared * sum_78
+        sum_80 = (
+            2.25 * r_squared * sigma_v_squared**2 * sum_18_squared * term_3 * v_squared
+            + sum_2_squared * sum_79
+        )
+        sum_81 = sigma_r_squared * sum_2_squared * sum_2_squared**2 + sigma_v_squared * sum_80 + sigma_u * sum_76
         mean[i, 0] = r * u
         mean[i, 1] = r * v
         mean[i, 2] = r * sum_20 / (root_1 * (root_1 * root_1**2)**2)
@@ -961,7 +1034,7 @@ def ruv_unbiased(
         covariance[i, 1, 2] = -sum_40 * term_1
         covariance[i, 2, 0] = covariance[i, 0, 2]
         covariance[i, 2, 1] = covariance[i, 1, 2]
-        covariance[i, 2, 2] = sum_55 / (root_1 * root_1**2)**2
+        covariance[i, 2, 2] = sum_81 / (root_1 * (root_1**2)**2)**2
 
 
 def ruv_posterior(
@@ -978,7 +1051,7 @@ def ruv_posterior(
     """Conversion ruv, posterior.
 
     Mean: posterior mean of the position under a flat prior, to fourth order. Covariance: posterior covariance
-    of the position under a flat prior, to fourth order.
+    of the position under a flat prior, to fourth order, completed to a sum of squares.
     """
     for i in range(len(all_r)):
         r = all_r[i]
@@ -994,6 +1067,7 @@ def ruv_posterior(
         root_1 = math.sqrt(sum_1)
         sum_2 = u_squared - 1.0 + v_squared
         sum_2_squared = sum_2**2
+        sum_2_squared_squared = sum_2_squared**2
         sigma_v_squared = sigma_v**2
         sum_3 = 3.0 - 3.0 * u_squared + 2.0 * v_squared
         sum_4 = 1.5 * sigma_v_squared * sum_3 + sum_2_squared
@@ -1014,7 +1088,7 @@ def ruv_posterior(
         sum_17 = 1.0 - u_squared + 4.0 * v_squared
         sum_18 = 1.0 + u
         sum_19 = 0.375 * sigma_v_squared * sum_17 + 0.5 * sum_2_squared
-        sum_20 = sum_2_squared**2 - sigma_v_squared * sum_16 * sum_18 * sum_19 - sigma_u * sum_15
+        sum_20 = sum_2_squared_squared - sigma_v_squared * sum_16 * sum_18 * sum_19 - sigma_u * sum_15
         r_squared = r**2
         sigma_r_squared = sigma_r**2
         term_1 = 1.0 / (root_1 * (root_1**2)**2)
@@ -1024,7 +1098,8 @@ def ruv_posterior(
         sum_23 = 1.0 - v_squared + 2.0 * u_squared
         product_3 = 1.5 * sigma_u_squared * sum_5 * sum_7
         sum_24 = 1.0 - u_squared + 2.0 * v_squared
-        sum_25 = product_3 + (0.5 + rho**2) * sigma_v_squared * sum_24 + sum_2_squared
+        rho_squared = rho**2
+        sum_25 = product_3 + (0.5 + rho_squared) * sigma_v_squared * sum_24 + sum_2_squared
         sum_26 = 1.5 * rho * sigma_u * sigma_v * sum_23 * v + sum_25 * u
         sum_27 = rho * sigma_v * sum_22 * v + sigma_u * sum_26
         sum_28 = 3.0 - 2.0 * u_squared - 3.0 * v_squared
@@ -1040,23 +1115,60 @@ def ruv_posterior(
         sum_38 = rho * sigma_u * sum_16 * sum_18 * u + 0.5 * sigma_v * sum_37 * v
         sum_39 = r_squared * sum_36 + sigma_r_squared * sum_1 * sum_38
         sum_40 = sigma_r_squared * sum_32 * v + sigma_v * sum_39
-        sum_41 = 1.0 - sigma_u_squared - sigma_v_squared - u_squared - v_squared
-        sum_42 = 4.0 - 4.0 * u_squared + 3.0 * v_squared
-        sum_43 = 2.0 * sigma_v_squared * sum_42 + 2.0 * sum_2_squared
-        sum_44 = 1.0 - v_squared + 6.0 * u_squared
-        sum_45 = 4.0 - 4.0 * v_squared + 3.0 * u_squared
-        sum_46 = 1.0 - 2.0 * u_squared + 10.0 * v_squared
-        sum_47 = 1.0 + product_1 + sum_46 * u_squared
-        sum_48 = 2.0 * sigma_u * sum_45 * u * v + rho * sigma_v * sum_47
+        sum_41 = 4.0 - 4.0 * u_squared + 3.0 * v_squared
+        sum_42 = 2.0 * sum_2_squared * sum_41 + 4.5 * sigma_v_squared * sum_16 * sum_18 * sum_24
+        sum_43 = 2.0 * sum_2_squared_squared + sigma_v_squared * sum_42
+        sum_44 = r_squared * sum_43 + sigma_r_squared * sigma_v_squared * sum_16 * sum_18 * sum_2_squared
+        sum_45 = 1.0 - v_squared + 6.0 * u_squared
+        term_2 = (v - 1.0)**2
+        sum_46 = 2.25 * sigma_u_squared * sum_7 * term_2 * u_squared + 0.5 * sum_2_squared * sum_45 * sum_5
+        sum_47 = 4.0 - 4.0 * v_squared + 3.0 * u_squared
+        sum_48 = 2.0 * sum_2_squared * sum_47 + 4.5 * sigma_u_squared * sum_23 * sum_5 * sum_7
         sum_49 = 1.0 - u_squared + 5.0 * v_squared
         sum_50 = sum_49 * u_squared + (1.0 - v_squared) * v_squared
-        sum_51 = rho * sum_48 + sigma_v * sum_50
-        sum_52 = 0.5 * sigma_u_squared * sum_44 * sum_5 * sum_7 + sum_2_squared * u_squared + sigma_v * sum_51
-        sum_53 = rho * sigma_v * sum_43 * u * v + sigma_u * sum_52
-        sum_54 = 1.0 - u_squared + 6.0 * v_squared
-        sum_55 = 0.5 * sigma_v_squared * sum_16 * sum_18 * sum_54 + sum_2_squared * v_squared
-        sum_56 = sigma_v_squared * sum_55 + sigma_u * sum_53
-        sum_57 = r_squared * sum_56 - product_2 * sigma_r_squared * sum_41
+        sum_51 = 1.0 - 2.0 * u_squared + 10.0 * v_squared
+        sum_52 = 1.0 + product_1 + sum_51 * u_squared
+        sum_53 = 11.0 - 14.0 * v_squared + 11.0 * u_squared
+        sum_54 = 2.0 - (4.0 - 2.0 * v_squared) * v_squared + sum_53 * u_squared
+        sum_55 = sum_54 * v_squared + (3.0 - 3.0 * u_squared) * u_squared
+        sum_56 = 2.0 * rho * sigma_v * sum_23 * sum_24 * u * v + sigma_u * sum_55
+        sum_57 = 4.0 - 2.0 * u_squared + 14.0 * v_squared
+        sum_58 = 2.0 - sum_57 * u_squared + (11.0 + 11.0 * v_squared) * v_squared
+        sum_59 = sum_58 * u_squared + (3.0 - 3.0 * v_squared) * v_squared
+        sum_60 = sigma_v_squared * sum_59 + sum_2_squared * sum_52 + sigma_u * sum_56
+        sum_61 = 2.0 - 17.0 * v_squared + 5.0 * u_squared
+        sum_62 = 7.0 - sum_61 * u_squared - (2.0 + 5.0 * v_squared) * v_squared
+        sum_63 = rho * sum_60 + sigma_u * sigma_v * sum_62 * u * v
+        sum_64 = 10.0 - 16.0 * v_squared + 10.0 * u_squared
+        sum_65 = 1.0 - (2.0 - v_squared) * v_squared + sum_64 * u_squared
+        sum_66 = sum_65 * v_squared + (6.0 - 6.0 * u_squared) * u_squared
+        sum_67 = 2.0 - u_squared + 16.0 * v_squared
+        sum_68 = 1.0 - sum_67 * u_squared + (10.0 + 10.0 * v_squared) * v_squared
+        sum_69 = sum_68 * u_squared + (6.0 - 6.0 * v_squared) * v_squared
+        sum_70 = (
+            0.25 * sigma_u_squared * sum_66
+            + 0.25 * sigma_v_squared * sum_69
+            + sum_2_squared * sum_50
+            + rho * sum_63
+        )
+        sum_71 = rho * sigma_u * sum_48 * u * v + sigma_v * sum_70
+        sum_72 = sigma_u_squared * sum_46 * sum_7 + sum_2_squared_squared * u_squared + sigma_v * sum_71
+        sum_73 = rho * sigma_u * u * v + 0.5 * sigma_v * sum_16 * sum_18
+        sum_74 = rho_squared * sigma_v * u_squared * v_squared + sum_5 * sum_7 * sum_73
+        sum_75 = product_2 + 0.25 * sigma_u_squared * sum_7**2 * term_2 + sigma_v * sum_74
+        sum_76 = r_squared * sum_72 + sigma_r_squared * sum_2_squared * sum_75
+        sum_77 = rho * sigma_v * sum_44 * u * v + sigma_u * sum_76
+        sum_78 = 1.0 - u_squared + 6.0 * v_squared
+        sum_79 = 0.5 * sigma_v_squared * sum_16 * sum_18 * sum_78 + sum_2_squared * v_squared
+        sum_18_squared = sum_18**2
+        term_3 = (u - 1.0)**2
+        sum_80 = product_2 + 0.25 * sigma_v_squared * sum_18_squared * term_3
+        sum_81 = r_squared * sum_79 + sigma_r_squared * sum_80
+        sum_82 = (
+            2.25 * r_squared * sigma_v_squared**2 * sum_18_squared * term_3 * v_squared
+            + sum_2_squared * sum_81
+        )
+        sum_83 = sigma_r_squared * sum_2_squared * sum_2_squared**2 + sigma_v_squared * sum_82 + sigma_u * sum_77
         mean[i, 0] = r * u
         mean[i, 1] = r * v
         mean[i, 2] = r * sum_20 / (root_1 * (root_1 * root_1**2)**2)
@@ -1068,7 +1180,7 @@ def ruv_posterior(
         covariance[i, 1, 2] = -sum_40 * term_1
         covariance[i, 2, 0] = covariance[i, 0, 2]
         covariance[i, 2, 1] = covariance[i, 1, 2]
-        covariance[i, 2, 2] = sum_57 / (root_1 * root_1**2)**2
+        covariance[i, 2, 2] = sum_83 / (root_1 * (root_1**2)**2)**2
 
 
 def spherical_linear(

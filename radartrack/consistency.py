@@ -22,6 +22,7 @@ from radartrack._arrays.sensors import SENSORS, Sensor, SensorName
 from radartrack._arrays.validation import RealArray, number_between, one_of, real_arrays, whole_number
 from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
+from radartrack.semidefinite import ROUNDING, are_sound
 from radartrack.simulate import noise_covariance, scatter
 
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]
@@ -136,7 +137,7 @@ def _prediction(
     if covariance is None:
         return None
     matrix = real_arrays({"predicted_covariance": covariance})["predicted_covariance"]
-    Predicted(sensor, centre, matrix)
+    Predicted(sensor, centre, matrix).require_valid()
     return centre, matrix
 
 
@@ -170,11 +171,15 @@ def _width(false_alarm: float) -> float:
 
 
 def _summary(errors: RealArray, covariance: RealArray, width: float) -> Consistency:
-    try:
-        weighted = np.linalg.solve(covariance, errors[..., np.newaxis])[..., 0]
-    except np.linalg.LinAlgError:
-        raise ValueError("the covariance is singular: deviations must be positive, correlations below 1") from None
-    squares = (errors * weighted).sum(axis=-1) / errors.shape[-1]
+    singular = ~are_sound(covariance, least_pivot=ROUNDING * float(np.finfo(covariance.dtype).eps))
+    if singular.any():
+        raise ValueError("the covariance is singular: deviations must be positive, correlations below 1")
+    # In units of the deviations, whose squares may differ by hundreds of orders.
+    deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
+    correlations = covariance / deviations[:, :, np.newaxis] / deviations[:, np.newaxis, :]
+    scaled = errors / deviations
+    weighted = np.linalg.solve(correlations, scaled[..., np.newaxis])[..., 0]
+    squares = (scaled * weighted).sum(axis=-1) / errors.shape[-1]
     return Consistency(errors.mean(axis=0), _band(errors, width), float(squares.mean()), _band(squares, width))
 
 

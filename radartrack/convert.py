@@ -10,6 +10,9 @@ the measurement; its covariance is
 - unbiased, mean e^-L h: of the error of that mean, given the measurement;
 - posterior, mean e^L h: of the position, given the measurement and no other knowledge of it;
 - decorrelated, mean e^-L h: of the error of that mean given the truth, averaged over a prediction of it.
+
+Covariances are symmetric and, within 16 units in the last place of their correlations, positive semidefinite. A
+variance below 4.5e-277, in float32 1.2e-38, is 0, and its covariances with it.
 """
 
 import math
@@ -20,6 +23,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
+from radartrack import semidefinite
 from radartrack._arrays import machine_code
 from radartrack._arrays.batches import BLOCK, fill
 from radartrack._arrays.one_plot import one_plot
@@ -86,7 +90,8 @@ def polar(
     Raises:
         TypeError: an argument is not made of real numbers (a bool is none), or `predicted` is no pair.
         ValueError: a number is not finite or lies outside the interval above, the shapes do not broadcast, a
-            word is unknown, the predicted covariance is none, or a prediction is given without a use for it.
+            word is unknown, the predicted covariance is none, a prediction is given without a use for it, or
+            formulas give what is, beyond rounding, no covariance.
 
     """
     given = {
@@ -223,7 +228,8 @@ def ruv(
     fourth order in the deviations. The accuracy of the generated functions is measured for |u| and |v| up to 0.6.
     Towards the edge of the unit circle the series converge slowly: at the five deviations from it demanded below,
     where the range is known well, the average normalised error squared is up to 1.27, for "unbiased" 1.09, where
-    1 is right; at eight deviations up to 1.07. The covariances are positive semidefinite up to the edge.
+    1 is right; at eight deviations up to 1.07. The covariances are those series completed to sums of squares, so
+    that they are positive semidefinite up to the edge and for any deviation of the range.
 
     The arguments broadcast to the leading shape of the result. It is float32 where every array given is, and
     float64 otherwise.
@@ -307,6 +313,7 @@ def _computed(sensor: Sensor, method: Method, arrays: Mapping[str, RealArray], *
         function(*measured.values(), means, covariances)
         if prediction is not None:
             covariances[...] = _decorrelated(sensor, measured, prediction)
+        _make_sound(sensor, method, measured, prediction, covariances)
         if turned:
             means[...], covariances[...] = _turned(means, covariances)
 
@@ -326,6 +333,7 @@ def _checked(sensor: Sensor, arrays: Mapping[str, RealArray]) -> tuple[dict[str,
     if MEAN not in arrays:
         return measured, None
     prediction = Predicted(sensor, arrays[MEAN], arrays[COVARIANCE])
+    prediction.require_valid()
     broadcast_shape({**plot, **prediction.named()})
     prediction.require_possible(measured)
     return measured, prediction
@@ -335,10 +343,10 @@ def _function(sensor: Sensor, method: Method, count: int, dtype: np.dtype[Any]) 
     """The conversion without a prediction, and the size of its blocks; compiled where that is worth while."""
     decorrelated = method == _NEEDS_PREDICTION
     name = f"{sensor.module}_{'unbiased' if decorrelated else method}"
+    function, block = getattr(conversions, name), BLOCK
     if count >= machine_code.COMPILED_FROM and dtype == np.float64 and machine_code.is_available():
-        function, block = machine_code.conversion(name), machine_code.BLOCK
-    else:
-        function, block = getattr(conversions, name), BLOCK
+        fast = machine_code.conversion(name)
+        function, block = (function, block) if fast is None else (fast, machine_code.BLOCK)
     return function, PREDICTED_BLOCK if decorrelated else block
 
 
@@ -347,6 +355,50 @@ def _decorrelated(sensor: Sensor, measured: Mapping[str, RealArray], prediction:
     parts = ((weight, sensor.evaluate(word, {**measured, **part})) for weight, part in prediction.parts())
     weight, first = next(parts)
     return sum((weight * covariance for weight, covariance in parts), start=weight * first)
+
+
+def _make_sound(
+    sensor: Sensor,
+    method: Method,
+    measured: Mapping[str, RealArray],
+    prediction: Predicted | None,
+    covariances: RealArray,
+) -> None:
+    """Compute those covariances again, with care, of which rounding may have made something else."""
+    values = measured if prediction is None else {**prediction.symbols(), **measured}
+    if semidefinite.are_plain(values, covariances):
+        return
+    doubtful = ~semidefinite.are_sound(covariances)
+    if doubtful.any():
+        few = {symbol: array[doubtful] if array.ndim else array for symbol, array in measured.items()}
+        part = None if prediction is None else prediction.only(doubtful)
+        covariances[doubtful] = _with_care(sensor, method, few, part, covariances[doubtful])
+
+
+def _with_care(
+    sensor: Sensor,
+    method: Method,
+    measured: Mapping[str, RealArray],
+    prediction: Predicted | None,
+    like: RealArray,
+) -> RealArray:
+    """Covariances in float64 and, where that is not enough, the nearest that are positive semidefinite."""
+    wide = {symbol: semidefinite.without_nothing(array) for symbol, array in measured.items()}
+
+    def computed(**other: RealArray) -> RealArray:
+        values, covariances = {**wide, **other}, np.empty(like.shape)
+        if prediction is None:
+            getattr(conversions, f"{sensor.module}_{method}")(*values.values(), np.empty(like.shape[:-1]), covariances)
+        else:
+            covariances[...] = _decorrelated(sensor, values, prediction)
+        return semidefinite.cast(covariances, covariances.dtype)
+
+    covariances = computed()
+    doubtful = ~semidefinite.are_sound(covariances)
+    if doubtful.any():
+        independent = computed(rho=np.zeros(()))
+        covariances[doubtful] = semidefinite.nearest(covariances[doubtful], independent[doubtful])
+    return semidefinite.cast(covariances, like.dtype)
 
 
 def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:

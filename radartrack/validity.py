@@ -7,7 +7,7 @@ ratios do not depend on how the axes lie, nor on where the azimuth is counted fr
 """
 
 from collections.abc import Mapping
-from typing import Literal, TypeAlias, get_args
+from typing import Any, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -46,8 +46,8 @@ def polar(
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: a number is not finite or lies outside the interval above, the shapes do not broadcast, or a
-            word is unknown.
+        ValueError: a number is not finite or lies outside the interval above, the shapes do not broadcast, a word
+            is unknown, or a ratio is too large for float32.
 
     """
     given = {
@@ -199,7 +199,14 @@ def _ratios(name: SensorName, given: Mapping[str, ArrayLike], formulas: Formulas
             require_within(argument, arrays[argument], domain._replace(largest=LARGEST))
     # Powers of the deviations, up to the eighth, underflow in float32.
     values = {symbol: array.astype(np.float64) for symbol, array in sensor.read(arrays).items()}
-    return sensor.evaluate(f"validity_{word}", values).astype(arrays["r"].dtype, copy=False)
+    return _cast(sensor.evaluate(f"validity_{word}", values), arrays["r"].dtype)
+
+
+def _cast(ratios: RealArray, dtype: np.dtype[Any]) -> RealArray:
+    largest, limit = ratios.max(initial=0), float(np.finfo(dtype).max)
+    if not largest <= limit:
+        raise ValueError(f"the ratios must be at most {limit:.7g} to be told in {dtype}; got {largest:.7g}")
+    return ratios.astype(dtype, copy=False)
 
 
 def _positive(domain: Domain) -> Domain:

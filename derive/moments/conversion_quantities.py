@@ -84,6 +84,16 @@ class Conversion:
         calculus = self.truncated(order)
         return word(calculus).map_distinct(calculus.total)
 
+    def completed(self, word: Word, mean: Callable[[Truncated, Any], Any]) -> Tensor[Expr]:
+        """A covariance to fourth order, and what makes it a sum of squares."""
+        calculus = self.truncated(4)
+        means, values = list(calculus.map.map(lambda h: mean(calculus, h))), word(calculus)
+        size = len(means)
+        upper = {
+            (a, b): calculus.completed(values[a, b], means[a], means[b]) for a in range(size) for b in range(a, size)
+        }
+        return Tensor.build((size, size), lambda a, b: upper[min(a, b), max(a, b)])
+
 
 @dataclass(frozen=True)
 class Row:
@@ -278,10 +288,27 @@ WORDS = (
 # fmt: on
 
 
+@dataclass(frozen=True)
+class Square:
+    """The mean whose derivatives are in a covariance, and its part of second order in words."""
+
+    mean: Callable[[Truncated, Any], Any]
+    word: str
+
+
+SQUARES = {
+    "covariance.averaged": Square(lambda calculus, h: calculus.expectation(h, 2), "2 L h"),
+    "unbiased.covariance": Square(Truncated.expectation, "L h"),
+    "posterior.covariance": Square(Truncated.expectation, "L h"),
+    "decorrelated.covariance": Square(Truncated.prediction, "Lp h"),
+}
+
+
 def quantities_of(model: Model) -> list[Quantity]:
     """Every quantity of a model; nothing is derived before it is asked for.
 
-    A map without closed forms has the second- and fourth-order series of each word in their place.
+    A map without closed forms has the second- and fourth-order series of each word in their place, and the latter
+    completed to a sum of squares for each covariance of a conversion.
     """
     shared = Conversion(model)
     expansion = [_quantity(shared, row, row.derive) for row in EXPANSION]
@@ -290,7 +317,8 @@ def quantities_of(model: Model) -> list[Quantity]:
         expansion += [_validity(shared, formulas) for formulas in NEGLECTED]
     if shared.closed is not None:
         return [*expansion, *(_quantity(shared, row, _exactly(row)) for row in WORDS)]
-    return [*expansion, *(_to_order(shared, row, order) for row in WORDS for order in ORDERS)]
+    series = [_to_order(shared, row, order) for row in WORDS for order in ORDERS]
+    return [*expansion, *series, *(_semidefinite(shared, row) for row in WORDS if row.name in SQUARES)]
 
 
 def word_to_order(model: Model, name: str, order: int) -> Tensor[Expr]:
@@ -380,6 +408,16 @@ def _to_order(shared: Conversion, row: Row, order: int) -> Quantity:
         word=f"{row.word} to sigma^{order}",
     )
     return _quantity(shared, named, lambda conversion: conversion.to_order(row.derive, order))
+
+
+def _semidefinite(shared: Conversion, row: Row) -> Quantity:
+    named = replace(
+        row,
+        name=f"{row.name}.semidefinite",
+        meaning=f"{row.meaning.replace('exact ', '')}, to fourth order, completed to a sum of squares",
+        word=f"{row.word} to sigma^4 + dg K dg', g = {SQUARES[row.name].word}",
+    )
+    return _quantity(shared, named, lambda conversion: conversion.completed(row.derive, SQUARES[row.name].mean))
 
 
 def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:

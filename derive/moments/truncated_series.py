@@ -65,6 +65,21 @@ class Truncated:
         """e^(Lₚ) f over the error of a prediction."""
         return self._exponential(value, Fraction(1), self._prediction)
 
+    def completed(self, value: Series, first: Series, second: Series) -> Expr:
+        """A covariance to fourth order, completed to a sum of squares: the total and ∂f₁ K ∂g₁ᵀ.
+
+        To fourth order the terms of first derivatives are ∂f K ∂gᵀ + ∂f K ∂g₁ᵀ + ∂f₁ K ∂gᵀ, for functions f + f₁ and
+        g + g₁ to second order. Without the last square they need not be positive semidefinite where f₁ is large.
+        """
+        slopes, others = (
+            [self.ring.differentiate(series.terms[1], variable) for variable in self._variables]
+            for series in (first, second)
+        )
+        total = reduce(add, value.terms)
+        for slope, row in zip(slopes, self._measurement, strict=True):
+            total = reduce(add, (slope * weight * other for weight, other in zip(row, others, strict=True)), total)
+        return self.ring.expression(total)
+
     def total(self, value: Series) -> Expr:
         """The sum of all terms as an expression."""
         return self.ring.expression(reduce(add, value.terms))

@@ -160,8 +160,9 @@ def module_text(codes: Sequence[ConversionCode], kind: str) -> str:
 
 
 def _find(quantities: Mapping[str, Quantity], model: str, word: str) -> str:
-    """The name of a word, exact or else to fourth order; empty where there is neither."""
-    return next((name for name in (f"{model}.{word}", f"{model}.{word}.fourth_order") if name in quantities), "")
+    """The name of a word, exact or else to fourth order, covariances as sums of squares; empty where there is none."""
+    names = (f"{model}.{word}", f"{model}.{word}.semidefinite", f"{model}.{word}.fourth_order")
+    return next((name for name in names if name in quantities), "")
 
 
 def _less(first: StableForm, second: StableForm) -> StableForm:

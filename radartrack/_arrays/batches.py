@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from radartrack._arrays.validation import RealArray
 
 if TYPE_CHECKING:
-    from concurrent.futures import ThreadPoolExecutor
+    from concurrent.futures import Future, ThreadPoolExecutor
 
 BLOCK = 32768  # entries; few enough to stay in the cache, enough that threads seldom wait for the interpreter
 MOST_THREADS = 8  # each has intermediate results of its own, and all wait for one interpreter
@@ -61,13 +61,24 @@ def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
         with turn:
             return next(waiting, None)
 
-    others = [_threads().submit(run) for _ in range(min(_most_at_once(), len(items)) - 1)]
+    others = _helped(run, min(_most_at_once(), len(items)) - 1)
     try:
         run()
     finally:
         for other in others:
             if not other.cancel():  # what has not begun is not needed
                 other.result()
+
+
+def _helped(run: Callable[[], None], most: int) -> "list[Future[None]]":
+    """As many threads as there are to be had, each about to run it; this thread does what is left undone."""
+    helpers: list[Future[None]] = []
+    try:
+        for _ in range(most):
+            helpers.append(_threads().submit(run))  # noqa: PERF401 - those before the one that is refused count
+    except RuntimeError:  # the main thread has ended, whereafter no thread is given work, or the system has no more
+        pass
+    return helpers
 
 
 @cache

@@ -1,14 +1,14 @@
 """Conversions as machine code, where Numba is installed: the extra `radartrack[fast]`.
 
 The loops are written by the same generator as the NumPy code, from the same formulas. They are compiled when they are
-first needed, which takes seconds, and kept on disk.
+first needed, which takes seconds, and kept on disk. Whatever is wrong with Numba or what it kept, NumPy computes
+instead; why is logged at the level INFO.
 """
 
 import importlib
-import importlib.util
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -17,23 +17,27 @@ from radartrack._arrays.validation import RealArray
 COMPILED_FROM = 256  # plots; for fewer NumPy is fast enough, and the compiler need not be loaded
 BLOCK = 16384  # plots; the arguments are still in the cache when they have been checked
 
+Compiled = TypeVar("Compiled")
+
 
 @cache
 def is_available() -> bool:
-    """Whether Numba is installed."""
-    return importlib.util.find_spec("numba") is not None
+    """Whether Numba is installed and can be loaded."""
+    return attempted(lambda: importlib.import_module("numba"), "Numba cannot be loaded") is not None
 
 
 @cache
-def conversion(name: str) -> Callable[..., None]:
-    """The compiled conversion of this name, for float64 arrays: inputs of shape (plots,) or (), then outputs."""
-    numba: Any = importlib.import_module("numba")
+def conversion(name: str) -> Callable[..., None] | None:
+    """The compiled conversion of this name, for float64 arrays: inputs of shape (plots,) or (), then outputs.
+
+    Returns:
+        None where Numba cannot compile it.
+
+    """
     loop = getattr(importlib.import_module("radartrack.generated.loops"), name)
-    count = loop.__code__.co_argcount - 2
-    outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
-    readable = numba.types.Array(numba.float64, 1, "A", readonly=True)
-    signature = numba.void(*[readable] * count, *outputs)
-    compiled: Any = numba.njit(signature, cache=True, nogil=True, error_model="numpy")(loop)
+    compiled = machine_code(lambda **options: _compiled(loop, **options))
+    if compiled is None:
+        return None
 
     def fill(*arrays: RealArray) -> None:
         *inputs, mean, covariance = arrays
@@ -41,3 +45,40 @@ def conversion(name: str) -> Callable[..., None]:
         compiled(*spread, mean, covariance)
 
     return fill
+
+
+def machine_code(compiling: Callable[..., Compiled]) -> Compiled | None:
+    """What a function that takes Numba's options compiles, with a cache on disk or else without.
+
+    Numba's cache may have no place where the package and the home directory are not writable, and may be damaged.
+
+    Returns:
+        None where it cannot be compiled at all.
+
+    """
+    options = {"nogil": True, "error_model": "numpy"}
+    kept = attempted(lambda: compiling(cache=True, **options), "Numba cannot keep machine code on disk")
+    return kept if kept is not None else attempted(lambda: compiling(**options), "Numba cannot compile")
+
+
+def _compiled(loop: Callable[..., None], **options: Any) -> Callable[..., None]:
+    numba: Any = importlib.import_module("numba")
+    count = loop.__code__.co_argcount - 2
+    outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
+    readable = numba.types.Array(numba.float64, 1, "A", readonly=True)
+    compiled: Any = numba.njit(**options)(loop)
+    compiled.compile((*[readable] * count, *outputs))  # a function that Numba was told to leave alone has no such thing
+    compiled.disable_compile()
+    ready: Callable[..., None] = compiled
+    return ready
+
+
+def attempted(attempt: Callable[[], Compiled], failure: str) -> Compiled | None:
+    """What something that Numba does results in; None, and why is logged, where that fails."""
+    try:
+        return attempt()
+    except Exception as error:  # noqa: BLE001 - another package, or its files, may be broken in any way
+        import logging  # noqa: PLC0415 - seldom needed
+
+        logging.getLogger(__name__).info("%s: %s: %s", failure, type(error).__name__, error)
+        return None

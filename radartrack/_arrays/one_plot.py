@@ -9,6 +9,7 @@ import numpy as np
 
 from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import RealArray
+from radartrack.semidefinite import is_plain
 
 PLAIN = frozenset({float, int, np.float64})
 
@@ -17,7 +18,8 @@ def one_plot(sensor: Sensor, method: str, given: Mapping[str, Any]) -> tuple[Rea
     """Convert plain numbers, by name.
 
     Returns:
-        Mean and covariance; None where an argument is no plain number or outside its interval.
+        Mean and covariance; None where an argument is no plain number or outside its interval, and where the
+        covariance takes care.
 
     Raises:
         ValueError: each number is possible alone, but not beside the others.
@@ -28,6 +30,8 @@ def one_plot(sensor: Sensor, method: str, given: Mapping[str, Any]) -> tuple[Rea
         return None
     values = {symbol: float(given[name]) for name, (symbol, _) in arguments.items()}
     sensor.require_possible(values)
+    if not is_plain(values):
+        return None
     mean: dict[tuple[int, ...], float] = {}
     covariance: dict[tuple[int, ...], float] = {}
     _loop(f"{sensor.module}_{method}")(*([value] for value in values.values()), mean, covariance)

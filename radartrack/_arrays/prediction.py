@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import (
@@ -23,6 +23,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack.semidefinite import cast, without_nothing
 
 Prediction: TypeAlias = tuple[ArrayLike, ArrayLike]
 
@@ -51,7 +52,13 @@ class Predicted:
     mean: RealArray
     covariance: RealArray
 
-    def __post_init__(self) -> None:
+    def require_valid(self) -> None:
+        """Check that it is a possible mean and its covariance.
+
+        Raises:
+            ValueError: it is none.
+
+        """
         size = len(self.sensor.coordinates)
         require_trailing_shape(MEAN, self.mean, (size,))
         require_trailing_shape(COVARIANCE, self.covariance, (size, size))
@@ -82,11 +89,21 @@ class Predicted:
         means = dict(zip(symbols, np.moveaxis(self.mean, -1, 0), strict=True))
         self.sensor.require_possible({**means, **total}, f" of {MEAN}")
 
+    def only(self, chosen: NDArray[np.bool_]) -> "Predicted":
+        """Those of some plots, in float64; deviations whose squares underflow are 0."""
+        mean = self.mean[chosen] if self.mean.ndim > 1 else self.mean
+        matrices = self.covariance[chosen] if self.covariance.ndim > 2 else self.covariance
+        return Predicted(self.sensor, without_nothing(mean), cast(matrices.astype(np.float64), np.dtype(np.float64)))
+
+    def symbols(self) -> dict[str, RealArray]:
+        """Mean, deviations and the one correlation, by the symbols that formulas give them."""
+        return self._symbols(self.mean, self.covariance)
+
     def parts(self) -> Iterator[tuple[float, dict[str, RealArray]]]:
         """Weights that sum to one, each with what the formulas take, by symbol."""
         other = self._other()
         if other is None or not self.covariance[..., other, list(self.sensor.correlated)].any():
-            yield 1.0, self._symbols(self.mean, self.covariance)
+            yield 1.0, self.symbols()
             return
         direction = self._along(other)
         rest = self.covariance - direction[..., :, np.newaxis] * direction[..., np.newaxis, :]

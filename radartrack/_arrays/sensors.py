@@ -175,6 +175,6 @@ SENSORS: Mapping[SensorName, Sensor] = {
         },
         correlated=(1, 2),
         azimuth_from=None,
-        series="_fourth_order",
+        series="_semidefinite",
     ),
 }

@@ -23,8 +23,8 @@ def symbols(model: str, method: str) -> list[str]:
 
 
 def joined(model: str, word: str) -> Quantity:
-    name = f"{model}.{word}"
-    return catalogue().get(name) or catalogue()[f"{name}.fourth_order"]
+    names = (f"{model}.{word}{series}" for series in ("", ".semidefinite", ".fourth_order"))
+    return next(catalogue()[name] for name in names if name in catalogue())
 
 
 def drawn(model: str, method: str) -> Points:

@@ -108,7 +108,7 @@ _SPREAD = {
     "v": st.floats(-0.6, 0.6),
     "range_std": st.floats(1, 60),
     "azimuth_std": st.floats(1e-3, 0.4),
-    "elevation_std": st.floats(1e-3, 0.1),
+    "elevation_std": st.floats(1e-3, 0.085),  # and correlated predictions and errors within 90 degrees
     "range_rate_std": st.floats(0.1, 40),
     "u_std": st.floats(1e-3, 5e-3),
     "v_std": st.floats(1e-3, 5e-3),

@@ -185,3 +185,28 @@ def test_bad_arguments_are_named_with_what_was_given_and_what_is_allowed(
 ) -> None:
     with pytest.raises(error, match=message):
         experiment(**{"sensor": "polar", "plot": PLOT, "draws": 1000, **changed})
+
+
+@pytest.mark.parametrize("range_std", [0.0, 5e-324, 1e-139, 1e-3, 1e98])
+@pytest.mark.parametrize("r", [0.0, 5e-324, 1e-139, 1e4, 1e99])
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_any_size_gives_finite_averages_or_a_refusal(sensor: str, r: float, range_std: float) -> None:
+    plot = {name: value for name, value in PLOTS[sensor].items() if name != "correlation"}
+    rates = {name: value for name, value in (("range_rate", -1e49), ("range_rate_std", 1e-139)) if name in plot}
+    for changed in ({}, rates):
+        finite = True
+        refused = ""
+        try:
+            found = experiment(sensor, plot | {"r": r, "range_std": range_std} | changed, draws=20)
+            finite = all(np.isfinite(part).all() for part in found)
+        except ValueError as error:
+            refused = str(error)
+        assert finite
+        assert refused.startswith(("the covariance is singular", "r must be from 0")) or not refused
+
+
+@pytest.mark.parametrize("correlation", [1.0, -1.0])
+def test_a_covariance_that_is_singular_but_for_rounding_is_refused(correlation: float) -> None:
+    plot = {"r": 1e4, "azimuth": 0.3, "range_std": 50.0, "azimuth_std": 0.01, "correlation": correlation}
+    with pytest.raises(ValueError, match="the covariance is singular"):
+        experiment("polar", plot, "linear", draws=20)

@@ -146,3 +146,19 @@ def test_bad_arguments_are_named_with_what_was_given_and_what_is_allowed(
 ) -> None:
     with pytest.raises(error, match=message):
         getattr(validity, sensor)(**{**PLOTS[sensor], **changed})
+
+
+@pytest.mark.parametrize("formulas", ORDERS)
+@pytest.mark.parametrize("sensor", SENSORS)
+@pytest.mark.parametrize("small", [1e-30, 1e-12])
+def test_a_ratio_that_float32_cannot_hold_is_refused(sensor: str, formulas: Formulas, small: float) -> None:
+    """Of a short range that is hardly known, which is what the ratios are largest for."""
+    plot = PLOTS[sensor] | {"r": small, "range_std": 9e9}
+    expected = ratios(sensor, plot, formulas)
+    assert np.isfinite(expected).all()
+    single = {name: np.float32(value) for name, value in plot.items()}
+    if expected.max() > np.finfo(np.float32).max:
+        with pytest.raises(ValueError, match=r"the ratios must be at most 3.40\d+e\+38 to be told in float32; got"):
+            ratios(sensor, single, formulas)
+    else:
+        np.testing.assert_allclose(ratios(sensor, single, formulas), expected, rtol=1e-3)

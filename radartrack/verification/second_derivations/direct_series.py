@@ -55,13 +55,14 @@ class DirectSeries:
 
     def noise(self, value: Jet) -> Jet:
         """Average over the measurement error."""
-        return averaged(value, self._numbers(self.model.covariance))
+        return averaged(value, self.numbers(self.model.covariance))
 
     def prediction(self, value: Jet) -> Jet:
         """Average over the error of a prediction."""
-        return averaged(value, self._numbers(self.model.prediction_covariance))
+        return averaged(value, self.numbers(self.model.prediction_covariance))
 
-    def _numbers(self, covariance: Covariance) -> list[list[Number]]:
+    def numbers(self, covariance: Covariance) -> list[list[Number]]:
+        """A covariance at the point."""
         return [[self._number(entry) for entry in row] for row in covariance]
 
     def _number(self, entry: Expr) -> Number:
@@ -76,13 +77,13 @@ def at_point(jet: Jet, order: int | None = None) -> Number:
     )
 
 
-def derivatives(series: Sequence[Jet], order: int, inputs: int) -> Tensor[Number]:
-    """All partial derivatives of an order at the point, shape [out, in, ...]."""
+def derivatives(series: Sequence[Jet], order: int, inputs: int, size: int = 0) -> Tensor[Number]:
+    """All partial derivatives of an order at the point, shape [out, in, ...]; of terms of this size in the errors."""
 
     def entry(a: int, *places: int) -> Number:
-        powers: Powers = (*(places.count(i) for i in range(inputs)), 0)
+        powers: Powers = (*(places.count(i) for i in range(inputs)), size)
         weight = 1
-        for power in powers:
+        for power in powers[:-1]:
             weight *= factorial(power)
         return series[a].terms.get(powers, mpmath.mpf(0)) * weight
 
@@ -99,7 +100,31 @@ def direct(row: str, model: Model, at: Mapping[Symbol, Number]) -> Tensor[Number
     if word in ROWS and last in ORDERS:
         order = ORDERS[last]
         return defined(word, DirectSeries(model, at, order)).map(lambda jet: at_point(jet, order))
+    if word in MEANS and last == "semidefinite":
+        return _completed(word, DirectSeries(model, at, 4))
     return None
+
+
+def _completed(word: str, of: DirectSeries) -> Tensor[Number]:
+    """To fourth order, and the square of what the mean's slopes have in second order."""
+    size, covariance = len(of.model.measured), of.numbers(of.model.covariance)
+    means = [MEANS[word](of, h) for h in of.h]
+    slopes = derivatives(means, 1, size, 2)
+    cut_off = defined(word, of).map(lambda jet: at_point(jet, 4))
+
+    def entry(a: int, b: int) -> Number:
+        terms = (slopes[a, i] * covariance[i][j] * slopes[b, j] for i in range(size) for j in range(size))
+        return cut_off[a, b] + sum(terms, mpmath.mpf(0))
+
+    return Tensor.build(cut_off.shape, entry)
+
+
+MEANS: dict[str, Callable[[DirectSeries, Jet], Jet]] = {
+    "covariance.averaged": lambda of, h: of.noise(of.noise(h)),
+    "unbiased.covariance": DirectSeries.noise,
+    "posterior.covariance": DirectSeries.noise,
+    "decorrelated.covariance": DirectSeries.prediction,
+}
 
 
 def _derivatives(order: int) -> Callable[[Model, Mapping[Symbol, Number]], Tensor[Number]]:

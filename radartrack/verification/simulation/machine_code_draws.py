@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Callable, Iterable
+from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
@@ -30,8 +31,20 @@ COSINE = tuple((-1.0) ** n / math.factorial(2 * n) for n in reversed(range(9)))
 
 
 def is_possible(tape: Tape) -> bool:
-    """Whether the loop knows all operations."""
-    return all(step.operation in OPERATIONS for step in tape.steps)
+    """Whether the loop knows all operations, and runs."""
+    return all(step.operation in OPERATIONS for step in tape.steps) and _runs()
+
+
+@cache
+def _runs() -> bool:
+    """Whether Numba compiles the loop, or reads what it kept of it: both happen when it is first called."""
+    nothing, steps, results = np.empty((0, LANES)), np.empty((0, 4), np.int64), np.empty(0, np.int64)
+
+    def attempt() -> bool:
+        _run(steps, results, nothing, nothing, nothing)
+        return True
+
+    return machine_code.attempted(attempt, "Numba cannot compile the loop over draws") is not None
 
 
 def summation(tape: Tape) -> Callable[[Iterable[Array]], Array]:
@@ -55,8 +68,8 @@ def _machine_code(loop: Loop) -> Loop:
     if not machine_code.is_available():
         return loop
     numba: Any = importlib.import_module("numba")
-    fast: Loop = numba.njit(cache=True, nogil=True, error_model="numpy")(loop)
-    return fast
+    fast: Loop | None = machine_code.machine_code(lambda **options: numba.njit(**options)(loop))
+    return loop if fast is None else fast
 
 
 @_machine_code
