@@ -22,8 +22,9 @@ from radartrack.derive.checking.comparing.points import domain_points, generic_p
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
+from radartrack.derive.checking.decimals import meant
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
-from radartrack.derive.checking.question.conditions import under, when_zero, zero
+from radartrack.derive.checking.question.conditions import also_zero, check_defined, under, when_zero
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
 from radartrack.derive.checking.repairing.smallest_edit import suggest
@@ -65,7 +66,15 @@ def check(
     names = names_for(reference, let or {})
     conditions = conditions_for(reference, given or {})
     printed = read_printed(formula, names, reference.shape, latex=latex)
-    return Question(reference, printed, conditions).answer()
+    check_defined(conditions, reference.entries, reference.text)
+    check_defined(conditions, printed.expressions, "the printed formula")
+    question = Question(reference, printed, conditions)
+    exact = meant(printed)
+    if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
+        verdict = rounded.answer()
+        reason = f"{verdict.reason}, at the printed digits"
+        return replace(verdict, printed=printed.text, reason=reason, remarks=(f"at the printed digits: {exact.words}",))
+    return question.answer()
 
 
 @dataclass(frozen=True)
@@ -94,6 +103,11 @@ class Question:
         expressions = (under(self.conditions, expression) for expression in (*derived, *self.printed.expressions))
         used = set[Symbol]().union(*(expression.free_symbols for expression in expressions))
         return tuple(symbol for symbol in self.reference.symbols if symbol in used)
+
+    @property
+    def is_equal(self) -> bool:
+        """Whether all entries are."""
+        return all(self.finding(entry).outcome in _GRAVITY[:2] for entry, _ in self.printed.entries.items())
 
     def answer(self) -> Verdict:
         """The verdict on all entries together: the gravest of them."""
@@ -169,8 +183,12 @@ class Question:
         free = [symbol for symbol in self.symbols if symbol.is_correlation]
         if found or not free or self.printed_entry(entry).free_symbols & set(free):
             return found
-        uncorrelated = self._edited(entry, {**self.conditions, **zero(free)})
-        return [replace(one, edit=one.edit + when_zero(free)) for one in uncorrelated]
+        uncorrelated = also_zero(self.conditions, free)
+        pair = self.printed.expressions[entry], self.reference.entries[entry]
+        if not uncorrelated or proved_equal(*(under(uncorrelated, one) for one in pair)):
+            return []  # where it is right already, every edit that changes nothing would do
+        edited = self._edited(entry, uncorrelated)
+        return [replace(one, edit=one.edit + when_zero(free)) for one in edited]
 
     def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
         symbols = [symbol for symbol in self.reference.symbols if symbol not in conditions]

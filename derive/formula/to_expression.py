@@ -98,14 +98,14 @@ class Reader:
         """As `to_expression`."""
         self._bound = {name: sp.Symbol(name, real=True) for name in bound_names(tree) - self._symbols.keys()}
         expression = self._expression(tree)
-        if not _is_real(expression):
+        if not is_real(expression):
             raise FormulaError("this is not a real number, whatever the symbols are", span=self._unreal(tree).span)
         return expression
 
     def _unreal(self, tree: Tree) -> Tree:
         """The first part that is not real although all that it is made of is."""
-        unreal = (node for node in parts(tree) if not _is_real(self._expression(node)))
-        return next(node for node in unreal if all(_is_real(self._expression(child)) for child in children(node)))
+        unreal = (node for node in parts(tree) if not is_real(self._expression(node)))
+        return next(node for node in unreal if all(is_real(self._expression(child)) for child in children(node)))
 
     def _step(self, tree: Tree, below: Sequence[Expression]) -> Expression:
         match tree:
@@ -246,10 +246,10 @@ def _scaled(scalar: Expr, expression: Expression) -> Expression:
     return scalar * expression
 
 
-def _is_real(expression: Expression) -> bool:
+def is_real(expression: Expression) -> bool:
     """Whether no infinity, undefined value or imaginary unit arose."""
     if isinstance(expression, tuple):
-        return all(map(_is_real, expression))
+        return all(map(is_real, expression))
     return all(part.args or part.is_Symbol or part.is_real for part in _parts(expression))
 
 

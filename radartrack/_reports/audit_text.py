@@ -109,8 +109,9 @@ def _example(example: Record) -> str:
     derived = f"derived {number(example['derived'])}"
     if example["printed"] is None:
         return f"{place}{entry} what is printed is not real, {derived}".strip()
-    compared = f"printed {number(example['printed'])}, {derived}"
-    return f"{place}{entry} {compared}, relative difference {percent(example['relative_difference'])}".strip()
+    compared = f"{place}{entry} printed {number(example['printed'])}, {derived}".strip()
+    relative = example["relative_difference"]  # none beyond the numbers of a machine
+    return compared if relative is None else f"{compared}, relative difference {percent(relative)}"
 
 
 def _worst(example: Record) -> str:

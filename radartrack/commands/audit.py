@@ -37,7 +37,7 @@ def audit(
     from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims, shipped
 
     try:
-        papers = [read_claims(path) for path in files or shipped()]
+        papers = [read_claims(path, keep_unreadable=True) for path in files or shipped()]
     except ClaimsError as error:
         typer.echo(str(error), err=True)
         raise typer.Exit(2) from None

@@ -10,7 +10,7 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.comparing.points import generic_points
 from radartrack.derive.checking.question.compared_quantity import Reference
-from radartrack.derive.checking.question.conditions import under, when_zero, zero
+from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
 from radartrack.derive.language.quantity import Quantity
@@ -70,7 +70,7 @@ class Trial:
         printed: the entries of the formula.
         symbols: those of the model.
         point: their values, with which the conditions hold.
-        values: what the entries are worth there; None where they have no value.
+        values: what the entries are worth there; None where they, or the conditions, have no value.
     """
 
     conditions: Mapping[Symbol, Expr]
@@ -101,12 +101,14 @@ def trial(
 ) -> Trial:
     """What was asked, with some symbols vanishing, and others in the print replaced."""
     (values,) = generic_points(asked.family, 1)
-    conditions = {**asked.conditions, **zero(vanishing)}
+    both = also_zero(asked.conditions, vanishing)
+    conditions = asked.conditions if both is None else both
     replaced = evaluated(Tensor((len(conditions),), tuple(conditions.values())), asked.family, tuple(values.items()))
     names = [symbol.name for symbol in conditions]
     point = tuple((values | dict(zip(names, replaced or (), strict=False))).items())
     printed = asked.printed.map(lambda entry: under(changes or {}, entry))
-    return Trial(conditions, words, printed, asked.family, point, evaluated(printed, asked.family, point))
+    worth = None if both is None else evaluated(printed, asked.family, point)
+    return Trial(conditions, words, printed, asked.family, point, worth)
 
 
 def without_correlation(asked: Asked) -> list[Trial]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from radartrack.derive.catalogue import UnknownQuantity
 from radartrack.derive.checking.check import check
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim, problems
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
@@ -19,6 +19,10 @@ def decide(claim: Claim) -> Verdict:
     Raises:
         UnreadableClaim: naming the claim.
     """
+    if claim.unreadable:
+        raise UnreadableClaim(claim.unreadable)
+    for problem in problems(claim):
+        raise UnreadableClaim(f"claim {claim.id!r}: {problem}")
     if claim.undecided:
         return Verdict(Outcome.UNDECIDED, claim.quantity, claim.printed, "", claim.undecided)
     try:

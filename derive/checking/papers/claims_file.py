@@ -5,6 +5,7 @@ Everything in a file is data; formulas are read by `radartrack.derive.reading`, 
 
 from __future__ import annotations
 
+import errno
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
@@ -12,11 +13,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from radartrack.derive.checking.rounding import PrintedNumber
+from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.unknown_names import CONSTANTS
+
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
 MAX_WHOLE = 10_000  # values of a range
+MAX_BITS = 133  # of a whole number: 40 digits, as in a formula
 ID = re.compile(r"[A-Za-z0-9_]+(?:[.-][A-Za-z0-9_]+)*")
 NUMBER = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,2})?")
+WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 UNITS = ("1", "%", "m", "km", "m^2", "s", "m/s", "m/s^2", "rad", "deg", "mrad")
 TRENDS = ("increasing", "decreasing", "convex", "concave")
 
@@ -28,7 +35,7 @@ class ClaimsError(ValueError):
 
 
 class UnreadableClaim(ValueError):
-    """A claim names a quantity that there is not, or holds a formula that cannot be read."""
+    """A claim has fields that do not fit, names a quantity that there is not, or holds an unreadable formula."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +64,7 @@ class Claim:
         equation: number in print.
         page: in print.
         note: what a reader should know, such as what is illegible.
+        unreadable: what is wrong with the fields in a file; nothing else of the claim is known then.
     """
 
     id: str
@@ -80,6 +88,7 @@ class Claim:
     equation: str = ""
     page: str = ""
     note: str = ""
+    unreadable: str = ""
 
     @property
     def is_formula(self) -> bool:
@@ -89,17 +98,21 @@ class Claim:
     @property
     def printed(self) -> str:
         """What the paper says, in one line."""
-        unit = f" {self.unit}" if self.unit not in {"", "1"} else ""
         bounds = (("at_most", "at most"), ("at_least", "at least"), ("crosses", "crosses"))
-        said = [f"{words} {getattr(self, name)}" for name, words in bounds if getattr(self, name)]
+        said = [f"{words} {self._in_unit(getattr(self, name))}" for name, words in bounds if getattr(self, name)]
         parts = [
             self.formula or self.latex,
-            f"{self.value}{unit}" if self.value else "",
+            self._in_unit(self.value) if self.value else "",
             f"at {self.maximum_over[0]} = {self.attained_at}" if self.attained_at and self.maximum_over else "",
             self.trend,
             *said,
         ]
         return " ".join(part for part in parts if part) or self.note
+
+    def _in_unit(self, number: str) -> str:
+        """A number with the unit; a formula in symbols has its own."""
+        has_unit = self.unit not in {"", "1"} and not set(WORD.findall(number)) - SPELLINGS.keys() - CONSTANTS.keys()
+        return f"{number} {self.unit}" if has_unit else number
 
     @property
     def settings(self) -> str:
@@ -116,21 +129,36 @@ class ClaimsFile:
     claims: tuple[Claim, ...]
 
 
-def read_claims(path: Path) -> ClaimsFile:
+def read_claims(path: Path, *, keep_unreadable: bool = False) -> ClaimsFile:
     """Read a claims file.
+
+    Args:
+        path: of the file, UTF-8.
+        keep_unreadable: whether a claim whose fields do not fit stands among the others, marked as unreadable,
+            instead of being an error of the whole file.
 
     Raises:
         ClaimsError: when it cannot be read, naming file, claim and field.
     """
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise ClaimsError(f"{path}: a claims file has at most {MAX_BYTES} bytes")
-        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+        data = tomllib.loads(_content(path).decode("utf-8-sig"))
     except OSError as error:
         raise ClaimsError(f"{path}: {error.strerror or error}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:  # a whole number of 5000 digits is a ValueError
         raise ClaimsError(f"{path}: not TOML: {error}") from None
-    return _file(data, str(path))
+    try:
+        return _file(data, str(path), keep_unreadable=keep_unreadable)
+    except ClaimsError as error:
+        raise ClaimsError(f"{path}: {error}") from None
+
+
+def _content(path: Path) -> bytes:
+    """All of a file that is not too large, whatever its size is said to be."""
+    with path.open("rb") as stream:
+        content = stream.read(MAX_BYTES + 1)
+    if len(content) > MAX_BYTES:
+        raise OSError(errno.EFBIG, f"a claims file has at most {MAX_BYTES} bytes")
+    return content
 
 
 def shipped() -> list[Path]:
@@ -138,46 +166,69 @@ def shipped() -> list[Path]:
     return sorted((Path(__file__).parents[2] / "claims").glob("*.toml"))
 
 
-def _file(data: Mapping[str, Any], name: str) -> ClaimsFile:
-    allowed = {"paper", "claim"}
-    if unknown := sorted(data.keys() - allowed):
-        raise ClaimsError(f"{name}: {unknown[0]} is no field of a claims file; allowed: paper, claim")
+def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> ClaimsFile:
+    if unknown := sorted(data.keys() - {"paper", "claim"}):
+        raise ClaimsError(f"{unknown[0][:80]} is no field of a claims file; allowed: paper, claim")
     if not isinstance(data.get("paper"), str) or not data["paper"].strip():
-        raise ClaimsError(f"{name}: paper must be text: author, title, year")
+        raise ClaimsError("paper must be text: author, title, year")
     tables = data.get("claim")
     if not isinstance(tables, list) or not tables or not all(isinstance(table, dict) for table in tables):
-        raise ClaimsError(f"{name}: claim must be one or more tables, each begun by [[claim]]")
+        raise ClaimsError("claim must be one or more tables, each begun by [[claim]]")
     if len(tables) > MAX_CLAIMS:
-        raise ClaimsError(f"{name}: at most {MAX_CLAIMS} claims are read, given {len(tables)}")
-    claims = tuple(_claim(table, f"{name}: claim {number}") for number, table in enumerate(tables, start=1))
-    _check_unique(claims, name)
-    return ClaimsFile(name, data["paper"].strip(), claims)
+        raise ClaimsError(f"at most {MAX_CLAIMS} claims are read, given {len(tables)}")
+    claims: dict[str, Claim] = {}
+    for number, table in enumerate(tables, start=1):
+        claim = _claim(table, number, claims, keep_unreadable=keep_unreadable)
+        claims[claim.id] = claim
+    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()))
 
 
-def _check_unique(claims: tuple[Claim, ...], name: str) -> None:
-    seen: set[str] = set()
-    for claim in claims:
-        if claim.id in seen:
-            raise ClaimsError(f"{name}: claim {claim.id}: id occurs twice; every id must be unique")
-        seen.add(claim.id)
+def _claim(table: Mapping[str, Any], number: int, before: Mapping[str, Claim], *, keep_unreadable: bool) -> Claim:
+    """A claim, or what stands for one that cannot be read."""
+    try:
+        return _read_claim(table, f"claim {number}", before)
+    except ClaimsError as error:
+        if not keep_unreadable:
+            raise
+        return Claim(f"claim.{number}" if _name(table) in {None, *before} else str(table["id"]), unreadable=str(error))
 
 
-def _claim(table: Mapping[str, Any], where: str) -> Claim:
+def _read_claim(table: Mapping[str, Any], where: str, before: Mapping[str, Claim]) -> Claim:
     if isinstance(table.get("id"), str):
-        where = f"{where.rpartition(' ')[0]} {table['id'][:80]!r}"
+        where = f"claim {_shown(table['id'])}"
     if unknown := sorted(table.keys() - _FIELDS.keys()):
-        raise ClaimsError(f"{where}: {unknown[0]} is no field of a claim; allowed: {', '.join(_FIELDS)}")
+        raise ClaimsError(f"{where}: {unknown[0][:80]} is no field of a claim; allowed: {', '.join(_FIELDS)}")
     if "id" not in table:
         raise ClaimsError(f"{where}: id is missing; every claim has one, such as smith.eq3")
-    values = {name: _FIELDS[name](value, f"{where}: {name}") for name, value in table.items()}
-    claim = Claim(**values)
-    for problem in _problems(claim):
+    for name, value in table.items():
+        if _is_huge(value):
+            raise ClaimsError(f"{where}: {name}: a whole number has at most 40 digits")
+    claim = Claim(**{name: _FIELDS[name](value, f"{where}: {name}") for name, value in table.items()})
+    if claim.id in before:
+        raise ClaimsError(f"{where}: id occurs twice; every id must be unique")
+    for problem in problems(claim):
         raise ClaimsError(f"{where}: {problem}")
     return claim
 
 
-def _problems(claim: Claim) -> Iterator[str]:
-    """What does not fit together."""
+def _name(table: Mapping[str, Any]) -> str | None:
+    name = table.get("id")
+    return name if isinstance(name, str) and ID.fullmatch(name) else None
+
+
+def _is_huge(value: object) -> bool:
+    """Whether a whole number within has more digits than are read, and more than Python would print."""
+    waiting = [value]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, int) and one.bit_length() > MAX_BITS:
+            return True
+        waiting.extend(one.values() if isinstance(one, dict) else one if isinstance(one, list) else ())
+    return False
+
+
+def problems(claim: Claim) -> Iterator[str]:
+    """What does not fit together in a claim."""
     if claim.undecided:
         if claim.is_formula or claim.value:
             yield "undecided excludes formula, latex and value"
@@ -186,8 +237,10 @@ def _problems(claim: Claim) -> Iterator[str]:
         yield "quantity is missing: a catalogue name, one entry of it, or an expression over several"
     kinds = _kinds(claim)
     if len(kinds) != 1:
-        yield f"exactly one of {', '.join(_KINDS)} is needed, given {' and '.join(kinds) or 'none'}"
+        given = " and ".join(kinds) or "none, or an empty one"
+        yield f"exactly one of {', '.join(_KINDS)} is needed, given {given}"
     yield from _misplaced(claim)
+    yield from _contradictory(claim)
 
 
 def _misplaced(claim: Claim) -> Iterator[str]:
@@ -198,12 +251,25 @@ def _misplaced(claim: Claim) -> Iterator[str]:
         yield "along is missing: the symbol and its values, such as along = { k = [3, 20] }"
     if claim.crosses and claim.along and len(claim.along[1]) != 2:
         yield "along of a crossing has two values: before it and after it"
+    if claim.along and (claim.value or claim.attained_at):
+        yield "along belongs to trend, crosses, at_most and at_least; a value has at"
     if claim.significant is not None and not claim.value:
         yield "significant needs value"
     if claim.is_formula and (claim.at or claim.along or claim.maximum_over):
         yield "at, along and maximum_over belong to numbers; conditions on a formula are written as given"
+    if claim.is_formula and claim.unit:
+        yield "unit belongs to numbers; a formula has the units of its symbols"
     if not claim.is_formula and (claim.given or claim.let):
         yield "given and let belong to formulas; numbers have at"
+
+
+def _contradictory(claim: Claim) -> Iterator[str]:
+    """Fields that set one thing twice, or say how a number rounds against its digits."""
+    symbols = [*claim.at, *(one[0] for one in (claim.along, claim.maximum_over) if one)]
+    for symbol in dict.fromkeys(one for one in symbols if symbols.count(one) > 1):
+        yield f"{symbol} is set twice: it has one value in at, or several in along or maximum_over"
+    if claim.value and not PrintedNumber(claim.value, claim.significant).counts_whole:
+        yield f"significant = {claim.significant} leaves digits of {claim.value} that are not zero"
 
 
 _KINDS = ("formula", "latex", "value", "attained_at", "trend", "crosses", "at_most", "at_least", "undecided")
@@ -261,7 +327,7 @@ def _formulas(value: object, where: str) -> dict[str, str]:
 
 
 def _formula(value: object, where: str) -> str:
-    if isinstance(value, bool) or not isinstance(value, int | str):
+    if isinstance(value, bool) or not isinstance(value, int | str) or not str(value).strip():
         raise ClaimsError(
             f'{where} must be a whole number or a formula in quotes, such as "0.5"; given {_shown(value)}'
         )
@@ -274,7 +340,7 @@ def _along(value: object, where: str) -> Along:
     ((symbol, values),) = value.items()
     if not isinstance(values, list) or not values:
         raise ClaimsError(f"{where}.{symbol} must be two whole numbers, from and to, or a list of formulas in quotes")
-    if all(isinstance(one, str) for one in values):
+    if all(isinstance(one, str) and one.strip() for one in values):
         return symbol, tuple(values)
     whole = len(values) == 2 and all(isinstance(one, int) and not isinstance(one, bool) for one in values)
     if not whole or not 0 < values[1] - values[0] <= MAX_WHOLE:

@@ -117,6 +117,8 @@ def refer(text: str) -> Reference:
     parts = {names[found[0]]: _part(_find(found["name"]), found["index"]) for found in _mentions(text)}
     if not parts:
         _find(text[:80].strip())
+    if taken := _PLACEHOLDER.search(text):
+        raise UnknownEntry(f"{text}: {taken[0]} is no symbol of any quantity")
     reference = Reference(text.strip(), _combination(text, names, parts), parts)
     try:
         _ = reference.dimensions

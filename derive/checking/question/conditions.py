@@ -2,10 +2,65 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.checking.domain import check_domain, check_domain_somewhere
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
+
+
+def resolved(conditions: Mapping[Variable, Expr]) -> dict[Symbol, Expr]:
+    """Conditions put into each other in the order of dependence, so that none names what another one sets.
+
+    Raises:
+        FormulaError: for a symbol that is set by itself, alone or by way of others, and for a value that it cannot
+            have.
+    """
+    waiting = dict(conditions)
+    found: dict[Symbol, Expr] = {}
+    while waiting:
+        symbol = next((one for one, value in waiting.items() if not value.free_symbols & waiting.keys()), None)
+        if symbol is None:
+            raise FormulaError(_circular(waiting))
+        found[symbol] = _put_in(found, symbol, waiting.pop(symbol))
+    check_domain({one: found[one] for one in conditions if not found[one].free_symbols}, "given")
+    for one in conditions:
+        check_domain_somewhere(one, found[one], "given")
+    return {one: found[one] for one in conditions}
+
+
+def check_defined(conditions: Mapping[Symbol, Expr], expressions: Iterable[Expr], what: str) -> None:
+    """Refuse conditions under which a formula divides by zero or is imaginary.
+
+    Raises:
+        FormulaError: naming the conditions.
+    """
+    if conditions and not all(is_real(under(conditions, expression)) for expression in expressions):
+        when = " and ".join(f"{symbol} = {value}" for symbol, value in conditions.items())
+        raise FormulaError(f"given: {what} has no value when {when}; leave a condition out, or choose another value")
+
+
+def _put_in(found: Mapping[Symbol, Expr], symbol: Variable, value: Expr) -> Expr:
+    closed = under(found, value)
+    if not is_real(closed):
+        raise FormulaError(f"given {symbol}: {value} has no value under the other conditions")
+    return closed
+
+
+def _circular(waiting: Mapping[Variable, Expr]) -> str:
+    """Why these conditions set nothing, and how to write what may be meant."""
+    itself = next((one for one, value in waiting.items() if one in value.free_symbols), None)
+    if itself is not None:
+        return (
+            f"given {itself}: {waiting[itself]} is a condition of {itself} on itself; a condition sets a symbol to a "
+            f"number or to other symbols. To write a formula in another variable, define that one: "
+            f"let new = {waiting[itself]}"
+        )
+    names = " and ".join(map(str, waiting))
+    return f"given: {names} are set by each other; leave one of these conditions out"
 
 
 def under(conditions: Mapping[Symbol, Expr], expression: Expr) -> Expr:
@@ -16,6 +71,13 @@ def under(conditions: Mapping[Symbol, Expr], expression: Expr) -> Expr:
 def zero(symbols: Sequence[Symbol]) -> dict[Symbol, Expr]:
     """The condition that all of these vanish."""
     return {symbol: sp.Integer(0) for symbol in symbols}
+
+
+def also_zero(conditions: Mapping[Symbol, Expr], symbols: Sequence[Symbol]) -> dict[Symbol, Expr] | None:
+    """Conditions and that all of these symbols vanish besides; None where a condition has no value then."""
+    vanishing = zero(symbols)
+    both = {symbol: under(vanishing, value) for symbol, value in conditions.items()} | vanishing
+    return both if all(map(is_real, both.values())) else None
 
 
 def when_zero(symbols: Sequence[Symbol]) -> str:

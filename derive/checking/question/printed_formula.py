@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 from radartrack.derive.checking.question.compared_quantity import Reference
+from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold
+from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.to_expression import Reader
 from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Sum, Tree
 from radartrack.derive.language.tensor import Index, Tensor
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.latex import read_latex
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr, Symbol
+
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+SHOWN = 40  # characters of a name that is refused
 
 
 @dataclass(frozen=True)
@@ -91,16 +98,17 @@ def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
     """The quantity's symbols, and the paper's own names for expressions in them.
 
     Raises:
-        FormulaError: for a definition that cannot be read, or a name that is already taken.
+        FormulaError: for a definition that cannot be read, or a name that is already taken or is none.
     """
     values: dict[str, Expr] = {symbol.name: symbol for symbol in reference.symbols}
     dimensions = {symbol.name: Dimension.of(symbol.unit) for symbol in reference.symbols}
     for name, definition in let.items():
+        _check_name(name)
         if name in values:
             raise FormulaError(f"let {name}: {name} is already a symbol of {reference.text}")
         known = Names(dict(values), dict(dimensions))
         tree, values[name] = _definition("let", name, definition, known)
-        dimensions[name] = _dimension(tree, known)
+        dimensions[name] = _dimension(f"let {name}", tree, known)
     return Names(values, dimensions)
 
 
@@ -108,15 +116,21 @@ def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbo
     """What symbols are replaced by under the conditions.
 
     Raises:
-        FormulaError: for a condition that cannot be read, or a name that is no symbol of the quantity.
+        FormulaError: for a condition that cannot be read, a name that is no symbol of the quantity, a value in another
+            unit, and where `resolved` raises it.
     """
     symbols = {symbol.name: symbol for symbol in reference.symbols}
-    conditions: dict[Symbol, Expr] = {}
+    known = Names(symbols, {name: Dimension.of(symbol.unit) for name, symbol in symbols.items()})
+    conditions: dict[Variable, Expr] = {}
+    trees: dict[str, Tree] = {}
     for name, value in given.items():
         if name not in symbols:
             raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
-        _, conditions[symbols[name]] = _definition("given", name, value, Names(symbols, {}))
-    return conditions
+        trees[name], conditions[symbols[name]] = _definition("given", name, value, known)
+    found = resolved(conditions)
+    for name, tree in trees.items():
+        _check_unit(name, tree, known)
+    return found
 
 
 def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) -> Printed:
@@ -170,11 +184,29 @@ def _definition(kind: str, name: str, text: str, known: Names) -> tuple[Tree, Ex
         raise FormulaError(f"{kind} {name}: {error.message}", error.source or text, error.span) from None
 
 
-def _dimension(tree: Tree, known: Names) -> Dimension:
+def _dimension(what: str, tree: Tree, known: Names) -> Dimension:
     try:
         return known.dimension_of(tree)
     except WrongDimensions as error:
-        raise FormulaError(f"a definition has no dimension: {error}") from None
+        raise FormulaError(f"{what}: it has no dimension: {error}") from None
+
+
+def _check_unit(name: str, tree: Tree, known: Names) -> None:
+    """Refuse a condition that sets a symbol to what has another unit."""
+    found, own = _dimension(f"given {name}", tree, known), known.dimensions[name]
+    if not found.free and not found.agrees(own):
+        raise FormulaError(f"given {name}: {to_text(tree)} has {found}, {name} has {own}; both need one unit")
+
+
+def _check_name(name: str) -> None:
+    """Refuse what no formula is read to contain."""
+    if name in SPELLINGS:
+        raise FormulaError(f"let {name}: {name} is a function; define another name")
+    if not NAME.fullmatch(name):
+        raise FormulaError(
+            f"let {name[:SHOWN]}: a name is letters, digits and _, and begins with no digit; "
+            r"\dot{x} is defined as xdot, \sigma_\theta as sigma_theta, and g(x) cannot be defined"
+        )
 
 
 def _spoken(one: Index) -> str:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from operator import sub, truediv
 from typing import TypeAlias
 
@@ -154,6 +155,8 @@ class Search:
     def _single(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Candidate]:
         for part in self._parts(tree, besides):
             for edit in self._replacements(part):
+                if edit.tree == part.node:  # no edit, though what is right in floating point seems one
+                    continue
                 yield Candidate(replace_at(tree, part.path, edit.tree), edit.words, edit.cost)
 
     def _double(self, tree: Tree) -> Iterator[Candidate]:
@@ -248,7 +251,7 @@ class Search:
         if not _is_number(part.node) or (isinstance(part.node, Number) and isinstance(part.parent, Negation)):
             return
         monomial = self._fitter.fit(part.needed)
-        if monomial is not None and monomial.is_number:
+        if monomial is not None and monomial.is_number and monomial.number != _value(part.node):
             tree = number_tree(monomial.number)
             cost = 1.0 if monomial.number > 0 else 1.6
             yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
@@ -316,6 +319,19 @@ def _is_number(tree: Tree) -> bool:
     if isinstance(tree, Negation | Quotient):
         return all(isinstance(child, Number) for child in children(tree))
     return isinstance(tree, Number)
+
+
+def _value(tree: Tree) -> Fraction | None:
+    """That of a rational number as it is written."""
+    match tree:
+        case Number():
+            return tree.value
+        case Negation(Number() as operand):
+            return -operand.value
+        case Quotient(Number() as above, Number() as below) if below.value:
+            return above.value / below.value
+        case _:
+            return None
 
 
 def _signed(tree: Tree, sign: int) -> Tree:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from enum import StrEnum
@@ -30,7 +31,7 @@ class Counterexample:
         printed: the value of the printed formula; None where it has no real one.
         derived: the value of the derived one.
         relative_difference: |printed - derived| / |derived|; by the printed value where the derived one is zero; None
-            where the printed one is not real.
+            where the printed one is not real, and in a record where it is beyond the numbers of a machine.
         units: of the symbols.
         largest_relative_difference: the largest found over the domain of the quantity. That of a vector's entry is
             taken relative to its norm, that of a covariance to the root of the product of the variances.
@@ -98,5 +99,18 @@ class Verdict:
         return self.verdict in {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}
 
     def record(self) -> dict[str, Any]:
-        """The verdict as plain data for JSON."""
-        return asdict(self) | {"verdict": self.verdict.value}
+        """The verdict as plain data for JSON, which has no infinity: a number beyond those of a machine is null."""
+        record: dict[str, Any] = _finite(asdict(self) | {"verdict": self.verdict.value})
+        return record
+
+
+def _finite(data: Any) -> Any:
+    match data:
+        case dict():
+            return {key: _finite(value) for key, value in data.items()}
+        case list() | tuple():
+            return [_finite(value) for value in data]
+        case float() if not math.isfinite(data):
+            return None
+        case _:
+            return data

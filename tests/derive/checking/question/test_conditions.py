@@ -1,0 +1,155 @@
+"""Conditions and definitions: what they may be, and that they are put into each other in the order of dependence."""
+
+from collections.abc import Mapping
+from itertools import permutations
+
+import pytest
+
+from radartrack.derive.checking.papers.audit import decide
+from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.question.compared_quantity import refer
+
+COVARIANCE = "polar.covariance.linear[0,0]"
+PRINTED = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"
+
+
+def _decided(given: Mapping[str, str], *, quantity: str = COVARIANCE, formula: str = PRINTED) -> str:
+    return str(decide(Claim("a", quantity, formula=formula, given=given)).verdict)
+
+
+@pytest.mark.parametrize("order", list(permutations(["r", "sigma_r", "sigma_beta", "rho"])))
+def test_conditions_are_applied_in_the_order_of_dependence(order: tuple[str, ...]) -> None:
+    conditions = {"r": "2*sigma_r", "sigma_r": "5", "sigma_beta": "sigma_r/r", "rho": "0"}
+    given = {name: conditions[name] for name in order}
+    formula = "100*(1/2)**2*sin(beta)**2 + 25*cos(beta)**2"
+    verdict = decide(Claim("a", COVARIANCE, formula=formula, given=given))
+    assert verdict.verdict == "equal"
+    assert set(verdict.conditions) == {"r = 10", "sigma_r = 5", "sigma_beta = 1/2", "rho = 0"}
+    assert not decide(Claim("a", COVARIANCE, formula=f"2*({formula})", given=given)).is_equal
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"rho": "rho"}, "given rho: .* on itself.* let"),
+        ({"beta": "pi/2 - beta"}, "given beta: .* on itself.* let"),
+        ({"r": "r^2"}, "given r: .* on itself.* let"),
+        ({"r": "2*r - sigma_r"}, "given r: .* on itself"),
+        ({"rho": "0", "sigma_r": "sqrt(sigma_r*r)"}, "given sigma_r: .* on itself"),
+        ({"r": "sigma_r", "sigma_r": "r"}, "r and sigma_r are set by each other"),
+        ({"r": "2*sigma_r", "rho": "0", "sigma_r": "r*sigma_beta", "sigma_beta": "sigma_r/r"}, "set by each other"),
+        ({"sigma_beta": "r"}, "given sigma_beta: r has m, sigma_beta has rad"),
+        ({"r": "sigma_beta"}, "given r: sigma_beta has rad, r has m"),
+        ({"r": "sigma_r**2"}, "given r: .* has m\\^2, r has m"),
+        ({"r": "1 + sigma_r"}, "given r: .* cannot be added"),
+        ({"beta": "sin(r)"}, "given beta: .* sin takes an angle"),
+        ({"r": "-5"}, "r = -5 is outside the domain of r: at least 0 m"),
+        ({"rho": "2"}, "rho = 2 is outside the domain of rho"),
+        ({"r": "-sigma_r"}, "r = -sigma_r is outside the domain of r everywhere"),
+        ({"rho": "1 + sigma_beta"}, "outside the domain of rho everywhere"),
+        ({"sigma_r": "1", "r": "-2*sigma_r"}, "r = -2 is outside the domain of r"),
+        ({"sigma_r": "0", "r": "1/sigma_r"}, "no value under the other conditions|cannot|no real"),
+        ({"r": "1/0"}, "given r: this divides by zero"),
+        ({"r": "sqrt(-1)"}, "given r: this is not a real number"),
+        ({"q": "1"}, "given q: the symbols of"),
+    ],
+)
+def test_a_condition_that_sets_nothing_or_what_cannot_be_is_refused_with_a_word(
+    given: dict[str, str], said: str
+) -> None:
+    with pytest.raises(UnreadableClaim, match=said):
+        _decided(given)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "formula", "given"),
+    [
+        ("observe.polar.map[1]", "0", {"x": "0", "y": "0"}),
+        ("line.slope", "0", {"S_xy": "0"}),
+        (COVARIANCE, PRINTED + "*rho/sigma_beta", {"sigma_beta": "0"}),
+        (COVARIANCE, "log(rho)", {"rho": "0"}),
+        (COVARIANCE, "sqrt(rho)", {"rho": "-1"}),
+        ("finite_sample.degree2.range.covariance[1,1]", "sigma_r**2/T**2", {"k": "2"}),
+    ],
+)
+def test_conditions_under_which_a_formula_has_no_value_are_refused(
+    quantity: str, formula: str, given: dict[str, str]
+) -> None:
+    with pytest.raises(UnreadableClaim, match="has no value when"):
+        _decided(given, quantity=quantity, formula=formula)
+
+
+@pytest.mark.parametrize(
+    ("given", "formula"),
+    [
+        ({"rho": "0", "sigma_beta": "0"}, "sigma_r**2*cos(beta)**2"),
+        ({"rho": "0", "sigma_beta": "sigma_r/r"}, "sigma_r**2"),
+        ({"rho": "0", "beta": "pi/2"}, "r**2*sigma_beta**2"),
+        ({"rho": "-1", "beta": "5*pi"}, "sigma_r**2"),
+        ({"rho": "0", "r": "0"}, "sigma_r**2*cos(beta)**2"),
+    ],
+)
+def test_conditions_at_the_limits_and_between_symbols_hold(given: dict[str, str], formula: str) -> None:
+    assert _decided(given, formula=formula) == "equal"
+    assert _decided(given, formula=f"{formula} + sigma_r**2/7") == "differs"
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        *((name, "is a function") for name in ("sin", "tan", "sqrt", "abs", "ln", "arctan", "atan2")),
+        *((name, "letters, digits and _") for name in ("g(x)", "3b", r"\dot{x}", "a.b", "x'", "α", "a b", "", "x[0]")),
+    ],
+)
+def test_a_name_that_no_formula_holds_is_not_defined(name: str, said: str) -> None:
+    for latex in (False, True):
+        formula = {"latex": r"r\cos\beta"} if latex else {"formula": "r*cos(beta)"}
+        with pytest.raises(UnreadableClaim, match=said):
+            decide(Claim("a", "polar.map[0]", **formula, let={name: "r"}))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", ["x", "x_0", "R", "D_beta", "xdot", "lambda_theta", "_q"])
+def test_a_name_of_letters_digits_and_underscores_is_understood(name: str) -> None:
+    claim = Claim("a", "polar.map[0]", formula=f"{name}*cos(beta)", let={name: "r"})
+    assert decide(claim).verdict == "equal"
+
+
+@pytest.mark.parametrize("given", [{"sigma_beta": "rho"}, {"sigma_beta": "rho**2"}, {"sigma_r": "r/rho"}])
+@pytest.mark.parametrize("formula", [PRINTED, "r*cos(beta)", "r**2", "sigma_r**2*cos(beta)**2"])
+def test_what_follows_when_a_correlation_vanishes_is_put_into_the_conditions(
+    given: dict[str, str], formula: str
+) -> None:
+    verdict = decide(Claim("a", COVARIANCE, formula=formula, given=given))
+    helps = [remark for remark in verdict.remarks if "when rho = 0" in remark]
+    is_right = "sigma_r" not in given and _decided({"sigma_beta": "0", "rho": "0"}, formula=formula) == "equal"
+    assert bool(helps) is is_right
+
+
+def test_the_names_that_stand_for_quantities_are_no_symbols() -> None:
+    for quantity in ("polar.map[0] + quantity_1", "quantity_0 + polar.map[0]", "quantity_0*polar.map[0]/quantity_7"):
+        with pytest.raises(UnreadableClaim, match=r"quantity_\d is no symbol"):
+            decide(Claim("a", quantity, formula="r"))
+
+
+@pytest.mark.parametrize(
+    "quantity",
+    [
+        "polar.bias.second_order[1]",
+        "polar.covariance.second_order[1,1]",
+        "spherical.bias.second_order[0]",
+        "ruv.bias.second_order[2]",
+        "polar.covariance.linear[0,1]",
+    ],
+)
+def test_a_formula_that_is_right_without_correlation_gets_no_edit_that_changes_nothing(quantity: str) -> None:
+    printed = decide(Claim("a", quantity, formula="0", given=dict.fromkeys(_correlations(quantity), "0"))).derived
+    verdict = decide(Claim("a", quantity, formula=printed))
+    assert verdict.verdict == "differs"
+    for suggestion in verdict.suggestions:
+        before, _, after = suggestion.edit.partition(" should be ")
+        assert before != after.partition(" when ")[0]
+        assert " when " not in suggestion.edit
+
+
+def _correlations(quantity: str) -> list[str]:
+    return [symbol.name for symbol in refer(quantity).symbols if symbol.is_correlation]

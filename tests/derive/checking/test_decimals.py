@@ -1,0 +1,65 @@
+"""Decimals of a formula are compared at the digits that are printed."""
+
+import math
+from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radartrack.derive.checking.check import check
+
+fractions = st.builds(Fraction, st.integers(1, 40), st.sampled_from([3, 6, 7, 9, 12, 24, 30]))
+
+
+def _printed(value: Fraction, digits: int, how: str) -> str:
+    number = Decimal(value.numerator) / Decimal(value.denominator)
+    return str(number.quantize(Decimal(1).scaleb(number.adjusted() - digits + 1), how))
+
+
+@given(fractions, st.integers(6, 16), st.sampled_from([ROUND_HALF_EVEN, ROUND_DOWN]))
+def test_a_fraction_that_is_rounded_or_cut_off_is_equal_and_said_so(value: Fraction, digits: int, how: str) -> None:
+    printed = _printed(value, digits, how)
+    verdict = check(f"{value}*polar.map[0]", f"{printed}*r*cos(beta)")
+    assert verdict.verdict == "equal"
+    is_exact = Fraction(printed) == value
+    assert bool(verdict.remarks) is not is_exact
+    assert verdict.printed == f"{printed}*r*cos(beta)"
+
+
+@given(fractions, st.integers(6, 16), st.sampled_from([2, -2, 30, -1000]))
+def test_a_decimal_that_is_wrong_in_its_last_digits_differs(value: Fraction, digits: int, units: int) -> None:
+    printed = Decimal(_printed(value, digits, ROUND_DOWN))
+    digits_left = -int(printed.as_tuple().exponent)
+    wrong = printed + units * Decimal(1).scaleb(-digits_left)
+    assert check(f"{value}*polar.map[0]", f"{wrong}*r*cos(beta)").verdict == "differs"
+
+
+@pytest.mark.parametrize(
+    ("exact", "value"),
+    [
+        ("pi", math.pi),
+        ("pi/180", math.pi / 180),
+        ("2*pi/3", 2 * math.pi / 3),
+        ("sqrt(2)", 2**0.5),
+        ("sqrt(1/2)", 0.5**0.5),
+    ],
+)
+@pytest.mark.parametrize("digits", [7, 10, 16, 17])
+def test_a_multiple_of_pi_and_a_root_are_known_by_their_digits(exact: str, value: float, digits: int) -> None:
+    formula = f"{value:.{digits}g}*r*cos(beta)"
+    verdict = check(f"{exact}*polar.map[0]", formula)
+    assert verdict.verdict == "equal"
+    assert "is taken as" in verdict.remarks[0]
+
+
+@pytest.mark.parametrize("printed", ["0.333", "0.33", "0.3", "0.34"])
+def test_a_decimal_of_few_digits_is_no_fraction(printed: str) -> None:
+    assert check("polar.map[0]/3", f"{printed}*r*cos(beta)").verdict == "differs"
+
+
+def test_several_decimals_and_arrays_are_compared_together() -> None:
+    verdict = check("polar.map/3", "[0.33333333*r*cos(beta), 0.666666667*r*sin(beta)/2.0]")
+    assert verdict.verdict == "equal"
+    assert check("polar.map/3", "[0.33333333*r*cos(beta), 0.666666667*r*sin(beta)]").verdict == "differs"
