@@ -18,11 +18,11 @@ from numpy.typing import ArrayLike
 
 from radartrack import convert
 from radartrack._arrays.prediction import Predicted
+from radartrack._arrays.semidefinite import ROUNDING, are_sound
 from radartrack._arrays.sensors import SENSORS, Sensor, SensorName
 from radartrack._arrays.validation import RealArray, number_between, one_of, real_arrays, whole_number
 from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
-from radartrack.semidefinite import ROUNDING, are_sound
 from radartrack.simulate import noise_covariance, scatter
 
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]

@@ -23,8 +23,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack import semidefinite
-from radartrack._arrays import machine_code
+from radartrack._arrays import machine_code, semidefinite
 from radartrack._arrays.batches import BLOCK, fill
 from radartrack._arrays.one_plot import one_plot
 from radartrack._arrays.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments

@@ -18,7 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack import kalman, patterns
+from radartrack import kalman
+from radartrack._arrays import patterns
 from radartrack._arrays.normal_equations import Sample, Solution, solve
 from radartrack._arrays.row_products import Product, rowwise_product
 from radartrack._arrays.validation import (

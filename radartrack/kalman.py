@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack import patterns
+from radartrack._arrays import patterns
 from radartrack._arrays.validation import (
     RealArray,
     positive_number,

@@ -17,7 +17,9 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack import bounded_archive, line
+from radartrack import line
+from radartrack._arrays import bounded_archive
+from radartrack._arrays.bounded_archive import ArchiveError, Stored
 from radartrack._arrays.validation import (
     ANGLE,
     RANGE,
@@ -29,7 +31,6 @@ from radartrack._arrays.validation import (
     require_within,
 )
 from radartrack._regeneration.directory_swap import replace_file
-from radartrack.bounded_archive import ArchiveError, Stored
 from radartrack.generated import line as formulas
 
 Floats: TypeAlias = NDArray[np.float64]

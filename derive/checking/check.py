@@ -22,11 +22,11 @@ from radartrack.derive.checking.comparing.points import domain_points, generic_p
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.decimals import meant
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.conditions import also_zero, check_defined, under, when_zero
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict

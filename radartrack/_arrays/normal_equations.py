@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from radartrack._arrays.exact_fit import exact_fit
 from radartrack._arrays.validation import RealArray
-from radartrack.exact_fit import exact_fit
 
 Mask = NDArray[np.bool_]
 WELL_RESOLVED = 1e-6  # rounding leaves 1e-15 of a column that depends on others; a share of 1e-6 keeps nine digits

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from radartrack._arrays.semidefinite import is_plain
 from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import RealArray
-from radartrack.semidefinite import is_plain
 
 PLAIN = frozenset({float, int, np.float64})
 

@@ -16,6 +16,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from radartrack._arrays.semidefinite import cast, without_nothing
 from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import (
     RealArray,
@@ -23,7 +24,6 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
-from radartrack.semidefinite import cast, without_nothing
 
 Prediction: TypeAlias = tuple[ArrayLike, ArrayLike]
 

@@ -22,7 +22,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from radartrack import VarianceTable, bounded_archive, variance_table
+from radartrack import VarianceTable, variance_table
+from radartrack._arrays import bounded_archive
 from radartrack.variance_table import Contributions, VarianceTableError
 
 Array = NDArray[Any]

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.rounding import PrintedNumber
+from radartrack.derive.checking.papers.printed_number import PrintedNumber
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.unknown_names import CONSTANTS
 

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from radartrack.derive.checking.exact import Exact, NoRealValue, Undecidable, compared, order, sign_of
+from radartrack.derive.checking.papers.claim_setting import HERE, Place, Setting
 from radartrack.derive.checking.papers.claims_file import Along, Claim
+from radartrack.derive.checking.papers.printed_number import PrintedNumber, shown, shown_apart
 from radartrack.derive.checking.question.formula_units import WrongDimensions
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
-from radartrack.derive.checking.rounding import PrintedNumber, shown, shown_apart
-from radartrack.derive.checking.setting import HERE, Place, Setting
+from radartrack.derive.evaluation.exact_numbers import Exact, NoRealValue, Undecidable, compared, order, sign_of
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.formula.error import FormulaError
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.domain import check_domain, check_domain_somewhere
+from radartrack.derive.checking.question.possible_values import check_domain, check_domain_somewhere
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.language.variable import Variable

@@ -9,13 +9,13 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.domain import check_domain
-from radartrack.derive.checking.exact import Exact, Function, NoRealValue, compared, order
 from radartrack.derive.checking.papers.claims_file import Along, Claim
+from radartrack.derive.checking.papers.printed_number import in_unit
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.possible_values import check_domain
 from radartrack.derive.checking.question.single_number import scalar_expression
-from radartrack.derive.checking.rounding import in_unit
+from radartrack.derive.evaluation.exact_numbers import Exact, Function, NoRealValue, compared, order
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.variable import Variable

@@ -11,8 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack import semidefinite
-from radartrack._arrays import machine_code
+from radartrack._arrays import machine_code, semidefinite
 from radartrack._arrays.sensors import SENSORS as SENSOR
 from radartrack.convert import Converted, Method
 from radartrack.derive.catalogue import catalogue
