@@ -30,7 +30,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
-from radartrack._regeneration.directory_swap import replace_file
+from radartrack._system.directory_swap import replace_file
 from radartrack.generated import line as formulas
 
 Floats: TypeAlias = NDArray[np.float64]

@@ -18,7 +18,6 @@ from radartrack.derive.checking.comparing.counterexample import (
 from radartrack.derive.checking.comparing.difference_scale import squared_scale
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values
 from radartrack.derive.checking.comparing.order_of_difference import orders
-from radartrack.derive.checking.comparing.points import domain_points, generic_points, round_points
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
@@ -30,6 +29,7 @@ from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.evaluation.points import domain_points, generic_points, round_points
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol

@@ -15,8 +15,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from radartrack._regeneration.deriving_process import prepare
-from radartrack._regeneration.directory_swap import replace_directory, replace_file
+from radartrack._system.deriving_process import prepare
+from radartrack._system.directory_swap import replace_directory, replace_file
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity

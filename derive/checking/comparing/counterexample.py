@@ -10,10 +10,10 @@ from operator import itemgetter
 import mpmath
 
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values, is_real
-from radartrack.derive.checking.comparing.points import Point, domain_points, generic_points, round_points
 from radartrack.derive.checking.reporting.verdict import Counterexample
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.points import Point, domain_points, generic_points, round_points
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr

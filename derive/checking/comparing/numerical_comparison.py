@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import mpmath
 
-from radartrack.derive.checking.comparing.points import Point
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
+from radartrack.derive.evaluation.points import Point
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, Symbol
 

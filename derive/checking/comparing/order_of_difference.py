@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import mpmath
 
-from radartrack.derive.checking.comparing.points import generic_points
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol

@@ -8,11 +8,11 @@ from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.comparing.points import generic_points
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
+from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable

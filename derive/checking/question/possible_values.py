@@ -12,8 +12,8 @@ from contextlib import suppress
 from fractions import Fraction
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.comparing.points import domain_points, round_points
 from radartrack.derive.evaluation.exact_numbers import Function, NoRealValue, Undecidable, order
+from radartrack.derive.evaluation.points import domain_points, round_points
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
-from radartrack.derive.checking.comparing.points import domain_points, generic_points
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.printed_formula import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.points import domain_points, generic_points
 from radartrack.derive.evaluation.tree_values import Screen, Values
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold, rebuild

@@ -8,9 +8,9 @@ import sympy
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.comparing.counterexample import SAME, Relative, worst_over_domain
-from radartrack.derive.checking.comparing.points import domain_points, round_points
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.points import domain_points, round_points
 from radartrack.derive.language.tensor import Tensor
 
 NAMES = (

@@ -308,7 +308,7 @@ def test_killed_in_mid_write_the_directory_is_the_old_set_or_the_new_one(tmp_pat
     regeneration.write(target, old)
     code = (
         "import json, sys; from pathlib import Path; from radartrack._regeneration import regeneration;"
-        "from tests.radartrack._regeneration.replacements import kill_at; files = json.loads(sys.argv[2]);"
+        "from tests.radartrack._system.replacements import kill_at; files = json.loads(sys.argv[2]);"
         f"kill_at({step}); regeneration.write(Path(sys.argv[1]), files)"
     )
     killed = subprocess.run([sys.executable, "-c", code, str(target), json.dumps(new)], cwd=ROOT, check=False)

@@ -15,12 +15,12 @@ import sympy
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.check import Question
-from radartrack.derive.checking.comparing.points import domain_points, generic_points
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.printed_formula import Names, Printed, names_for
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
+from radartrack.derive.evaluation.points import domain_points, generic_points
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Tree

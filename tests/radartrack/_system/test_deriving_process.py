@@ -6,7 +6,7 @@ import sys
 
 def test_sympy_finds_what_it_is_told() -> None:
     code = (
-        "import gc, sys; from radartrack._regeneration.deriving_process import prepare;"
+        "import gc, sys; from radartrack._system.deriving_process import prepare;"
         "early = 'sympy' in sys.modules; prepare(); import radartrack._regeneration.regeneration;"
         "print(early, gc.isenabled(), sys.modules['sympy'].core.cache.SYMPY_CACHE_SIZE)"
     )

@@ -16,9 +16,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from radartrack._regeneration import directory_swap
-from radartrack._regeneration.directory_swap import replace_directory
-from tests.radartrack._regeneration.replacements import (
+from radartrack._system import directory_swap
+from radartrack._system.directory_swap import replace_directory
+from tests.radartrack._system.replacements import (
     NAMES,
     complete_set,
     fail,

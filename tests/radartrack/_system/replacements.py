@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from unittest import mock
 
-from radartrack._regeneration import directory_swap
+from radartrack._system import directory_swap
 
 NAMES = [f"{number}.py" for number in range(8)]
 PIECES = 3
