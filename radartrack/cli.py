@@ -2,8 +2,18 @@
 
 from __future__ import annotations
 
-import typer
+import importlib.metadata
+import traceback
+from collections.abc import Iterator
+from concurrent.futures import BrokenExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
 
+import typer
+from typer.core import TyperGroup
+
+from radartrack._system import terminal
 from radartrack.commands.audit import audit
 from radartrack.commands.check import check
 from radartrack.commands.list_quantities import list_quantities
@@ -12,12 +22,85 @@ from radartrack.commands.reproduce import reproduce
 from radartrack.commands.show import show
 from radartrack.commands.verify import verify
 
+CANNOT = 2  # read, write, or go on; 1 says that something was found to be wrong
+INTERRUPTED = 130
+
+
+class Commands(TyperGroup):
+    """The commands, on any terminal; what cannot be read or written ends them with one line."""
+
+    def main(self, *args: Any, **kwargs: Any) -> Any:
+        """Run a command line."""
+        terminal.prepare()
+        try:
+            return super().main(*args, **kwargs)
+        except OSError as error:  # where the usage or an error was to be shown
+            terminal.report_lost_output(error)
+            raise SystemExit(CANNOT) from None
+
+    def make_context(self, *args: Any, **kwargs: Any) -> Any:
+        """Read the command line; it may ask for help, which is then shown."""
+        with _failing_in_one_line():
+            return super().make_context(*args, **kwargs)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command."""
+        with _failing_in_one_line():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _failing_in_one_line() -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        terminal.report_lost_output(error)
+    except SystemExit:  # Rich, where a reader of the help went away
+        pass
+    except KeyboardInterrupt:
+        raise typer.Exit(INTERRUPTED) from None
+    except BrokenExecutor:
+        terminal.complain("A process that did a part of the work has ended before its time; is there enough memory?")
+    except Exception as error:
+        if isinstance(error, typer.Abort) or hasattr(error, "exit_code"):  # of the command line itself
+            raise
+        terminal.complain(_fault(error))
+    else:
+        return
+    raise typer.Exit(CANNOT)
+
+
+def _fault(error: Exception) -> str:
+    """What a report of the fault needs."""
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    said = f"{type(error).__name__}: {error}"
+    return f"This is a fault of radartrack, please report it: {said} ({Path(place.filename).name}, line {place.lineno})"
+
+
 app = typer.Typer(
+    cls=Commands,
     name="radartrack",
     help="Derive, generate, verify and check the formulas of radar tracking.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
+
+
+def _tell_version(asked: bool) -> None:
+    if asked:
+        terminal.say(f"radartrack {importlib.metadata.version('radartrack')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", help="Show the version and exit.", callback=_tell_version, is_eager=True)
+    ] = False,
+) -> None:
+    """What belongs to no command."""
+
+
 app.command()(regenerate)
 app.command(name="list")(list_quantities)
 app.command()(show)

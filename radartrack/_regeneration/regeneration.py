@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import difflib
+import errno
 import importlib.util
 import json
 import math
+import os
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from radartrack._system import written_files
 from radartrack._system.deriving_process import prepare
 from radartrack._system.directory_swap import replace_directory, replace_file
+from radartrack._system.worker_processes import Workers, ended_on_failure
+from radartrack._system.written_files import Owners
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
@@ -66,6 +70,9 @@ class Accuracy:
         )
 
 
+Record = dict[str, Accuracy]  # by quantity
+
+
 @dataclass(frozen=True)
 class Derived:
     """A quantity as code and as a formula to read."""
@@ -89,14 +96,22 @@ class Derivation:
 
 def source_directory() -> Path | None:
     """`generated/` of the source checkout that this package is imported from; None for an installed wheel."""
-    here = importlib.util.find_spec("radartrack.generated")
-    places = list(here.submodule_search_locations or ()) if here else []
-    folder = Path(places[0]) if places else Path()
+    folder = _package()
     return folder if _is_of_checkout(folder) else None
 
 
+def _package() -> Path:
+    """Where `radartrack.generated` is imported from."""
+    here = importlib.util.find_spec("radartrack.generated")
+    places = list(here.submodule_search_locations or ()) if here else []
+    return Path(places[0]) if places else Path(__file__).with_name("generated")
+
+
 def _is_of_checkout(folder: Path) -> bool:
-    return folder.name == "generated" and (folder.parent / "pyproject.toml").exists()
+    """Whether it is the one of this package, with its project around it; a user's own folder may be called the same."""
+    package = Path(os.path.realpath(_package()))
+    of_checkout = package.name == "generated" and (package.parent / "pyproject.toml").exists()
+    return of_checkout and Path(os.path.realpath(folder)) == package
 
 
 def place(directory: Path, name: str) -> Path:
@@ -104,9 +119,15 @@ def place(directory: Path, name: str) -> Path:
     return directory.parent / "docs" / name if name == BOOK and _is_of_checkout(directory) else directory / name
 
 
-def is_ours(directory: Path) -> bool:
-    """Whether a directory may be replaced: it is not there, empty, or holds a record of generated code."""
-    return not directory.exists() or not any(directory.iterdir()) or (directory / RECORD).exists()
+def owners(directory: Path) -> Owners:
+    """Whose the files of a directory are; those that come with the package are ours wherever they are found."""
+    return written_files.owners(directory, written_files.read_record(_package()))
+
+
+def may_be_written(directory: Path) -> bool:
+    """Whether a directory is for generated code: by the record in it, or because it holds nothing else."""
+    found = owners(directory)
+    return found.recorded or not found.others or _is_of_checkout(directory)
 
 
 class NoModel(ValueError):
@@ -124,7 +145,7 @@ def load_model(path: Path) -> Model:
         raise NoModel(f"--model must be a Python file; {path} is none")
     try:
         model = getattr(_executed(spec), "MODEL", None)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise NoModel(f"{path} does not run: {type(error).__name__}: {error}") from error
     if not isinstance(model, Model):
         raise NoModel(f"{path} must define MODEL = radartrack.derive.Model(...); MODEL is {model!r}")
@@ -138,7 +159,7 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
     """
     tasks = _tasks(quantities)
     if quantities == catalogue():
-        with ProcessPoolExecutor(mp_context=get_context("spawn"), initializer=prepare) as pool:
+        with ended_on_failure(Workers(mp_context=get_context("spawn"), initializer=prepare)) as pool:
             done = _told(tasks, pool.map(_of_catalogue, tasks, chunksize=CHUNK), step)
     else:
         done = _told(tasks, (_done(task, quantities) for task in tasks), step)
@@ -180,26 +201,35 @@ def written(quantity: Quantity) -> Written:
     return body(quantity, form), formula(quantity, form)
 
 
-def read_record(directory: Path) -> dict[str, Accuracy]:
+def read_record(directory: Path) -> Record:
     """The accuracy measured before, by quantity; empty where there is none or it cannot be read."""
     try:
-        stored = json.loads((directory / RECORD).read_text())
+        stored = json.loads((directory / RECORD).read_bytes())
         return {name: Accuracy(str(row["code"]), float(row["ulp"])) for name, row in stored.items()}
     except (OSError, ValueError, TypeError, KeyError, AttributeError):
         return {}
 
 
-def as_recorded(functions: Iterable[Function], record: Mapping[str, Accuracy]) -> dict[str, Accuracy]:
-    """The accuracy of each function where the record knows exactly this code; else it is NaN, not measured."""
-    return {
-        f.quantity.name: record[f.quantity.name]
-        if f.quantity.name in record and record[f.quantity.name].code == f.digest
-        else Accuracy(f.digest, math.nan)
-        for f in functions
-    }
+def read_records(directory: Path, quantities: Mapping[str, Quantity]) -> list[Record]:
+    """What is known of quantities: the record in the directory and, for the catalogue, the one in the package."""
+    known = catalogue()
+    shipped = read_record(_package())
+    same = {name: shipped[name] for name in quantities.keys() & shipped if quantities[name] is known.get(name)}
+    return [read_record(directory), same]
 
 
-def with_measured(functions: Iterable[Function], known: Mapping[str, Accuracy], step: Step) -> dict[str, Accuracy]:
+def as_recorded(functions: Iterable[Function], records: Sequence[Record]) -> Record:
+    """The accuracy of each function from the first record that knows its very code; else it is NaN, not measured."""
+    return {function.quantity.name: _recorded(function, records) for function in functions}
+
+
+def _recorded(function: Function, records: Sequence[Record]) -> Accuracy:
+    known = (record.get(function.quantity.name) for record in records)
+    fitting = (accuracy for accuracy in known if accuracy is not None and accuracy.code == function.digest)
+    return next(fitting, Accuracy(function.digest, math.nan))
+
+
+def with_measured(functions: Iterable[Function], known: Sequence[Record], step: Step) -> Record:
     """The same with the missing measurements made."""
     by_name = {function.quantity.name: function for function in functions}
     record = as_recorded(by_name.values(), known)
@@ -219,8 +249,8 @@ def measure(module: ModuleType, quantity: Quantity) -> float:
     return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
 
 
-def texts(derivation: Derivation, record: Mapping[str, Accuracy]) -> Files:
-    """The files of the generated package, and the formula book."""
+def texts(derivation: Derivation, record: Record) -> Files:
+    """The files of the generated package, the formula book, and the record of all of them."""
     rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
     pages = [
         Page(derived.function.quantity, derived.formula, record[derived.function.quantity.name].sentence)
@@ -236,7 +266,7 @@ def texts(derivation: Derivation, record: Mapping[str, Accuracy]) -> Files:
     if derivation.conversions:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
-    return files
+    return files | {written_files.RECORD: written_files.record(files)}
 
 
 def differences(directory: Path, expected: Files) -> Iterator[str]:
@@ -249,22 +279,62 @@ def differences(directory: Path, expected: Files) -> Iterator[str]:
 
 
 def orphans(directory: Path, expected: Files) -> list[str]:
-    """The names of what stands in the directory and no derivation owns."""
-    owned = {place(directory, name) for name in expected} | {directory / "__pycache__"}
-    return sorted(path.name for path in set(directory.glob("*")) - owned)
+    """The names of what was written to the directory and no derivation owns any more; not what was edited since."""
+    return sorted(owners(directory).ours - expected.keys())
 
 
-def write(directory: Path, files: Files) -> None:
-    """Replace the directory in one step: whoever looks sees the old set or the new one."""
+def names(quantities: Mapping[str, Quantity]) -> set[str]:
+    """Of the files that are written for quantities; as in `texts`, before anything is derived."""
+    conversions = {"conversions.py", "loops.py"} if conversions_of(quantities) else set()
+    modules = {f"{quantity.module}.py" for quantity in quantities.values()}
+    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions
+
+
+def in_the_way(directory: Path, wanted: Collection[str]) -> list[str]:
+    """The names that are to be written and are somebody else's."""
+    return [] if _is_of_checkout(directory) else sorted(owners(directory).others.intersection(wanted))
+
+
+def kept(directory: Path, files: Files) -> list[str]:
+    """The names of what is not ours, or not any more, and stays where it is."""
+    found = owners(directory)
+    return sorted((found.others | found.edited) - files.keys())
+
+
+def edited(directory: Path, files: Files) -> list[str]:
+    """The names of what was edited since it was written, and is written anew; a checkout keeps a history of its own."""
+    return [] if _is_of_checkout(directory) else sorted(owners(directory).edited & files.keys())
+
+
+def write(directory: Path, files: Files) -> Path | None:
+    """Replace the directory in one step: whoever looks sees the old set or the new one, and what is kept in both.
+
+    Returns:
+        Where what was edited is kept; None when nothing was.
+
+    Raises:
+        OSError: naming the directory or file, when it cannot be written or is somebody else's; all is then as before.
+    """
+    if others := in_the_way(directory, files):
+        raise FileExistsError(errno.EEXIST, "this was not written by this command", str(directory / others[0]))
+    changed = edited(directory, files)
     beside = {name: place(directory, name) for name in files if place(directory, name).parent == directory}
+    stay = kept(directory, files) + [name for name in (written_files.CACHE,) if (directory / name).is_dir()]
 
     def fill(folder: Path) -> None:
         for name in beside:
-            (folder / name).write_text(files[name], newline="\n")
+            (folder / name).write_bytes(files[name].encode())
+        written_files.keep(directory, stay, folder)
 
-    replace_directory(directory, fill)
-    for name in files.keys() - beside.keys():
-        replace_file(place(directory, name), files[name])
+    try:
+        directory.parent.mkdir(parents=True, exist_ok=True)
+        aside = written_files.keep_beside(directory, changed) if changed else None
+        replace_directory(directory, fill)
+        for name in files.keys() - beside.keys():
+            replace_file(place(directory, name), files[name])
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, error.filename or str(directory)) from None
+    return aside
 
 
 def _difference(path: Path, expected: str) -> str:
@@ -279,7 +349,7 @@ def _difference(path: Path, expected: str) -> str:
     return shown or ("" if found == expected else f"{path.name}: line endings differ\n")
 
 
-def _modules(functions: Iterable[Function], record: Mapping[str, Accuracy]) -> Files:
+def _modules(functions: Iterable[Function], record: Record) -> Files:
     by_module: dict[str, list[Function]] = {}
     for function in functions:
         by_module.setdefault(function.quantity.module, []).append(function)
@@ -295,7 +365,7 @@ def _load(files: Files, folder: Path) -> dict[str, ModuleType]:
     modules: dict[str, ModuleType] = {}
     for name, text in files.items():
         path = folder / name
-        path.write_text(text)
+        path.write_bytes(text.encode())
         spec = importlib.util.spec_from_file_location(f"_measured_{path.stem}", path)
         modules[path.stem] = _executed(spec)
     return modules

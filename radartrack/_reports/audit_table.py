@@ -16,6 +16,7 @@ from rich.table import Table
 from rich.text import Text
 
 from radartrack._reports import audit_text
+from radartrack._system import terminal
 
 STYLES = {
     "equal": "green",
@@ -34,7 +35,8 @@ Record = Mapping[str, Any]
 
 
 def show(paper: Mapping[str, Any], console: Console) -> None:
-    """Print the verdicts on one paper."""
+    """Print the verdicts on one paper; what comes from its file is made harmless."""
+    paper = terminal.shown(paper)
     records = paper["claims"]
     console.print(f"\n[bold]{escape(shorten(paper['paper'], console.width, placeholder=' …'))}[/bold]", highlight=False)
     for line in _lines(records, console.width):

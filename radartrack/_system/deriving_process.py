@@ -3,8 +3,11 @@
 import gc
 import os
 
+from radartrack._system.worker_processes import serve
+
 
 def prepare() -> None:
-    """It ends soon, and what SymPy makes is kept: no search for garbage, and room for what a catalogue needs."""
+    """It ends soon, with its parent at the latest, and what SymPy makes is kept: no search for garbage, much room."""
+    serve()
     gc.disable()
     os.environ.setdefault("SYMPY_CACHE_SIZE", "10000")

@@ -9,8 +9,9 @@ killed between them leaves the target missing, and the new directory complete be
 begins by putting it in place. Where not even a rename is possible (an overlay with the directory in a lower
 layer), the old directory is deleted instead, and that moment lasts as long as the deletion.
 
-Only names of the form `.NAME.swap-*` are used beside the target, and what a killed process leaves under them
-goes with the next replacement. On Windows nothing is flushed: the promise does not extend to a power failure.
+Only names of the form `.NAME.swap-*` are used beside the target directory. What a killed process leaves under them
+goes with the next replacement, which knows it by what the lock says; what else is called so is left alone. On Windows
+nothing is flushed: the promise does not extend to a power failure.
 """
 
 import contextlib
@@ -32,6 +33,7 @@ _CANNOT_EXCHANGE = {errno.ENOSYS, errno.EINVAL, errno.ENOTSUP, errno.EOPNOTSUPP,
 _AT_FDCWD = -100
 _RENAME_EXCHANGE = 2
 _RENAME_SWAP = 2
+_LOCKED = b"radartrack is replacing a directory; what is beside this file is a part of that.\n"
 
 
 def replace_directory(target: Path, write: Callable[[Path], None]) -> None:
@@ -42,6 +44,7 @@ def replace_directory(target: Path, write: Callable[[Path], None]) -> None:
     Raises:
         NotADirectoryError: there is something other than a directory at `target`.
         BlockingIOError: it is being replaced by somebody else at this moment.
+        FileExistsError: something is called as what is written beside the target, and is not known as a remainder.
         OSError: the file system refuses.
         Exception: whatever `write` raises; the target is then as before.
 
@@ -49,8 +52,11 @@ def replace_directory(target: Path, write: Callable[[Path], None]) -> None:
     target = target.resolve()
     if target.exists() and not target.is_dir():
         raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), str(target))
-    with _locked(target):
-        _clean_up(target)
+    with _locked(target) as left_behind:
+        if left_behind:
+            _clean_up(target)
+        else:
+            _refuse_others(target)
         try:
             new = _beside(target, "new")
             new.mkdir()
@@ -70,7 +76,7 @@ def replace_file(target: Path, content: str | bytes) -> None:
         OSError: the file system refuses.
 
     """
-    target = target.resolve()
+    target = Path(os.path.realpath(target))
     new = target.with_name(f".swap-{secrets.token_hex(8)}")
     try:
         with new.open("xb") as file:
@@ -95,6 +101,12 @@ def _clean_up(target: Path) -> None:
         _install(target)
     _discard(_beside(target, "new"))
     _discard(_beside(target, "old"))
+
+
+def _refuse_others(target: Path) -> None:
+    for path in (_beside(target, role) for role in ("new", "old", "ready")):
+        if os.path.lexists(path):
+            raise FileExistsError(errno.EEXIST, "this is in the way, and nothing says that it may go", str(path))
 
 
 def _put_in_place(new: Path, target: Path) -> None:
@@ -147,9 +159,12 @@ def _flush(*paths: Path) -> None:
     if sys.platform == "win32":
         return
     for path in paths:
-        if path.is_symlink():
+        if path.is_symlink() or not (path.is_file() or path.is_dir()):
             continue
-        descriptor = os.open(path, os.O_RDONLY)
+        try:
+            descriptor = os.open(path, os.O_RDONLY)
+        except PermissionError:  # not written here: a file that is kept
+            continue
         try:
             os.fsync(descriptor)
         finally:
@@ -157,16 +172,24 @@ def _flush(*paths: Path) -> None:
 
 
 @contextlib.contextmanager
-def _locked(target: Path) -> Iterator[None]:
+def _locked(target: Path) -> Iterator[bool]:
+    """Hold the lock; True when a process that was killed held it before."""
     path = _beside(target, "lock")
     descriptor = _lock(path)
     while not _is_at(descriptor, path):  # whoever held it before has removed the file after we opened it
         os.close(descriptor)
         descriptor = _lock(path)
+    found = os.read(descriptor, len(_LOCKED) + 1)
+    if not _LOCKED.startswith(found):
+        os.close(descriptor)
+        raise FileExistsError(errno.EEXIST, "this is in the way, and is no lock", str(path))
     try:
-        yield
+        os.write(descriptor, _LOCKED[len(found) :])
+        yield bool(found)
     finally:
-        if sys.platform != "win32":
+        if sys.platform == "win32":
+            os.ftruncate(descriptor, 0)
+        else:
             path.unlink()
         os.close(descriptor)
 

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from radartrack._system import output_files, terminal
 
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile
 
 PROCESSES = 2
-PLAIN_WIDTH = 120  # in a file or a pipe
 
 
 def audit(
@@ -31,26 +29,29 @@ def audit(
 ) -> None:
     """Check every formula and number of a paper; a verdict that is not `equal` is no failure of the command.
 
-    Exit 0, or 2 when a file or a claim in it cannot be read.
+    Exit 0, or 2 when a file or a claim in it cannot be read, or a result cannot be written.
     """
     from radartrack._reports import audit_page, audit_table
     from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims, shipped
 
+    output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, kept=files or ())
     try:
         papers = [read_claims(path, keep_unreadable=True) for path in files or shipped()]
     except ClaimsError as error:
-        typer.echo(str(error), err=True)
+        terminal.complain(str(error))
         raise typer.Exit(2) from None
     audits, problems = decided(papers, timeout, typeset=html_out is not None)
-    console = Console() if sys.stdout.isatty() else Console(width=PLAIN_WIDTH)
-    for paper in audits:
-        audit_table.show(paper, console)
-    if json_out is not None:
-        _write(json_out, json.dumps({"papers": audits}, indent=2, ensure_ascii=False) + "\n")
-    if html_out is not None:
-        _write(html_out, audit_page.page(audits))
-    for problem in problems:
-        typer.echo(problem, err=True)
+    try:
+        if json_out is not None:
+            output_files.write(json_out, output_files.json_text({"papers": audits}))
+        if html_out is not None:
+            output_files.write(html_out, audit_page.page(audits))
+    finally:  # what was decided is told in any case
+        console = terminal.console()
+        for paper in audits:
+            audit_table.show(paper, console)
+        for problem in problems:
+            terminal.complain(problem)
     if problems:
         raise typer.Exit(2)
 
@@ -81,18 +82,11 @@ def _decided(claims: list[Claim], timeout: float, *, typeset: bool) -> tuple[lis
     return records, errors
 
 
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        typer.echo(f"{path}: {error.strerror or error}", err=True)
-        raise typer.Exit(2) from None
-
-
 @contextmanager
 def _progress(total: int) -> Iterator[Callable[[], None]]:
     """A bar on the error stream."""
     columns = (TextColumn("auditing"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    console = terminal.error_console()
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("", total=total)
         yield lambda: progress.update(task, advance=1)

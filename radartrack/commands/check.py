@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from typing import Annotated
 
 import typer
+from rich.text import Text
+
+from radartrack._system import output_files, terminal
 
 EXIT = {"equal": 0, "equal_numerically": 0, "differs": 1, "wrong_dimensions": 1, "undecided": 3}
 COLOURS = {"equal": "green", "equal_numerically": "green", "differs": "red", "wrong_dimensions": "red"}
@@ -41,12 +43,12 @@ def check(
         with Decider(timeout) as decider:
             record = decider.decide(claim)
     except UnreadableClaim as error:
-        typer.echo(str(error).removeprefix("claim 'formula': "), err=True)
+        terminal.complain(str(error).removeprefix("claim 'formula': "))
         raise typer.Exit(2) from None
     if as_json:
-        typer.echo(json.dumps(record, indent=2, ensure_ascii=False))
+        terminal.say(output_files.json_text(record).rstrip())
     else:
-        _tell(record, latex=latex)
+        _tell(terminal.shown(record), latex=latex)
     raise typer.Exit(EXIT[record["verdict"]])
 
 
@@ -68,10 +70,10 @@ def _tell(record: dict[str, object], *, latex: bool) -> None:
 
     verdict = str(record["verdict"])
     if latex:
-        typer.echo(f"read as: {record['printed']}")
+        terminal.say(f"read as: {record['printed']}")
     words, rest = audit_text.headline(record)
-    typer.echo(typer.style(words, fg=COLOURS.get(verdict), bold=True) + rest)
+    terminal.console().print(Text.assemble((words, f"bold {COLOURS.get(verdict, '')}"), rest), soft_wrap=True)
     if verdict != "equal" and record["derived"]:
-        typer.echo(f"derived: {record['derived']}")
+        terminal.say(f"derived: {record['derived']}")
     for heading, text in audit_text.explanation(record):
-        typer.echo(f"{heading}: {text}")
+        terminal.say(f"{heading}: {text}")

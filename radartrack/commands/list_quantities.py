@@ -6,11 +6,10 @@ from fnmatch import fnmatchcase
 from typing import Annotated
 
 import typer
-from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-WIDTH = 120  # names are never cut; a narrower terminal wraps
+from radartrack._system import terminal
 
 
 def list_quantities(
@@ -22,7 +21,7 @@ def list_quantities(
     wanted = pattern if any(sign in pattern for sign in "*?[") else f"*{pattern}*"
     found = [quantity for quantity in catalogue().values() if fnmatchcase(quantity.name, wanted)]
     if not found:
-        typer.echo(f"No quantity's name holds {pattern!r}.", err=True)
+        terminal.complain(f"No quantity's name holds {pattern!r}.")
         raise typer.Exit(1)
     table = Table(box=None, pad_edge=False)
     for heading in ("name", "shape"):
@@ -33,4 +32,6 @@ def list_quantities(
         shape = "×".join(map(str, quantity.shape)) or "scalar"
         meaning = f"{quantity.meaning} ({quantity.source})"
         table.add_row(quantity.name, shape, *map(escape, (quantity.unit_text, meaning)))
-    Console(width=max(Console().width, WIDTH)).print(table)
+    console = terminal.console()
+    console.width = max(console.width, terminal.PLAIN_WIDTH)  # names are never cut; a narrower terminal wraps
+    console.print(table)

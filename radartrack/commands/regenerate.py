@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import os
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
-from rich.console import Console
 from rich.progress import MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+from radartrack._system import output_files, terminal
 
 if TYPE_CHECKING:
     from radartrack.derive.language.quantity import Quantity
@@ -26,26 +28,28 @@ def regenerate(
 
     directory = _directory(out, model)
     quantities = _quantities(model)
+    if not check:
+        _refuse_unwritable(directory, regeneration.names(quantities))
     try:
         with _progress(len(quantities)) as step:
             derivation = regeneration.derive(quantities, step)
             functions = derivation.functions
-            known = regeneration.read_record(directory)
+            known = regeneration.read_records(directory, quantities)
             measured = regeneration.as_recorded(functions, known)
             if not check:
                 measured = regeneration.with_measured(functions, known, step)
     except NotProved as error:
-        typer.echo(f"Nothing was written: {error}", err=True)
+        terminal.complain(f"Nothing was written: {error}")
         raise typer.Exit(1) from None
     files = regeneration.texts(derivation, measured)
     found = [difference for difference in regeneration.differences(directory, files) if difference]
     if check:
         _report(found, directory)
     elif found:
-        for orphan in regeneration.orphans(directory, files):
-            typer.echo(f"{orphan}: no derivation owns this file; removed", err=True)
-        regeneration.write(directory, files)
-    typer.echo(f"{len(functions)} functions {'written to' if found else 'derived, as they stand in'} {directory}")
+        _write(directory, files)
+    _tell_kept(regeneration.kept(directory, files))
+    done = "written to" if found else "derived, as they stand in"
+    terminal.say(f"{len(functions)} functions {done} {terminal.one_line(str(directory))}")
 
 
 def _directory(out: Path | None, model: Path | None) -> Path:
@@ -62,11 +66,39 @@ def _directory(out: Path | None, model: Path | None) -> Path:
             reason = "A model of your own" if model else "This is no source checkout and"
             _refuse(f"{reason} wants --out DIR, the directory for the generated modules.")
         return source
-    if out.exists() and not out.is_dir():
+    if os.path.lexists(os.path.realpath(out)) and not out.is_dir():
         _refuse(f"--out must be a directory; {out} is a file.")
-    if not regeneration.is_ours(out):
+    if not regeneration.may_be_written(out):
         _refuse(f"--out must be new, empty or written by this command; {out} holds other files.")
     return out
+
+
+def _refuse_unwritable(directory: Path, names: Collection[str]) -> None:
+    """The directory is written beside and put in place, so it is the place around it that must take files."""
+    from radartrack._regeneration import regeneration
+
+    if others := regeneration.in_the_way(directory, names):
+        _refuse(f"--out: {directory / others[0]} is in the way, and was not written by this command.")
+    if directory.is_mount():
+        _refuse(f"--out must be a directory that can be replaced; {directory} is mounted, a directory in it can.")
+    if problem := output_files.problem_around(directory):
+        _refuse(f"--out must be a directory that can be written; {problem}")
+
+
+def _write(directory: Path, files: dict[str, str]) -> None:
+    from radartrack._regeneration import regeneration
+
+    edited, orphans = regeneration.edited(directory, files), regeneration.orphans(directory, files)
+    aside = regeneration.write(directory, files)
+    for name in edited:
+        terminal.complain(f"{name}: edited since it was written; what was there is kept in {aside}")
+    for orphan in orphans:
+        terminal.complain(f"{orphan}: no derivation owns this file; removed")
+
+
+def _tell_kept(names: Iterable[str]) -> None:
+    for name in names:
+        terminal.complain(f"{name}: no derivation owns this file; kept")
 
 
 def _quantities(model: Path | None) -> Mapping[str, Quantity]:
@@ -83,15 +115,15 @@ def _quantities(model: Path | None) -> Mapping[str, Quantity]:
 
 
 def _refuse(reason: str) -> NoReturn:
-    typer.echo(reason, err=True)
+    terminal.complain(reason)
     raise typer.Exit(2)
 
 
 def _report(found: list[str], directory: Path) -> None:
     for difference in found:
-        typer.echo(difference)
+        terminal.say(difference)
     if found:
-        typer.echo(f"{directory} is not what the derivations give: {len(found)} files differ.", err=True)
+        terminal.complain(f"{directory} is not what the derivations give: {len(found)} files differ.")
         raise typer.Exit(1)
 
 
@@ -99,7 +131,8 @@ def _report(found: list[str], directory: Path) -> None:
 def _progress(total: int) -> Iterator[Callable[[str], None]]:
     """A bar on the error stream; each step names what is being worked on."""
     columns = (SpinnerColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    console = terminal.error_console()
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("", total=total)
 
         def step(description: str) -> None:

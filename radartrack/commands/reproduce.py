@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
@@ -16,6 +14,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
+
+from radartrack._system import output_files, terminal
 
 if TYPE_CHECKING:
     from radartrack._reports.experiment_section import Experiment
@@ -49,7 +49,8 @@ def reproduce(
     from radartrack.reproduction.papers import PAPERS
 
     _make(out)
-    console = Console() if sys.stdout.isatty() else Console(width=int(os.environ.get("COLUMNS", PLAIN_WIDTH)))
+    output_files.refuse_unwritable({"report.html": out / "report.html"})
+    console = terminal.console(PLAIN_WIDTH)
     names = [str(name) for name in dict.fromkeys(papers or PaperName)]
     experiments = []
     with _progress() as step:
@@ -59,7 +60,7 @@ def reproduce(
             experiments.append(_written(PAPERS[name], found, out))
             _show(found, console)
     _report(names, experiments, out / "report.html")
-    console.print(f"\nFigures, data and report.html are in {out}", highlight=False, markup=False)
+    terminal.say(f"\nFigures, data and report.html are in {terminal.one_line(str(out))}")
 
 
 def _make(out: Path) -> None:
@@ -70,7 +71,7 @@ def _make(out: Path) -> None:
 
 
 def _refuse(reason: str) -> None:
-    typer.echo(reason, err=True)
+    terminal.complain(reason)
     raise typer.Exit(2)
 
 
@@ -96,26 +97,30 @@ def _report(names: Sequence[str], experiments: Sequence[Experiment], path: Path)
     files = {file.stem: file for file in shipped()}
     claims = [read_claims(files[name]) for name in names]
     audits, _ = decided(claims, TIMEOUT, typeset=True)
-    path.write_text(audit_page.page(audits, experiments), encoding="utf-8")
+    output_files.write(path, audit_page.page(audits, experiments))
 
 
 def _show(found: Reproduction, console: Console) -> None:
     """The findings of one paper, the paper's number first."""
-    console.print(f"\n[bold]{escape(found.title)}[/bold]", highlight=False)
+    console.print(f"\n[bold]{_cell(found.title)}[/bold]", highlight=False)
     table = Table(box=None, pad_edge=False)
     for heading, share in (("what", 4), ("the paper", 2), ("ours", 3), ("interval", 2)):
         table.add_column(heading, overflow="fold", ratio=share)
     table.add_column("verdict", no_wrap=True)
     for finding in found.findings:
-        cells = map(escape, (finding.what, finding.printed, finding.ours, finding.interval))
+        cells = map(_cell, (finding.what, finding.printed, finding.ours, finding.interval))
         table.add_row(*cells, f"[{STYLES[finding.verdict]}]{finding.verdict}[/]")
     console.print(table, highlight=False)
+
+
+def _cell(text: str) -> str:
+    return escape(terminal.one_line(text))
 
 
 @contextmanager
 def _progress() -> Iterator[Callable[[str], None]]:
     """What is worked on, on the error stream."""
-    console = Console(stderr=True)
+    console = terminal.error_console()
     columns = (SpinnerColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("", total=None)

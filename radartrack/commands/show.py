@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from radartrack._system import terminal
+
 
 class Format(StrEnum):
     """How a formula is printed."""
@@ -29,8 +31,8 @@ def show(
 
     quantity, index = quantity_name.read(name)
     for line in quantity_text.heading(quantity):
-        typer.echo(f"{COMMENT[format]}{line}")
+        terminal.say(f"{COMMENT[format]}{line}")
     formula = {Format.TEXT: quantity_text.text, Format.LATEX: quantity_text.latex, Format.PYTHON: quantity_text.python}[
         format
     ]
-    typer.echo(f"\n{formula(quantity, index)}")
+    terminal.say(f"\n{formula(quantity, index)}")

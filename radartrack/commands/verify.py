@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
@@ -13,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
@@ -23,9 +19,13 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
+from radartrack._system import output_files, terminal
+
 if TYPE_CHECKING:
+    from radartrack.verification.campaign import Campaign
     from radartrack.verification.engines import Engine
 
+CHECKPOINT = "radartrack-verify.jsonl"
 PLAIN_WIDTH = 140  # in a file or a pipe
 INTERRUPTED = 130
 
@@ -49,34 +49,66 @@ def verify(  # noqa: PLR0913, PLR0917 - one an option
     ] = EngineName.LOCAL,
     scheduler: Annotated[str | None, typer.Option(help="Address of the Dask scheduler.")] = None,
     workers: Annotated[int | None, typer.Option(help="Local processes.", min=1)] = None,
-    checkpoint: Annotated[Path, typer.Option(help="Kept while a run is not complete; a rerun goes on from it.")] = Path(
-        "radartrack-verify.jsonl"
-    ),
+    checkpoint: Annotated[
+        Path | None,
+        typer.Option(help="Kept while a run is not complete; the same run goes on from it.", show_default=CHECKPOINT),
+    ] = None,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the record here.")] = None,
 ) -> None:
     """Measure every layer of verification and show the worst function first.
 
-    Exit 1 when a layer fails, 2 for names that fit nothing, 130 when interrupted.
+    Exit 1 when a layer fails, 2 for names that fit nothing or what cannot be written, 130 when interrupted.
     """
     from dataclasses import replace
 
     from radartrack.verification.campaign import FULL, QUICK, Campaign, report
+    from radartrack.verification.engines import Unreachable
 
     chosen = _chosen(names or [])
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
-    work = Campaign(chosen, effort, checkpoint)
+    where = _engine(engine, scheduler, workers)
+    work = _with_checkpoint(Campaign(chosen, effort, checkpoint or Path(CHECKPOINT)), asked_for=checkpoint is not None)
+    output_files.refuse_unwritable({"--json": json_out}, kept=[work.kept.path] if work.kept.path else ())
     try:
         with _progress() as step:
-            records = work.run(_engine(engine, scheduler, workers), step)
+            records = work.run(where, step)
     except KeyboardInterrupt:
-        typer.echo(f"Interrupted; what was done stands in {checkpoint}, and the same command goes on.", err=True)
+        if work.kept.path is not None:
+            terminal.complain(f"Interrupted; what was done stands in {work.kept.path}, and the same command goes on.")
         raise typer.Exit(INTERRUPTED) from None
-    _show(records)
-    if json_out is not None:
-        json_out.write_text(json.dumps(report(records, effort), indent=1) + "\n", encoding="utf-8")
+    except Unreachable as error:
+        terminal.complain(str(error))
+        raise typer.Exit(2) from None
+    try:
+        if json_out is not None:
+            output_files.write(json_out, output_files.json_text(report(records, effort)))
+    finally:  # what was found is told in any case
+        _show(records)
+    work.kept.finish()
     if any(record["verdict"] == "failed" for record in records):
         raise typer.Exit(1)
+
+
+def _with_checkpoint(work: Campaign, *, asked_for: bool) -> Campaign:
+    """The same; without a checkpoint where its usual place cannot be written.
+
+    Raises:
+        typer.Exit: when the place that was asked for is not for a checkpoint.
+    """
+    from radartrack.verification.checkpoint import NotACheckpoint
+
+    try:
+        problem = output_files.problem_with(work.kept.path) if work.kept.path else ""
+    except (NotACheckpoint, OSError) as error:
+        problem = str(error)
+    if not problem:
+        return work
+    if asked_for:
+        terminal.complain(f"--checkpoint must be a file for this run alone; {problem}")
+        raise typer.Exit(2)
+    terminal.complain(f"No checkpoint is kept; {problem}")
+    return type(work)(work.names, work.effort)
 
 
 def _chosen(patterns: Sequence[str]) -> list[str]:
@@ -115,7 +147,7 @@ def _progress() -> Iterator[Callable[[str, int], None]]:
     """A bar with the time left, on the error stream."""
     columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     named = TextColumn("{task.description}")
-    console = Console(stderr=True)
+    console = terminal.error_console()
     with Progress(*columns, named, console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("", total=None)
 
@@ -137,7 +169,8 @@ def _show(records: Sequence[Mapping[str, Any]]) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    console = Console() if sys.stdout.isatty() else Console(width=int(os.environ.get("COLUMNS", PLAIN_WIDTH)))
+    console = terminal.console(PLAIN_WIDTH)
+    records = terminal.shown(records)
     titles = [layer["layer"] for layer in records[0]["layers"]] if records else []
     table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
     table.add_column("function", overflow="fold")
@@ -149,7 +182,8 @@ def _show(records: Sequence[Mapping[str, Any]]) -> None:
     for record in records:
         for layer in record["layers"]:
             if layer["verdict"] == "failed":
-                console.print(f"{record['quantity']}, {layer['layer']}: {layer['detail']}", style="red")
+                words = f"{record['quantity']}, {layer['layer']}: {layer['detail']}"
+                console.print(words, style="red", markup=False)
     failed = sum(record["verdict"] == "failed" for record in records)
     console.print(f"{len(records)} functions, {failed} failed.")
 

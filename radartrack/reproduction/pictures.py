@@ -13,6 +13,8 @@ import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from radartrack._system.directory_swap import replace_file
+
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
     "#000000", "#b87a00", "#3a9bd9", "#007a5a", "#0059a0", "#c04a00", "#a8487d",
 )  # fmt: skip
@@ -58,8 +60,8 @@ class Picture:
 
     def write(self, directory: Path) -> None:
         """Write SVG and PNG."""
-        (directory / f"{self.name}.svg").write_bytes(self.svg())
-        (directory / f"{self.name}.png").write_bytes(self.png())
+        replace_file(directory / f"{self.name}.svg", self.svg())
+        replace_file(directory / f"{self.name}.png", self.png())
 
     def _saved(self, kind: str, metadata: dict[str, Any]) -> bytes:
         buffer = io.BytesIO()

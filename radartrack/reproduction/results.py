@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 
 from radartrack._arrays.repeated_trials import Estimate
 from radartrack._arrays.validation import RealArray
+from radartrack._system.directory_swap import replace_file
 
 Verdict: TypeAlias = Literal["agrees", "differs", "depends"]
 Cell: TypeAlias = str | int | float
@@ -53,10 +55,11 @@ class Table:
 
     def write(self, path: Path) -> None:
         """Write the table as CSV; numbers with six digits, nothing where there is none."""
-        with path.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(self.columns)
-            writer.writerows([_text(cell) for cell in row] for row in self.rows())
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(self.columns)
+        writer.writerows([_text(cell) for cell in row] for row in self.rows())
+        replace_file(path, text.getvalue())
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import importlib.metadata
 import platform
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing
 from dataclasses import asdict, dataclass, field
-from functools import reduce
+from functools import cached_property, reduce
 from importlib.util import find_spec
 from operator import add
 from pathlib import Path
@@ -94,7 +95,7 @@ class Campaign:
     Attributes:
         names: of the quantities.
         effort: spent on each.
-        checkpoint: a file to go on from; None for none.
+        checkpoint: a file to go on from, or the place for one; None for none.
     """
 
     names: Sequence[str]
@@ -102,19 +103,27 @@ class Campaign:
     checkpoint: Path | None = None
     _trials: dict[str, list[Trial]] = field(default_factory=dict)
 
+    @cached_property
+    def kept(self) -> Checkpoint:
+        """What is done; to be finished by who has told it.
+
+        Raises:
+            NotACheckpoint: when the file that is given holds something else.
+        """
+        return Checkpoint(self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort))))
+
     def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
         """Do what is not done yet; `step` is told what has ended and how many tasks there are."""
-        kept = Checkpoint(self.checkpoint, digest_of(_sources(), repr(self.effort)))
+        kept = self.kept
         todo = list(self._tasks())
         left = [task for task in todo if task.key not in kept.done]
         for _ in range(len(todo) - len(left)):
             step("done before", len(todo))
-        for number, result in engine.run(enumerate(left)):
-            kept.add(left[number].key, result)
-            step(left[number].key, len(todo))
-        records = [self._record(name, kept.done) for name in self.names]
-        kept.finish()
-        return records
+        with closing(engine.run(enumerate(left))) as results:
+            for number, result in results:
+                kept.add(left[number].key, result)
+                step(left[number].key, len(todo))
+        return [self._record(name, kept.done) for name in self.names]
 
     def _tasks(self) -> Iterator[Examination | Draws]:
         for name in self.names:

@@ -17,6 +17,11 @@ from typing import Any, Self, TextIO, cast
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 
 COMMAND = (sys.executable, "-P", "-m", "radartrack.derive.checking.papers.worker")
+APART: dict[str, Any]  # from a terminal's Ctrl-C, which the parent answers
+if sys.platform == "win32":
+    APART = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+else:
+    APART = {"process_group": 0}
 START = 60.0  # seconds that a child may take to load what it needs
 
 Record = dict[str, Any]
@@ -92,7 +97,12 @@ def decide_all(
 
     try:
         with ThreadPoolExecutor(processes) as pool:
-            return list(pool.map(decided, claims))
+            try:
+                return list(pool.map(decided, claims))
+            except BaseException:
+                for decider in deciders:  # what is being decided is not waited for
+                    decider.__exit__(None, None, None)
+                raise
     finally:
         for decider in deciders:
             decider.__exit__(None, None, None)
@@ -128,6 +138,7 @@ class _Child:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             encoding="utf-8",
+            **APART,
         )
         self._requests = cast("TextIO", self._process.stdin)
         self._lines = cast("TextIO", self._process.stdout)

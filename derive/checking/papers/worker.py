@@ -6,9 +6,14 @@ Run as `python -m radartrack.derive.checking.papers.worker`; see `radartrack.der
 from __future__ import annotations
 
 import json
+import os
+import queue
+import signal
 import sys
+import threading
 from collections.abc import Mapping
-from typing import Any
+from io import TextIOWrapper
+from typing import Any, cast
 
 from radartrack.derive.checking.papers import audit, mathml
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
@@ -23,13 +28,26 @@ MEMORY = 400 * 2**20  # bytes of data
 
 
 def main() -> None:
-    """Answer requests until there are no more."""
+    """Answer requests for as long as there is somebody who asks."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
     _limit_memory()
+    for stream in (sys.stdin, sys.stdout):
+        cast("TextIOWrapper", stream).reconfigure(encoding="utf-8")  # as the parent has it, whatever the terminal has
+    requests: queue.SimpleQueue[str] = queue.SimpleQueue()
+    threading.Thread(target=_read, args=(requests,), daemon=True).start()
     sys.stdout.write(READY + "\n")
     sys.stdout.flush()
-    for line in sys.stdin:
+    while True:
+        line = requests.get()
         sys.stdout.write(json.dumps(_answer(json.loads(line))) + "\n")
         sys.stdout.flush()
+
+
+def _read(requests: queue.SimpleQueue[str]) -> None:
+    """Hand on requests; the pipe ends with the parent, and so does this process, whatever it is computing."""
+    for line in sys.stdin:
+        requests.put(line)
+    os._exit(0)
 
 
 def _answer(request: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """The generated directory is all of what the derivations give, or what it was before; and `--check` says which."""
 
+import errno
 import json
 import os
 import shutil
@@ -11,11 +12,14 @@ from types import MappingProxyType
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from typer.testing import CliRunner, Result
 
 import radartrack.generated
 import radartrack.generated.polar
 from radartrack._regeneration import regeneration
+from radartrack._system import written_files
 from radartrack.cli import app
 from radartrack.derive import catalogue as catalogue_module
 from radartrack.derive.catalogue import find
@@ -24,6 +28,7 @@ from radartrack.derive.language.stable_form import NotProved
 ROOT = Path(__file__).parents[3]
 GENERATED = Path(radartrack.generated.__path__[0])
 SMALL = {name: find(name) for name in ("polar.map", "polar.bias.truth", "polar.covariance.linear")}
+ANOTHER = {"line.slope": find("line.slope")}
 RUN = "from radartrack.cli import app; app()"
 
 
@@ -38,6 +43,27 @@ def contents(directory: Path) -> dict[str, bytes]:
 
 def regenerate(*arguments: str | Path) -> Result:
     return CliRunner().invoke(app, ["regenerate", *map(str, arguments)])
+
+
+def contents_of_all(directory: Path) -> dict[str, bytes]:
+    """Of folders too, by their paths."""
+    return {path.relative_to(directory).as_posix(): read(path) for path in directory.rglob("*") if is_leaf(path)}
+
+
+def is_leaf(path: Path) -> bool:
+    return path.is_symlink() or not path.is_dir() or not any(path.iterdir())
+
+
+def read(path: Path) -> bytes:
+    return path.read_bytes() if path.is_file() else b"a link or a folder"
+
+
+def assert_nothing_is_lost(before: Mapping[str, bytes], place: Path, but: Mapping[str, bytes]) -> None:
+    """Whatever there was is still somewhere, apart from what was written; line ends do not count."""
+    after = list(contents_of_all(place).values())
+    plain = {name: content.replace(b"\r\n", b"\n") for name, content in but.items()}
+    for name, content in before.items():
+        assert content in after or content.replace(b"\r\n", b"\n") == plain.get(name) or name == "written.json"
 
 
 @pytest.fixture
@@ -59,10 +85,10 @@ def out(small: None, tmp_path: Path) -> Path:  # noqa: ARG001 - in this order
 
 
 def run_in_process_of_its_own(
-    *arguments: str | Path, cwd: Path = ROOT, environment: Mapping[str, str] = MappingProxyType({})
+    *arguments: str | Path, cwd: Path = ROOT, environment: Mapping[str, str] = MappingProxyType({}), code: str = RUN
 ) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-c", RUN, "regenerate", *map(str, arguments)],
+        [sys.executable, "-X", "utf8=0", "-c", code, "regenerate", *map(str, arguments)],
         cwd=cwd,
         env={**os.environ, **environment},
         capture_output=True,
@@ -81,13 +107,16 @@ def package_copy(folder: Path) -> Path:
     return package
 
 
-def test_every_byte_of_damaged_code_is_restored_whatever_hash_seed_and_ground_types(tmp_path: Path):
+def test_every_byte_of_damaged_code_is_restored_unmeasured_whatever_hash_seed_ground_types_and_locale(tmp_path: Path):
     """Pure Python integers here; `make drift` takes the ground types that are installed, and a seed of its own."""
     package = package_copy(tmp_path)
     for name in ("__init__.py", "polar.py"):
         (package / "generated" / name).write_text("def (:\n")
-    environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python"}
-    result = run_in_process_of_its_own("--out", package / "generated", cwd=tmp_path, environment=environment)
+    environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python", "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0"}
+    unmeasured = f"from radartrack._regeneration import regeneration; regeneration.measure = None; {RUN}"
+    result = run_in_process_of_its_own(
+        "--out", package / "generated", cwd=tmp_path, environment=environment, code=unmeasured
+    )
     assert result.returncode == 0, result.stderr
     assert contents(package / "generated") == shipped()
 
@@ -134,8 +163,9 @@ def test_what_was_just_written_passes_the_check_and_is_not_written_again(out: Pa
     assert "as they stand in" in result.output
     assert (contents(out), out.stat().st_ino) == (before, inode)
     assert sorted(before) == sorted(
-        ["__init__.py", "accuracy.json", "conversions.py", "formulas.md", "loops.py", "polar.py", "py.typed"]
-    )
+        ["__init__.py", "accuracy.json", "conversions.py", "formulas.md", "loops.py", "polar.py", "py.typed",
+         "written.json"]
+    )  # fmt: skip
 
 
 def edit_code(out: Path) -> None:
@@ -160,13 +190,9 @@ def drop_measurement(out: Path) -> None:
     (out / "accuracy.json").write_text(json.dumps(rows, indent=1) + "\n")
 
 
-def add_orphan(out: Path) -> None:
-    (out / "cylindrical.py").write_text("def map(): ...\n")
-
-
-def add_folder(out: Path) -> None:
-    (out / "folder").mkdir()
-    (out / "folder" / "file").write_text("more")
+def leave_only_what_the_package_has_too(out: Path) -> None:
+    for name in ("conversions.py", "loops.py", "polar.py", "accuracy.json", "formulas.md", "written.json"):
+        (out / name).unlink()
 
 
 def remove_module(out: Path) -> None:
@@ -205,8 +231,7 @@ DAMAGES: dict[Callable[[Path], None], list[str]] = {
     edit_docstring: ['-    """Bias of', '+    """Exact bias of'],
     edit_accuracy: ["-    Accuracy: at most 1 ulp", "+    Accuracy: at most 0.5 ulp"],
     drop_measurement: ["+    Accuracy: not measured."],
-    add_orphan: ["cylindrical.py: no derivation owns this file"],
-    add_folder: ["folder: no derivation owns this file"],
+    leave_only_what_the_package_has_too: ["written.json: missing", "polar.py: missing"],
     remove_module: ["polar.py: missing"],
     remove_marker: ["py.typed: missing"],
     change_line_endings: ["polar.py on disk"],
@@ -218,20 +243,22 @@ DAMAGES: dict[Callable[[Path], None], list[str]] = {
 
 
 @pytest.mark.parametrize("damage", DAMAGES, ids=lambda damage: damage.__name__)
-def test_damage_is_shown_by_the_check_and_mended_by_the_command(out: Path, damage: Callable[[Path], None]):
+def test_damage_is_shown_by_the_check_and_mended_by_the_command(
+    out: Path, damage: Callable[[Path], None], tmp_path: Path
+):
     right = contents(out)
     damage(out)
-    damaged = sorted(path.name for path in out.iterdir())
+    damaged = contents_of_all(out)
     checked = regenerate("--out", out, "--check")
     assert checked.exit_code == 1
     for shown in DAMAGES[damage]:
         assert shown in checked.stdout
     assert "is not what the derivations give" in checked.stderr
-    assert sorted(path.name for path in out.iterdir()) == damaged
+    assert contents_of_all(out) == damaged
     mended = regenerate("--out", out)
     assert mended.exit_code == 0
-    orphans = [shown for shown in DAMAGES[damage] if "no derivation owns" in shown]
-    assert [line for line in mended.stderr.splitlines() if "removed" in line] == [f"{o}; removed" for o in orphans]
+    assert "removed" not in mended.stderr
+    assert_nothing_is_lost(damaged, tmp_path, but=right)
     if damage is not edit_accuracy:  # what was measured is believed; the docstring follows it
         assert contents(out) == right
     assert regenerate("--out", out, "--check").exit_code == 0
@@ -299,11 +326,178 @@ def test_an_interrupted_measurement_leaves_the_old_files(out: Path, monkeypatch:
     assert [path.name for path in out.parent.iterdir()] == ["out"]
 
 
+STRANGERS = [
+    b'{"resnet": 0.93}',
+    (GENERATED / "written.json").read_bytes()[:-3],
+    b'{"thesis.tex": "none"}',
+    b'["thesis.tex"]',
+    b'{"../thesis.tex": "' + b"0" * 64 + b'"}',
+    b"{}",
+    b"[",
+    b"\xff\xfe",
+    b"[" * 100_000,
+]
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("name", ["accuracy.json", "written.json", "polar.py", "py.typed"])
+@pytest.mark.parametrize("content", STRANGERS, ids=lambda content: content[:20].decode(errors="replace"))
+def test_no_file_makes_a_directory_ours_by_its_name(tmp_path: Path, name: str, content: bytes):
+    mine = tmp_path / "mine"
+    (mine / "sub").mkdir(parents=True)
+    (mine / name).write_bytes(content)
+    (mine / "sub" / "data.csv").write_text("1,2")
+    (mine / "thesis.tex").write_text("precious")
+    before = contents_of_all(tmp_path)
+    result = regenerate("--out", mine)
+    assert result.exit_code == 2
+    assert "holds other files" in result.stderr
+    assert contents_of_all(tmp_path) == before
+
+
+FILES = ("__init__.py", "accuracy.json", "polar.py", "notes.txt", "sub")
+CONTENTS = st.sampled_from([b"", b"ours, old\n", b"ours, old\r\n", b"a stranger's\n", b"\xff\0"])
+
+
+@settings(max_examples=25)
+@given(
+    written=st.dictionaries(st.sampled_from(FILES), CONTENTS.filter(lambda content: b"\xff" not in content)),
+    changed=st.dictionaries(st.sampled_from(FILES), CONTENTS),
+    wanted=st.sets(st.sampled_from(FILES)),
+    folder=st.booleans(),
+)
+def test_whatever_a_directory_holds_nothing_but_what_was_written_there_is_lost(
+    tmp_path_factory: pytest.TempPathFactory,
+    written: dict[str, bytes],
+    changed: dict[str, bytes],
+    wanted: set[str],
+    folder: bool,
+):
+    place = tmp_path_factory.mktemp("place")
+    out = place / "out"
+    texts = {"py.typed": ""} | {name: content.decode() for name, content in written.items()}
+    regeneration.write(out, texts | {"written.json": written_files.record(texts)})
+    for name, content in changed.items():
+        (out / name).write_bytes(content)
+    if folder and "sub" not in {*written, *changed}:
+        (out / "sub" / "deep").mkdir(parents=True)
+        (out / "sub" / "deep" / "data").write_bytes(b"deep")
+        (out / "sub" / "link").symlink_to("nowhere")
+    before = contents_of_all(out)
+    new = dict.fromkeys(wanted, "new\n")
+    new |= {"py.typed": ""}
+    new |= {"written.json": written_files.record(new)}
+    try:
+        regeneration.write(out, new)
+    except FileExistsError:
+        assert contents_of_all(out) == before
+        assert wanted & (changed.keys() | {"sub"}) - written.keys()
+    else:
+        assert {name: (out / name).read_text() for name in new} == new
+        assert_nothing_is_lost(before, place, but=written | {"written.json": (out / "written.json").read_bytes()})
+        assert not [path for path in (out / name for name in written.keys() - changed.keys() - wanted) if path.exists()]
+
+
+def test_what_a_user_adds_is_kept_named_and_no_drift(out: Path):
+    (out / "notes.txt").write_text("mine")
+    (out / "folder").mkdir()
+    (out / "folder" / "file").write_text("more")
+    edit_code(out)
+    assert regenerate("--out", out, "--check").exit_code == 1
+    result = regenerate("--out", out)
+    assert result.exit_code == 0
+    for said in ("notes.txt: no derivation owns this file; kept", "folder: no derivation owns this file; kept"):
+        assert said in result.stderr
+    assert (out / "notes.txt").read_text() == "mine"
+    assert (out / "folder" / "file").read_text() == "more"
+    assert regenerate("--out", out, "--check").exit_code == 0
+
+
+def test_what_was_written_and_has_no_derivation_any_more_is_drift_and_is_removed_by_name(
+    out: Path, monkeypatch: pytest.MonkeyPatch
+):
+    less = {name: quantity for name, quantity in SMALL.items() if name != "polar.bias.truth"}
+    found = regeneration.texts
+    monkeypatch.setattr(
+        regeneration, "texts", lambda *given: {n: t for n, t in found(*given).items() if n != "formulas.md"}
+    )
+    monkeypatch.setattr(catalogue_module, "catalogue", lambda: less)
+    checked = regenerate("--out", out, "--check")
+    assert checked.exit_code == 1
+    assert "formulas.md: no derivation owns this file" in checked.stdout
+    assert "formulas.md: no derivation owns this file; removed" in regenerate("--out", out).stderr
+    assert not (out / "formulas.md").exists()
+    assert regenerate("--out", out, "--check").exit_code == 0
+
+
+def test_the_names_that_are_tried_beforehand_are_those_that_are_written(out: Path):
+    assert regeneration.names(SMALL) == {path.name for path in out.iterdir()}
+
+
+def test_a_stranger_s_file_where_a_module_will_be_is_refused_before_anything_is_derived(
+    out: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(catalogue_module, "catalogue", lambda: ANOTHER)
+    monkeypatch.setattr(regeneration, "derive", None)
+    (out / "line.py").write_text("mine")
+    before = contents_of_all(out)
+    result = regenerate("--out", out)
+    assert result.exit_code == 2
+    assert "line.py is in the way" in result.stderr
+    assert contents_of_all(out) == before
+
+
+@pytest.mark.usefixtures("small")
+def test_a_folder_of_a_user_s_project_is_not_taken_for_the_checkout(tmp_path: Path):
+    (tmp_path / "pyproject.toml").write_text("[project]")
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs" / "formulas.md").write_text("mine")
+    assert regenerate("--out", tmp_path / "generated").exit_code == 0
+    assert (tmp_path / "docs" / "formulas.md").read_text() == "mine"
+    assert (tmp_path / "generated" / "formulas.md").is_file()
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("below", ["file/out", "file/deep/out"])
+def test_a_place_that_takes_no_directory_is_refused_before_anything_is_derived(
+    tmp_path: Path, below: str, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(regeneration, "derive", None)
+    (tmp_path / "file").touch()
+    result = regenerate("--out", tmp_path / below)
+    assert (result.exit_code, len(result.stderr.splitlines())) == (2, 1)
+    assert "--out must be a directory that can be written" in result.stderr
+
+
+@pytest.mark.usefixtures("small")
+def test_a_full_disk_is_told_in_one_line_and_leaves_everything(out: Path, monkeypatch: pytest.MonkeyPatch):
+    edit_code(out)
+    before = contents_of_all(out)
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(written_files, "keep", full)
+    result = regenerate("--out", out)
+    assert (result.exit_code, result.stderr) == (2, f"{out}: No space left on device\n")
+    assert contents_of_all(out) == before
+
+
+@pytest.mark.parametrize("code", ["import sys; sys.exit(0)", "raise SystemExit", "exit()", "1/0", "def (", "MODEL = 1"])
+def test_a_model_file_that_ends_or_fails_is_refused(tmp_path: Path, code: str):
+    (tmp_path / "model.py").write_text(code)
+    result = regenerate("--model", tmp_path / "model.py", "--out", tmp_path / "out")
+    assert (result.exit_code, len(result.stderr.splitlines())) == (2, 1)
+    assert "model.py" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize("step", [3, 8, 13, 20, 30])
 def test_killed_in_mid_write_the_directory_is_the_old_set_or_the_new_one(tmp_path: Path, step: int):
     old, new = (
         {name: f"{age} {name}\n" * 9 for name in ("__init__.py", "accuracy.json", "polar.py")} for age in ("old", "new")
     )
+    old, new = (files | {"written.json": written_files.record(files)} for files in (old, new))
     target = tmp_path / "out"
     regeneration.write(target, old)
     code = (

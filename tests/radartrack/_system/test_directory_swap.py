@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from radartrack._system import directory_swap
-from radartrack._system.directory_swap import replace_directory
+from radartrack._system.directory_swap import replace_directory, replace_file
 from tests.radartrack._system.replacements import (
     NAMES,
     complete_set,
@@ -193,9 +193,55 @@ def test_a_directory_put_in_the_gap_by_hand_does_no_harm(target: Path) -> None:
         leftover = target.with_name(f".generated.swap-{role}")
         leftover.mkdir()
         write_set(leftover, role)
+    target.with_name(".generated.swap-lock").write_bytes(directory_swap._LOCKED)
     replace_directory(target, write_new)
     assert read_set(target) == NEW
     assert names_beside(target) == ["generated"]
+
+
+@pytest.mark.parametrize("role", ["new", "old", "ready", "lock"])
+def test_a_stranger_s_file_or_folder_that_is_called_as_a_part_of_a_replacement_is_left_alone(target: Path, role: str):
+    theirs = target.with_name(f".generated.swap-{role}")
+    if role == "lock":
+        theirs.write_text("mine")
+    else:
+        theirs.mkdir()
+        write_set(theirs, "mine")
+    with pytest.raises(FileExistsError, match=rf"generated\.swap-{role}"):
+        replace_directory(target, write_new)
+    assert read_set(target) == OLD
+    assert theirs.read_text() == "mine" if role == "lock" else read_set(theirs) == complete_set("mine")
+    assert sorted(names_beside(target)) == sorted(["generated", theirs.name])
+
+
+@pytest.mark.parametrize("content", ["σ\r\n", b"\0\xff", ""])
+def test_a_file_is_replaced_with_the_permissions_it_had_and_leaves_nothing_beside(tmp_path: Path, content: str | bytes):
+    file, link = tmp_path / "file", tmp_path / "link"
+    file.write_text("old")
+    file.chmod(0o640)
+    link.symlink_to(file)
+    replace_file(link, content)
+    assert file.read_bytes() == (content.encode() if isinstance(content, str) else content)
+    assert file.stat().st_mode & 0o777 == 0o640
+    assert link.is_symlink()
+    assert sorted(names_beside(file)) == ["file", "link"]
+
+
+@pytest.mark.parametrize("fails", ["open", "fsync", "replace", "encode"])
+def test_a_file_that_cannot_be_replaced_is_as_before(tmp_path: Path, fails: str, monkeypatch: pytest.MonkeyPatch):
+    file = tmp_path / "file"
+    file.write_text("old")
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    if fails != "encode":
+        monkeypatch.setattr(os if fails == "fsync" else Path, fails, full)
+    with pytest.raises((OSError, UnicodeEncodeError)):
+        replace_file(file, "\udcff" if fails == "encode" else "new")
+    monkeypatch.undo()
+    assert file.read_text() == "old"
+    assert names_beside(file) == ["file"]
 
 
 Kill = dict[str, dict[str, str] | list[str] | None]

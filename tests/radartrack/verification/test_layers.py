@@ -5,7 +5,7 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ from radartrack.verification import balls
 from radartrack.verification.balls import Balls, exact_arithmetic, trustworthy
 from radartrack.verification.campaign import Campaign, Effort
 from radartrack.verification.domain_points import sample
-from radartrack.verification.engines import Local
+from radartrack.verification.engines import Local, Results
 from radartrack.verification.error_in_ulp import errors
 from radartrack.verification.layers import mutants
 from radartrack.verification.layers.formula_mutants import mutants as mutants_of
@@ -118,7 +118,7 @@ class Interrupted:
     def __init__(self, after: int) -> None:
         self.after = after
 
-    def run(self, tasks: Iterable[tuple[int, Any]]) -> Iterator[tuple[int, Any]]:
+    def run(self, tasks: Iterable[tuple[int, Any]]) -> Results:
         for done, result in enumerate(Local(1).run(tasks)):
             if done == self.after:
                 raise KeyboardInterrupt
@@ -135,9 +135,12 @@ def test_a_run_that_was_interrupted_goes_on_and_ends_with_the_same_record(tmp_pa
         file.write('{"digest": "cut sh')
     assert len(path.read_text().splitlines()) == 6
     steps: list[str] = []
-    resumed = Campaign(names, SMALL, path).run(Local(1), lambda name, _: steps.append(name))
+    campaign = Campaign(names, SMALL, path)
+    resumed = campaign.run(Local(1), lambda name, _: steps.append(name))
     assert resumed == whole
     assert steps.count("done before") == 5
+    assert path.exists()  # until what was found is told
+    campaign.kept.finish()
     assert not path.exists()
 
 
