@@ -3,7 +3,9 @@
 SymPy carries no type information, so every other module takes its symbolic algebra from here.
 """
 
+from fractions import Fraction
 from functools import lru_cache
+from math import factorial
 
 from sympy import (
     QQ,
@@ -90,6 +92,7 @@ __all__ = [
     "cosh",
     "diff",
     "erf",
+    "exact",
     "exp",
     "expand",
     "expm1",
@@ -105,6 +108,7 @@ __all__ = [
     "oo",
     "pi",
     "ratio",
+    "remainder",
     "sin",
     "sinh",
     "sqrt",
@@ -117,6 +121,9 @@ __all__ = [
 ]
 
 
+DOUBLE = 53  # bits
+
+
 class expm1(Function):
     """e^x − 1 as a function of its own, so that it reaches the writer as one."""
 
@@ -125,6 +132,17 @@ class expm1(Function):
     def fdiff(self, argindex: int = 1) -> Expr:  # noqa: ARG002 - SymPy names the argument; there is one
         """The derivative, e^x."""
         return exp(self.args[0])
+
+
+class remainder(Function):
+    """e^x less the terms of its series below an order: x^2/2 + x^3/6 + ... from the order 2 on."""
+
+    nargs = 2
+
+    def expanded(self) -> Expr:
+        """The difference itself, in which digits cancel."""
+        x, order = self.args
+        return exp(x) - Add(*(x**n / factorial(n) for n in range(int(order))))
 
 
 class hypot(Function):
@@ -159,6 +177,32 @@ def unguarded(expression: Expr) -> Expr:
     if isinstance(expression, hypot):
         return sqrt(arguments[0] ** 2 + arguments[1] ** 2)
     return expression.func(*arguments)
+
+
+def exact(value: object) -> Expr:
+    """A number or an expression with every float in it as the shortest decimal that stands for it: 0.1 is 1/10.
+
+    Raises:
+        TypeError: for anything else.
+        ValueError: where a number is not finite.
+    """
+    if isinstance(value, int | float | Fraction) and not isinstance(value, bool):
+        return _rational(value)
+    if not isinstance(value, Expr):
+        raise TypeError(f"it must be an expression or a number; given {value!r}")
+    if value.has(nan, oo, zoo, -oo):
+        raise ValueError(f"{value} is not finite")
+    return value.xreplace({number: _rational(number) for number in value.atoms(_Float)})
+
+
+def _rational(number: object) -> Expr:
+    """Exactly, but a float of up to 53 bits by its shortest decimal."""
+    if isinstance(number, float) or (isinstance(number, _Float) and number._prec <= DOUBLE):  # noqa: SLF001 - SymPy's
+        number = repr(float(number))
+    try:
+        return Rational(Fraction(str(number)))
+    except ValueError:
+        raise ValueError(f"{number} is not finite") from None
 
 
 def is_float(expression: Expr) -> bool:

@@ -2,7 +2,8 @@
 
 Every subexpression that is no polynomial becomes a generator whose derivative lies in the ring: a root √P enters as
 P^(−1/2), with derivative −½ P′ (P^(−1/2))³, a quotient 1/Q with −Q′ (1/Q)², a sine with its cosine, an arctangent
-with the quotient in its derivative. Derivatives of any order are then sums of products of polynomials.
+with the quotient in its derivative, any other root with that quotient and itself. Derivatives of any order are then
+sums of products of polynomials.
 """
 
 from __future__ import annotations
@@ -12,9 +13,10 @@ from functools import cached_property, reduce
 from operator import mul
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.language.model_outputs import SMOOTH
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
-FUNCTIONS = (sp.acos, sp.asin, sp.atan, sp.atan2, sp.cos, sp.cosh, sp.exp, sp.log, sp.sin, sp.sinh)
+FUNCTIONS = tuple(function for function in SMOOTH if function not in (sp.hypot, sp.tan))  # those are rewritten
 
 
 class NotDifferentiable(ValueError):
@@ -105,7 +107,7 @@ class DifferentialRing:
             return self._flatten(sp.sqrt(expression.args[0] ** 2 + expression.args[1] ** 2))
         if isinstance(expression, sp.tan):
             return self._flatten(sp.sin(*expression.args) / sp.cos(*expression.args))
-        if isinstance(expression, FUNCTIONS):
+        if isinstance(expression, FUNCTIONS) or expression in (sp.pi, sp.E):
             return self._placeholder(expression)
         raise NotDifferentiable(f"{expression} is no polynomial, root, quotient or elementary function")
 
@@ -119,7 +121,11 @@ class DifferentialRing:
         if isinstance(exponent, sp.Rational) and exponent.q == 2:
             inverse_root, halves = self._placeholder(1 / sp.sqrt(base)), int(exponent.p)
             return inverse_root**-halves if halves < 0 else self._flatten(base) ** ((halves + 1) // 2) * inverse_root
-        raise NotDifferentiable(f"{base}**{exponent} is neither a whole power nor a square root")
+        if isinstance(exponent, sp.Rational):
+            whole, rest = divmod(int(exponent.p), int(exponent.q))
+            root = self._placeholder(base ** sp.Rational(1, int(exponent.q)))
+            return self._flatten_power(base, sp.Integer(whole)) * root**rest
+        raise NotDifferentiable(f"{base}**{exponent} has an exponent that is no number")
 
     def _placeholder(self, key: Expr) -> Symbol:
         return self._placeholders.setdefault(key, sp.Symbol(f"generator_{len(self._placeholders)}", real=True))

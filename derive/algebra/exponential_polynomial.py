@@ -192,6 +192,8 @@ class _Reader:
             return self.read(expression.base) ** int(expression.exp)
         if expression == sp.E:  # what SymPy makes of exp(1)
             return _exponential(ring.one)
+        if isinstance(expression, sp.remainder):
+            return self.read(expression.expanded())
         build = _FUNCTIONS.get(expression.func)
         if build is not None:
             return build(self._exponent(expression.args[0]))

@@ -40,6 +40,10 @@ def _atan2(above: Number, beside: Number) -> Number:
     return -mpmath.j * mpmath.log((beside + mpmath.j * above) / _hypot(above, beside))
 
 
+def _remainder(argument: Number, order: Number) -> Number:
+    return mpmath.exp(argument) - sum(argument**n / mpmath.factorial(n) for n in range(int(order)))
+
+
 _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.Abs: mpmath.fabs,
     sp.acos: mpmath.acos,
@@ -54,6 +58,7 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.hypot: _hypot,
     sp.log: mpmath.log,
     sp.ratio: lambda above, below: above / below if below else mpmath.mpf(0),
+    sp.remainder: _remainder,
     sp.sin: mpmath.sin,
     sp.sinh: _growing(mpmath.sinh),
     sp.tan: mpmath.tan,

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from radartrack.derive.language.identifiers import require_names
+from radartrack.derive import symbolic as sp
+from radartrack.derive.language.identifiers import MODULES, require_names, require_text
+from radartrack.derive.language.model_outputs import require_smooth, require_unit
 from radartrack.derive.language.source import Source
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.units import Unit
+from radartrack.derive.units import ONE, Unit
 
 Covariance = tuple[tuple[Expr, ...], ...]
 
@@ -25,13 +27,15 @@ class Model:
         measured: θ, the measured quantities.
         deviations: the standard deviations of their errors, in the same order.
         correlations: pairs of measured quantities with correlated errors, and the symbol of the correlation.
-        outputs: name and expression of each coordinate.
+        outputs: name and expression of each coordinate; a float in one means the shortest decimal that stands for it.
         units: the unit of each coordinate.
         source: where the map stands in print.
         parameters: symbols of the map that are known and carry no error, such as a baseline.
 
     Raises:
-        ValueError: when the parts do not fit each other.
+        TypeError: when an output is no expression.
+        ValueError: when the parts do not fit each other, an output has another unit than its expression, or an
+            expression has no derivatives.
     """
 
     name: str
@@ -45,7 +49,28 @@ class Model:
     parameters: tuple[Variable, ...] = ()
 
     def __post_init__(self) -> None:
+        self._require_words()
+        self._require_errors()
+        exact = {name: self._exact(name, value) for name, value in self.outputs.items()}
+        object.__setattr__(self, "outputs", exact)
+        for (output, expression), unit in zip(exact.items(), self.units, strict=True):
+            unknown = expression.free_symbols - set(self.arguments)
+            if unknown:
+                allowed = ", ".join(symbol.name for symbol in self.arguments)
+                raise ValueError(f"output {output} may use {allowed} only, given also {sorted(map(str, unknown))}")
+            require_smooth(output, expression)
+            require_unit(output, expression, unit)
+
+    def _require_words(self) -> None:
+        """Names and text that can be written, and as many of each part as there must be."""
         require_names("the model's name", [self.name])
+        if self.name in MODULES:
+            raise ValueError(f"the model's name must not be {' nor '.join(sorted(MODULES))}; given {self.name!r}")
+        require_text(f"the title of {self.name}", self.title)
+        require_text(f"the source of {self.name}", str(self.source))
+        for what, given in (("measured", self.measured), ("outputs", self.outputs)):
+            if not given:
+                raise ValueError(f"{what} must name at least one quantity; given {given!r}")
         if len(self.deviations) != len(self.measured):
             raise ValueError(
                 f"deviations must be one for each measured quantity: given {len(self.deviations)}, "
@@ -56,12 +81,31 @@ class Model:
         for pair in self.correlations:
             if len(set(pair)) != 2 or not set(pair) <= set(self.measured):
                 raise ValueError(f"correlations must join two different measured quantities, given {pair}")
+            if pair[::-1] in self.correlations:
+                raise ValueError(f"correlations must name each pair once; given {pair} and {pair[::-1]}")
         require_names("a symbol's name", [symbol.name for symbol in self.symbols])
-        for output, expression in self.outputs.items():
-            unknown = expression.free_symbols - set(self.arguments)
-            if unknown:
-                allowed = ", ".join(symbol.name for symbol in self.arguments)
-                raise ValueError(f"output {output} may use {allowed} only, given also {sorted(map(str, unknown))}")
+
+    def _require_errors(self) -> None:
+        """Deviations and correlations of the right units and signs."""
+        for of, sigma in zip(self.measured, self.deviations, strict=True):
+            if sigma.unit != of.unit or sigma.low < 0:
+                raise ValueError(
+                    f"the deviation of {of.name} must have its unit, {of.unit}, and no negative values; "
+                    f"given {sigma.name} in {sigma.unit} from {sigma.low:g}"
+                )
+        for rho in self.correlations.values():
+            if rho.unit != ONE or rho.low < -1 or rho.high > 1:
+                raise ValueError(
+                    f"a correlation must be a number from -1 to 1; given {rho.name} in {rho.unit} "
+                    f"from {rho.low:g} to {rho.high:g}"
+                )
+
+    @staticmethod
+    def _exact(output: str, value: object) -> Expr:
+        try:
+            return sp.exact(value)
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"output {output}: {error}") from None
 
     @property
     def map(self) -> Tensor[Expr]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Self
 
+from radartrack.derive.language.identifiers import require_text
 from radartrack.derive.symbolic import Symbol
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, Unit
 
@@ -41,7 +43,17 @@ class Variable(Symbol):
         at_most: Variable | None = None,
         is_correlation: bool = False,
     ) -> Self:
-        """Declare a symbol; one whose domain is above zero is positive in the algebra too."""
+        """Declare a symbol; one whose domain is above zero is positive in the algebra too.
+
+        Raises:
+            TypeError: the ends of the domain are no numbers.
+            ValueError: they are not finite or not in order, or the meaning is not one line of text.
+        """
+        require_text(f"the meaning of {name}", meaning)
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            raise ValueError(
+                f"the domain of {name} must go from one finite number up to another; given {low} to {high}"
+            )
         sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
         variable.meaning, variable.unit, variable.low, variable.high = meaning, unit, low, high

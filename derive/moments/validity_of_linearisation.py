@@ -133,8 +133,9 @@ class _Comparison:
         """Terms over the determinant, divided by the factors that it shares with all of them."""
         found = denominators(self.ring)
         parts = collect(determinant, self.ring, found)
-        if len(parts) != 1:
-            raise ValueError(f"the Jacobian determinant of {self.model.name} is no product of roots and a polynomial")
+        if len(parts) != 1:  # no product of roots and a polynomial
+            above = {n: self.ring.expression(term) for n, term in terms.items() if term}
+            return _Row(above, self.ring.expression(determinant))
         ((exponents, numerator),) = parts.items()
         root = reduce(mul, map(self._power, found, exponents), self.ring.ring.one)
         reduced = {n: without_squares(term * root, self.ring, sp.sin) for n, term in terms.items()}

@@ -6,6 +6,9 @@ can be multiplied by a power of q + u = 1 until all terms have one degree. Cance
 rationals, in the derivation; a polynomial that is positive between 0 and 1 ends as a sum of positive terms
 (Bernstein). Sines and cosines get the same treatment with cos² + sin² = 1.
 
+Where an exponent is a covariance, of either sign, or there are many, multiplying out gives no such form or too long
+a one; then a sum of exponentials is written over what each exponent adds by itself (`derive/stable/exponents.py`).
+
 Each rewritten entry is expanded again and proved equal to what it came from.
 """
 
@@ -25,29 +28,35 @@ from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomi
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.stable.bernstein_polynomials import Decay, Monomial, bernstein, rational_number
+from radartrack.derive.stable.exponents import Exponents
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
 if TYPE_CHECKING:
     from radartrack.derive.symbolic import PolyCoefficient
 
+MOST_DECAYS = 4  # those of a plot in space and its prediction; products of powers of more outgrow what can be read
 Spectrum = dict[Expr, Expr]
 Form = dict[Expr, "PolyCoefficient"]
 
 
 @dataclass(frozen=True)
 class Wave:
-    """The cosine and sine of a multiple of an angle."""
+    """The cosine and sine of a multiple of an angle, which may be a product of symbols, or a number."""
 
-    angle: Symbol
+    monomial: Monomial
+    angle: Expr
     step: Fraction
     cosine: Symbol
     sine: Symbol
 
     @classmethod
-    def of(cls, angle: Symbol, step: Fraction) -> Wave:
+    def of(cls, monomial: Monomial, ring: PolyRing, step: Fraction) -> Wave:
         """Named after the angle."""
-        name = angle.name if step == 1 else f"{angle.name}_times_{step}".replace("/", "_over_")
-        return cls(angle, step, sp.Symbol(f"cos_{name}", real=True), sp.Symbol(f"sin_{name}", real=True))
+        symbols = [s.name for s, power in zip(ring.symbols, monomial, strict=True) for _ in range(power)]
+        angle = ring.from_dict({monomial: ring.domain.one}).as_expr()
+        plain = "_".join(symbols) or "number"
+        name = plain if step == 1 else f"{plain}_times_{step}".replace("/", "_over_")
+        return cls(monomial, angle, step, sp.Symbol(f"cos_{name}", real=True), sp.Symbol(f"sin_{name}", real=True))
 
     def definitions(self) -> dict[Symbol, Expr]:
         """Cosine and sine in the plain symbols."""
@@ -133,17 +142,23 @@ class _Rewriter:
         frequencies = [[split(exponent)[1] for exponent in value.terms] for value in values]
         growths = [[split(exponent)[0] for exponent in value.terms] for value in values]
         self.waves = tuple(
-            Wave.of(_symbol(ring, monomial), _even_step(monomial, step, frequencies))
+            Wave.of(monomial, ring, _even_step(monomial, step, frequencies))
             for monomial, step in _common_steps(frequencies)
         )
         self.decays = tuple(
             Decay.of(monomial, ring.from_dict({monomial: ring.domain.one}).as_expr(), step)
             for monomial, step in _common_steps(growths)
         )
+        self.exponents = Exponents(self.decays)
+
+    @property
+    def are_attenuations(self) -> bool:
+        """Whether every decay is that of a variance, which is between 0 and 1, and few enough to multiply out."""
+        return len(self.decays) <= MOST_DECAYS and all(d.variance_is_positive for d in self.decays)
 
     def definitions(self) -> dict[Symbol, Expr]:
         waves = [wave.definitions() for wave in self.waves]
-        decays = [decay.definitions() for decay in self.decays]
+        decays = [decay.definitions() for decay in self.decays] if self.are_attenuations else [self.exponents.names]
         return {symbol: definition for part in (*waves, *decays) for symbol, definition in part.items()}
 
     def spectrum(self, value: ExponentialPolynomial) -> Spectrum:
@@ -180,12 +195,14 @@ class _Rewriter:
 
     def _counts(self, exponent: PolyElement) -> tuple[Monomial, Monomial]:
         growth, frequency = split(exponent)
-        turns = tuple(_steps(frequency, _monomial(self.ring, wave.angle), wave.step) for wave in self.waves)
+        turns = tuple(_steps(frequency, wave.monomial, wave.step) for wave in self.waves)
         return turns, tuple(-_steps(growth, decay.variance, decay.step) for decay in self.decays)
 
     def _term(self, monomial: Monomial, by_decay: Mapping[Monomial, Fraction]) -> Expr:
         product = self.ring.from_dict({monomial: self.ring.domain.one}).as_expr()
-        return product * bernstein(frozenset(by_decay.items()), self.decays)
+        if self.are_attenuations:
+            return product * bernstein(frozenset(by_decay.items()), self.decays)
+        return product * self.exponents.total(by_decay)
 
 
 def _common_steps(polynomials: Sequence[Sequence[PolyElement]]) -> list[tuple[Monomial, Fraction]]:
@@ -206,16 +223,6 @@ def _even_step(monomial: Monomial, step: Fraction, entries: Sequence[Sequence[Po
 def _common_step(values: Sequence[Fraction]) -> Fraction:
     denominator = lcm(*(value.denominator for value in values))
     return Fraction(gcd(*(int(value * denominator) for value in values)), denominator)
-
-
-def _symbol(ring: PolyRing, monomial: Monomial) -> Symbol:
-    if sum(monomial) != 1:
-        raise NotProved(f"the angle {ring.from_dict({monomial: ring.domain.one})} is not a plain symbol")
-    return ring.symbols[monomial.index(1)]
-
-
-def _monomial(ring: PolyRing, symbol: Symbol) -> Monomial:
-    return tuple(int(other == symbol) for other in ring.symbols)
 
 
 def _steps(polynomial: PolyElement, monomial: Monomial, step: Fraction) -> int:

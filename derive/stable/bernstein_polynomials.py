@@ -45,6 +45,11 @@ class Decay:
         attenuation = sp.Symbol(f"attenuation_{name}", positive=True)
         return cls(variance, product, step, attenuation, sp.Symbol(f"shortfall_{name}", real=True))
 
+    @property
+    def variance_is_positive(self) -> bool:
+        """Whether it is a product of squares."""
+        return all(power % 2 == 0 for power in self.variance)
+
     def definitions(self) -> dict[Symbol, Expr]:
         """Attenuation and shortfall in the plain symbols."""
         exponent = -sp.Rational(self.step) * self.product

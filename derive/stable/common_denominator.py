@@ -173,16 +173,18 @@ def without_squares(element: PolyElement, ring: DifferentialRing, function: type
     for placeholder, key in ring.generators.items():
         if isinstance(key, function):
             element = even_powers(element, placeholder, 1 - ring.read(other(*key.args)) ** 2)
+        elif isinstance(key, sp.Pow) and isinstance(key.exp, sp.Rational) and key.exp.p == 1:
+            element = even_powers(element, placeholder, ring.read(key.base), int(key.exp.q))
     return element
 
 
-def even_powers(value: PolyElement, symbol: Symbol, square: PolyElement) -> PolyElement:
-    """The polynomial with every even power of a generator expressed through its square."""
+def even_powers(value: PolyElement, symbol: Symbol, square: PolyElement, degree: int = 2) -> PolyElement:
+    """The polynomial with every even power of a generator expressed through its square, or through a higher power."""
     ring = value.ring
     position = ring.symbols.index(symbol)
     total = ring.zero
     for powers, coefficient in value.terms():
         power = powers[position]
-        rest = ring.from_dict({(*powers[:position], power % 2, *powers[position + 1 :]): coefficient})
-        total = total + rest * square ** (power // 2)
+        rest = ring.from_dict({(*powers[:position], power % degree, *powers[position + 1 :]): coefficient})
+        total = total + rest * square ** (power // degree)
     return total

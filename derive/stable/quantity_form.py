@@ -16,13 +16,18 @@ from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
 
 
-@cache
 def form_of(quantity: Quantity) -> StableForm:
     """The quantity's own rewriting where it has one, else a general form in which little cancels.
 
     Raises:
         NotProved: when a rewriting is not equal to the derivation.
     """
+    return _form(quantity, quantity.derivation, quantity.rewriting)
+
+
+@cache
+def _form(quantity: Quantity, *_origin: object) -> StableForm:
+    """Kept by what it is derived from: another model may have the same names."""
     if quantity.rewriting is not None:
         form = quantity.rewriting()
         _prove(form, quantity.expression)
@@ -38,7 +43,8 @@ def readable(quantity: Quantity) -> Tensor[Expr]:
 
 
 def without_expm1(expression: Expr) -> Expr:
-    """The expression with e^x − 1 in place of calls of expm1."""
+    """The expression with e^x − 1 in place of calls of expm1, and more terms of the series likewise."""
+    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(sp.remainder)})
     calls = expression.atoms(sp.expm1)
     opposites = {-call: 1 - sp.exp(call.args[0]) for call in calls}
     return expression.xreplace(opposites).xreplace({call: sp.exp(call.args[0]) - 1 for call in calls})

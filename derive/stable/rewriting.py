@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.algebra.exponential_polynomial import NotExponentialPolynomial
-from radartrack.derive.language.stable_form import StableForm
+from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.stable.attenuation import stable_form
 from radartrack.derive.stable.common_denominator import collected_form
@@ -17,9 +17,11 @@ def general_form(entries: Tensor[Expr]) -> StableForm:
     Raises:
         NotProved: when a rewritten entry is not the same function.
     """
-    for rewrite in (stable_form, collected_form):
-        try:
-            return rewrite(entries)
-        except (NotExponentialPolynomial, NotDifferentiable):
-            continue
-    return StableForm({}, entries)
+    try:
+        return stable_form(entries)
+    except NotExponentialPolynomial:
+        pass
+    try:
+        return collected_form(entries)
+    except (NotDifferentiable, NotProved):  # where denominators stand in denominators there is no unique form
+        return StableForm({}, entries)

@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.term_order import by_name
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.writing.numpy_expression import code
-from radartrack.derive.writing.term_order import by_name
 
 POWERS = {2: "squared", 3: "cubed"}
 LONGEST = 30

@@ -18,11 +18,11 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Index, Tensor, indices
+from radartrack.derive.stable.horner import nested
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.derive.writing.common_subexpressions import with_common_parts
-from radartrack.derive.writing.horner import nested
 from radartrack.derive.writing.numpy_expression import FUNCTIONS
-from radartrack.derive.writing.numpy_writer import INDENT, VERSION, WIDTH, assignments
+from radartrack.derive.writing.numpy_writer import INDENT, REMAINDER, VERSION, WIDTH, assignments, beside
 
 
 class Words(NamedTuple):
@@ -52,6 +52,19 @@ from collections.abc import MutableMapping, Sequence
 Floats = Sequence[float]
 Filled = MutableMapping[tuple[int, ...], float]
 """
+REMAINDER_OF_A_NUMBER = '''
+
+def _remainder(x: float, order: int) -> float:
+    """e^x less the terms of its series below the order; where these would cancel, by the rest of the series."""
+    rest, series, term = 1.0, 0.0, 1.0
+    for n in range(order + 30, order, -1):
+        rest = 1.0 + x * rest / n
+    for n in range(order):
+        series += term
+        term *= x / (n + 1)
+    return rest * term if abs(x) < order else math.exp(x) - series
+'''
+REMAINDER_OF_KIND = {ARRAYS: REMAINDER, LOOPS: REMAINDER_OF_A_NUMBER}
 OF_A_NUMBER = {numpy.removeprefix("np."): function.__name__ for function, numpy in FUNCTIONS.items()} | {"abs": "fabs"}
 
 
@@ -114,13 +127,13 @@ def conversions_of(quantities: Mapping[str, Quantity]) -> list[tuple[str, str]]:
         (model, method)
         for model in models
         for method, words in METHODS.items()
-        if all(_find(quantities, model, word) for word in words if word)
+        if all(quantity_of(quantities, model, word) for word in words if word)
     ]
 
 
 def covariance_of(quantities: Mapping[str, Quantity], model: str, method: str) -> str:
     """The name of the covariance of a conversion."""
-    return _find(quantities, model, METHODS[method].covariance)
+    return quantity_of(quantities, model, METHODS[method].covariance)
 
 
 def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str) -> ConversionCode:
@@ -130,10 +143,11 @@ def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str)
         KeyError: a part of it is missing.
     """
     words = METHODS[method]
-    estimate, covariance = (quantities[_find(quantities, model, word)] for word in (words.estimate, words.covariance))
-    bias = quantities[_find(quantities, model, words.bias)] if words.bias else None
+    estimate = quantities[quantity_of(quantities, model, words.estimate)]
+    covariance = quantities[quantity_of(quantities, model, words.covariance)]
+    bias = quantities[quantity_of(quantities, model, words.bias)] if words.bias else None
     mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
-    form = _together(mean, form_of(covariance))
+    form = beside(_together(mean, form_of(covariance)), covariance)
     given = {symbol: nested(value) for symbol, value in form.definitions.items()}
     definitions, results = with_common_parts(given, form.entries.map_distinct(nested))
     places = [*_places("mean", estimate.shape), *_places("covariance", covariance.shape)]
@@ -156,10 +170,11 @@ def module_text(codes: Sequence[ConversionCode], kind: str) -> str:
         'not to be edited.\n"""\n'
     )
     head = ARRAYS_HEAD if kind == ARRAYS else LOOPS_HEAD
-    return "\n\n".join([f"{header}\n{head}", *functions])
+    helper = REMAINDER_OF_KIND[kind] if any("_remainder(" in function for function in functions) else ""
+    return "\n\n".join([f"{header}\n{head}{helper}", *functions])
 
 
-def _find(quantities: Mapping[str, Quantity], model: str, word: str) -> str:
+def quantity_of(quantities: Mapping[str, Quantity], model: str, word: str) -> str:
     """The name of a word, exact or else to fourth order, covariances as sums of squares; empty where there is none."""
     names = (f"{model}.{word}", f"{model}.{word}.semidefinite", f"{model}.{word}.fourth_order")
     return next((name for name in names if name in quantities), "")

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.term_order import by_name
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.writing.term_order import by_name
 
 FUNCTIONS: dict[type[Expr], str] = {
     sp.Abs: "np.abs",
@@ -59,11 +59,14 @@ def _code(expression: Expr) -> tuple[str, int]:
         return (text, PRODUCT) if sign == "+" else (f"-{text}", SUM)
     if isinstance(expression, sp.Pow):
         return _power(expression)
+    if isinstance(expression, sp.remainder):
+        argument, order = expression.args
+        return f"_remainder({code(argument)}, {int(order)})", ATOM
     if expression.func in FUNCTIONS:
         arguments = ", ".join(code(argument) for argument in expression.args)
         return f"{FUNCTIONS[expression.func]}({arguments})", ATOM
-    if expression == sp.pi:
-        return "np.pi", ATOM
+    if expression in (sp.pi, sp.E):
+        return f"np.{'pi' if expression == sp.pi else 'e'}", ATOM
     raise NotWritable(f"{type(expression).__name__} in {expression} has no NumPy code")
 
 
@@ -102,6 +105,8 @@ def _power(expression: Expr) -> tuple[str, int]:
         return f"1.0 / {_wrapped(base**-exponent, POWER)}", PRODUCT
     if isinstance(exponent, sp.Rational) and exponent.q == 2:
         return _integer_power(f"np.sqrt({code(base)})", int(exponent.p))
+    if isinstance(exponent, sp.Rational) and exponent.q > 2:
+        return f"{_wrapped(base, ATOM)} ** ({int(exponent.p)}.0 / {int(exponent.q)}.0)", POWER
     if not isinstance(exponent, sp.Integer):
         raise NotWritable(f"the power {expression} has an exponent that is no number")
     return _integer_power(_wrapped(base, ATOM), int(exponent))

@@ -54,6 +54,23 @@ def _ratio(above: Floats, below: Floats) -> Floats:
 '''
 
 
+REMAINDER = '''
+
+def _remainder(x: Floats, order: int) -> Floats:
+    """e^x less the terms of its series below the order; where these would cancel, by the rest of the series."""
+    is_small = np.abs(x) < order
+    small, large = np.where(is_small, x, 0.0), np.where(is_small, 0.0, x)
+    rest, series, term = np.ones_like(small), np.zeros_like(large), np.ones_like(large)
+    for n in range(order + 30, order, -1):
+        rest = 1.0 + small * rest / n
+    for n in range(order):
+        series = series + term
+        term = term * large / (n + 1)
+        rest = rest * small / (n + 1)
+    return np.where(is_small, rest, np.exp(large) - series)
+'''
+
+
 @dataclass(frozen=True)
 class Function:
     """A quantity as a NumPy function.
@@ -87,7 +104,7 @@ def body(quantity: Quantity, form: StableForm) -> str:
     """The statements that compute a quantity as it is rewritten, without the docstring."""
     if not quantity.symbols:
         return f"return np.array({nested(form.entries.map(code), gap=', ')})[()]"
-    form = _beside(form, quantity)
+    form = beside(form, quantity)
     definitions, results = with_common_parts(form.definitions, form.entries)
     names = [symbol.name for symbol in quantity.symbols]
     arguments = ", ".join(names)
@@ -100,7 +117,7 @@ def body(quantity: Quantity, form: StableForm) -> str:
     return "\n".join(lines)
 
 
-def _beside(form: StableForm, quantity: Quantity) -> StableForm:
+def beside(form: StableForm, quantity: Quantity) -> StableForm:
     """The form with an underscore behind every intermediate that is called like one of the arguments."""
     taken = {symbol.name for symbol in quantity.symbols}
     renamed: dict[Symbol, Symbol] = {}
@@ -144,7 +161,12 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
         "\n".join(textwrap.wrap(f"Accuracy: {accuracy}{against}", WIDTH - 4)),
     ]
-    return "\n\n".join(sections)
+    return _escaped("\n\n".join(sections))
+
+
+def _escaped(text: str) -> str:
+    """As it stands between triple quotes: a user's own words may hold quotes and backslashes."""
+    return text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
 
 
 def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str, str]) -> str:
@@ -156,7 +178,8 @@ def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str
         'not to be edited.\n"""\n'
     )
     written = [function.text(accuracy[function.quantity.name]) for function in functions]
-    helpers = PRELUDE + (RATIO if any("_ratio(" in text for text in written) else "")
+    used = "".join(written)
+    helpers = PRELUDE + (RATIO if "_ratio(" in used else "") + (REMAINDER if "_remainder(" in used else "")
     body = "\n\n".join([f"{header}\n{helpers}", *written])
     return body.replace("\nFloats = ", f"\n__all__ = [\n{names}]\n\nFloats = ", 1)
 

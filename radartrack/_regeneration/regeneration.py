@@ -22,6 +22,7 @@ from radartrack._system.directory_swap import replace_directory, replace_file
 from radartrack._system.worker_processes import Workers, ended_on_failure
 from radartrack._system.written_files import Owners
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.evaluation.real_outputs import require_real
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.stable.quantity_form import form_of
@@ -134,6 +135,10 @@ class NoModel(ValueError):
     """A file does not define a model."""
 
 
+class NotDerived(ValueError):
+    """A quantity has no code: what it holds cannot be rewritten, proved or written."""
+
+
 def load_model(path: Path) -> Model:
     """The `MODEL` of a user's own Python file, which is run.
 
@@ -146,10 +151,19 @@ def load_model(path: Path) -> Model:
     try:
         model = getattr(_executed(spec), "MODEL", None)
     except (Exception, SystemExit) as error:
-        raise NoModel(f"{path} does not run: {type(error).__name__}: {error}") from error
+        raise NoModel(f"{path} does not run: {type(error).__name__}: {_on_one_line(error)}") from error
     if not isinstance(model, Model):
-        raise NoModel(f"{path} must define MODEL = radartrack.derive.Model(...); MODEL is {model!r}")
+        raise NoModel(f"{path} must define MODEL = radartrack.derive.Model(...); MODEL is {_on_one_line(repr(model))}")
+    try:
+        require_real(model.outputs.items(), model.arguments, model.measured)
+    except ValueError as error:
+        raise NoModel(f"{path}: {error}") from error
     return model
+
+
+def _on_one_line(said: object) -> str:
+    """Text of a stranger's, without what a terminal would obey."""
+    return "".join(c if c.isprintable() else " " for c in " ".join(str(said).split()))
 
 
 def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
@@ -162,7 +176,7 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
         with ended_on_failure(Workers(mp_context=get_context("spawn"), initializer=prepare)) as pool:
             done = _told(tasks, pool.map(_of_catalogue, tasks, chunksize=CHUNK), step)
     else:
-        done = _told(tasks, (_done(task, quantities) for task in tasks), step)
+        done = _told(tasks, (_done_or_refused(task, quantities) for task in tasks), step)
     derived = []
     for name, quantity in quantities.items():
         statements, typeset = done[name]
@@ -184,6 +198,19 @@ def _of_catalogue(task: Task) -> Done:
 
 def _done(task: Task, quantities: Mapping[str, Quantity]) -> Done:
     return written(quantities[task]) if isinstance(task, str) else conversion_code(quantities, *task)
+
+
+def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
+    """The code of one task of a model of a user's own.
+
+    Raises:
+        NotDerived: saying of which quantity, and why.
+    """
+    try:
+        return _done(task, quantities)
+    except (ArithmeticError, AssertionError, LookupError, RecursionError, TypeError, ValueError) as error:
+        name = task if isinstance(task, str) else ".".join(task)
+        raise NotDerived(f"{name} cannot be derived: {_on_one_line(error)}") from error
 
 
 def _told(tasks: Sequence[Task], done: Iterable[Done], step: Step) -> dict[Task, Any]:

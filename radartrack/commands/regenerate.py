@@ -38,6 +38,8 @@ def regenerate(
             measured = regeneration.as_recorded(functions, known)
             if not check:
                 measured = regeneration.with_measured(functions, known, step)
+    except regeneration.NotDerived as error:
+        _refuse(f"Nothing was written: {error}")
     except NotProved as error:
         terminal.complain(f"Nothing was written: {error}")
         raise typer.Exit(1) from None

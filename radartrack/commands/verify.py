@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 CHECKPOINT = "radartrack-verify.jsonl"
 PLAIN_WIDTH = 140  # in a file or a pipe
+PATHS = {"function": "f", "arrays": "a", "one plot": "1", "machine code": "m"}  # in the table
 INTERRUPTED = 130
 
 
@@ -174,11 +175,15 @@ def _show(records: Sequence[Mapping[str, Any]]) -> None:
     titles = [layer["layer"] for layer in records[0]["layers"]] if records else []
     table = Table(box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
     table.add_column("function", overflow="fold")
+    table.add_column("paths", no_wrap=True)
     for title in titles:
         table.add_column(title.replace(" ", "\n"), justify="right", no_wrap=True)
     for record in sorted(records, key=lambda r: -max(map(_badness, r["layers"]))):
-        table.add_row(record["quantity"], *map(_cell, record["layers"]))
+        paths = "".join(PATHS[path] for path in record["paths"])
+        table.add_row(record["quantity"], paths, *map(_cell, record["layers"]))
     console.print(table)
+    covered = dict.fromkeys(path for record in records for path in record["paths"])
+    console.print(f"Paths: {', '.join(f'{PATHS[path]} {path}' for path in covered)}.")
     for record in records:
         for layer in record["layers"]:
             if layer["verdict"] == "failed":

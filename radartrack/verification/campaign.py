@@ -6,7 +6,7 @@ import importlib.metadata
 import platform
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property, reduce
 from importlib.util import find_spec
 from operator import add
@@ -23,9 +23,10 @@ from radartrack.verification.layers.identity import Identity
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
 from radartrack.verification.layers.ulp_search import Accuracy
-from radartrack.verification.outcome import Layer, Outcome, Verdict, examined
+from radartrack.verification.outcome import FUNCTION, Layer, Outcome, examined
+from radartrack.verification.paths import along, paths_of
 from radartrack.verification.simulation.draws import CHUNK, Draws, Sums, tasks_for
-from radartrack.verification.simulation.experiments import Trial, simulated, trials
+from radartrack.verification.simulation.experiments import Departures, Trial, departures, simulated, trials
 from radartrack.verification.simulation.statistics import FALSE_ALARM
 from radartrack.verification.subject import NotGenerated, generated
 
@@ -62,6 +63,10 @@ class Effort:
         ]
         return [*found, Mutants(self.mutants, self.seed)] if self.mutants else found
 
+    def layers_along(self, path: str) -> list[Layer]:
+        """Those that look at code; a derivation and its mutants are looked at once, with the function."""
+        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants)]
+
 
 QUICK = Effort(points=2_000, nodes=1, draws=1 << 20, mutants=0)
 FULL = Effort(points=100_000, nodes=4, draws=100_000_000, mutants=60)
@@ -69,21 +74,21 @@ FULL = Effort(points=100_000, nodes=4, draws=100_000_000, mutants=60)
 
 @dataclass(frozen=True)
 class Examination:
-    """A task: one layer on one function."""
+    """A task: one layer on one quantity, on one of the paths that users take to it."""
 
     name: str
     layer: Layer
+    path: str = FUNCTION
 
     @property
     def key(self) -> str:
         """Its name in a checkpoint."""
-        return f"{self.name}/{self.layer.name}"
+        return f"{self.name}/{self.layer.name}/{self.path}"
 
     def __call__(self) -> dict[str, Any]:
         """The outcome as JSON has it."""
-        quantity = find(self.name)
         try:
-            return asdict(examined(self.layer, quantity, generated(quantity)))
+            return asdict(examined(self.layer, *along(self.path, find(self.name))))
         except NotGenerated as error:
             return asdict(Outcome.failed(self.layer.name, str(error)))
 
@@ -128,10 +133,14 @@ class Campaign:
     def _tasks(self) -> Iterator[Examination | Draws]:
         for name in self.names:
             for layer in self.effort.layers:
-                yield Examination(name, layer)
+                yield from self._examinations(name, layer)
         for name in self.names:
             for trial in self._simulations(find(name)):
                 yield from tasks_for(trial.experiment, self.effort.draws)
+
+    def _examinations(self, name: str, layer: Layer) -> list[Examination]:
+        paths = paths_of(find(name))
+        return [Examination(name, layer, path) for path in paths if layer in self.effort.layers_along(path)]
 
     def _simulations(self, quantity: Quantity) -> list[Trial]:
         if quantity.name not in self._trials:
@@ -147,11 +156,18 @@ class Campaign:
 
     def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
         quantity = find(name)
-        outcomes = [done[Examination(name, layer).key] for layer in self.effort.layers]
+        outcomes = [self._along_all_paths(self._examinations(name, layer), done) for layer in self.effort.layers]
         outcomes.append(asdict(self._monte_carlo(quantity, done)))
-        ranked = {Verdict.FAILED: 2, Verdict.PASSED: 1, Verdict.NOT_APPLICABLE: 0}
-        verdict = max((Verdict(outcome["verdict"]) for outcome in outcomes), key=ranked.__getitem__)
-        return {"quantity": name, "verdict": verdict, "layers": outcomes}
+        verdict = max(map(Outcome.read, outcomes), key=lambda outcome: outcome.severity).verdict
+        return {"quantity": name, "verdict": verdict, "paths": list(paths_of(quantity)), "layers": outcomes}
+
+    def _along_all_paths(self, tasks: Sequence[Examination], done: Mapping[str, Any]) -> dict[str, Any]:
+        """The worst outcome of one layer, and the figure of each path."""
+        outcomes = {task.path: Outcome.read(done[task.key]) for task in tasks}
+        path, outcome = max(outcomes.items(), key=lambda item: item[1].severity)
+        figures = {path: outcome.figure for path, outcome in outcomes.items()}
+        detail = outcome.detail if len(outcomes) == 1 else f"{path}: {outcome.detail}"
+        return asdict(replace(outcome, figures=figures, detail=detail))
 
     def _monte_carlo(self, quantity: Quantity, done: Mapping[str, Any]) -> Outcome:
         if not simulated(quantity):
@@ -159,7 +175,7 @@ class Campaign:
         planned = self._simulations(quantity)
         if not planned:
             return Outcome.failed(monte_carlo.NAME, f"{quantity.name} has no generated function")
-        return monte_carlo.decided((trial, self._sums(trial, done)) for trial in planned)
+        return monte_carlo.decided((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
 
     def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
         total: Sums | None = None
@@ -181,6 +197,12 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
         "versions": {"python": platform.python_version(), "radartrack": _own_version(), **versions},
         "functions": list(records),
     }
+
+
+def _departures(quantity: Quantity, trial: Trial) -> dict[str, Departures]:
+    """How far the conversions depart from the function that was simulated."""
+    function, others = generated(quantity), paths_of(quantity)[1:]
+    return {path: departures(quantity, trial, function, along(path, quantity)[1]) for path in others}
 
 
 def _installed(name: str) -> bool:

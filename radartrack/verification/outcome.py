@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any, Protocol
+
+import numpy as np
 
 from radartrack.derive.language.quantity import Quantity
 
 Function = Callable[..., Any]
+FUNCTION = "function"  # the path to a quantity that is its own
 
 
 class Verdict(StrEnum):
@@ -30,6 +33,7 @@ class Outcome:
         bound: what it may not exceed.
         verdict: whether it does.
         detail: what was compared, or why the layer does not apply.
+        figures: of each path that users take to the quantity, where there are several.
     """
 
     layer: str
@@ -37,12 +41,15 @@ class Outcome:
     bound: float | None
     verdict: Verdict
     detail: str
+    figures: Mapping[str, float | None] = field(default_factory=dict)
 
     @classmethod
-    def measured(cls, layer: str, figure: float, bound: float, detail: str) -> Outcome:
+    def measured(
+        cls, layer: str, figure: float, bound: float, detail: str, figures: Mapping[str, float | None] | None = None
+    ) -> Outcome:
         """Passed when the figure is within the bound; a figure that is no number fails."""
         verdict = Verdict.PASSED if figure <= bound else Verdict.FAILED
-        return cls(layer, figure, bound, verdict, detail)
+        return cls(layer, figure, bound, verdict, detail, figures or {})
 
     @classmethod
     def failed(cls, layer: str, reason: str) -> Outcome:
@@ -53,6 +60,17 @@ class Outcome:
     def not_applicable(cls, layer: str, reason: str) -> Outcome:
         """The layer has nothing to say of this quantity."""
         return cls(layer, None, None, Verdict.NOT_APPLICABLE, reason)
+
+    @classmethod
+    def read(cls, record: Mapping[str, Any]) -> Outcome:
+        """From what JSON has of it."""
+        return cls(**{**record, "verdict": Verdict(record["verdict"])})
+
+    @property
+    def severity(self) -> tuple[int, float]:
+        """How much it says against the function; what does not apply says least."""
+        ranks = (Verdict.NOT_APPLICABLE, Verdict.PASSED, Verdict.FAILED)
+        return ranks.index(self.verdict), self.badness
 
     @property
     def badness(self) -> float:
@@ -80,6 +98,7 @@ class Layer(Protocol):
 def examined(layer: Layer, quantity: Quantity, function: Function) -> Outcome:
     """The layer's answer; a function that makes it break down has failed it."""
     try:
-        return layer(quantity, function)
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        with np.errstate(all="ignore"):  # what is no number is a figure that fails, and no warning
+            return layer(quantity, function)
+    except (ArithmeticError, AttributeError, LookupError, NameError, TypeError, ValueError) as error:
         return Outcome.failed(layer.name, f"{type(error).__name__}: {error}")

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
 
 from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.layers.quadrature import not_applicable
-from radartrack.verification.outcome import Function, Outcome
+from radartrack.verification.outcome import FUNCTION, Function, Outcome
 from radartrack.verification.simulation.draws import Experiment, Sums, simulate
-from radartrack.verification.simulation.experiments import Trial, simulated, tests_of_catalogue, trials
+from radartrack.verification.simulation.experiments import Departures, Trial, simulated, tests_of_catalogue, trials
 from radartrack.verification.simulation.statistics import (
     FALSE_ALARM,
     MOST_CORRECTION,
@@ -41,7 +42,7 @@ class MonteCarlo:
         if not simulated(quantity):
             return reason(quantity)
         planned = trials(quantity, function, self.seed)
-        return decided((trial, _sums(trial.experiment, self.draws)) for trial in planned)
+        return decided((trial, _sums(trial.experiment, self.draws), {}) for trial in planned)
 
 
 def reason(quantity: Quantity) -> Outcome:
@@ -59,13 +60,14 @@ def _sums(experiment: Experiment, draws: int) -> Sums | ValueError:
 
 @dataclass(frozen=True)
 class Comparison:
-    """One mean of what is drawn less what the function says."""
+    """One mean of what is drawn less what the function says, or what a conversion does."""
 
     label: str
     mean: Mean
     rounding: float
     relative: float
     beyond: float
+    path: str = FUNCTION
 
     @property
     def z(self) -> float:
@@ -95,14 +97,25 @@ def comparisons(trial: Trial, sums: Sums) -> list[Comparison]:
     ]
 
 
-def decided(results: Iterable[tuple[Trial, Sums | ValueError]]) -> Outcome:
-    """All points of one quantity together."""
+def decided(results: Iterable[tuple[Trial, Sums | ValueError, Mapping[str, Departures]]]) -> Outcome:
+    """All points of one quantity together; where conversions depart from the function, the means move as far."""
     found: list[Comparison] = []
-    for trial, sums in results:
+    for trial, sums, departures in results:
         if isinstance(sums, ValueError) or not trial.finite:
             return Outcome.failed(NAME, "the function gave what is no number")
-        found += comparisons(trial, sums)
+        by_function = comparisons(trial, sums)
+        found += by_function
+        for path, moved in departures.items():
+            if not all(map(math.isfinite, moved)):
+                return Outcome.failed(NAME, f"{path}: the conversion gave what is no number")
+            found += map(partial(_moved, path), by_function, moved)
     return _outcome(found)
+
+
+def _moved(path: str, comparison: Comparison, by: float) -> Comparison:
+    """The same draws less what another path says; the spread stays what it is."""
+    mean = replace(comparison.mean, value=comparison.mean.value + by)
+    return replace(comparison, mean=mean, path=path)
 
 
 def _outcome(found: list[Comparison]) -> Outcome:
@@ -110,11 +123,12 @@ def _outcome(found: list[Comparison]) -> Outcome:
     limit = threshold(tests)
     smallest = min(c.p for c in found)
     worst = max(found, key=lambda c: c.z)
+    means = sum(c.path == FUNCTION for c in found)
     shape = max(c.correction(limit) for c in found)
     seen = max(c.detectable(tests) for c in found)
     resolved = max(c.beyond / c.detectable(tests) for c in found)
     detail = (
-        f"{len(found)} of {tests} means, each of {worst.mean.draws} residuals, worst entry {worst.label} "
+        f"{worst.path}: {means} of {tests} means, each of {worst.mean.draws} residuals, worst entry {worst.label} "
         f"{worst.z:.2f} standard errors, p {smallest:.2g} of {FALSE_ALARM / tests:.1g}; an error of {seen:.1g} is "
         f"found in any entry with probability {POWER}; what second order leaves out is up to {resolved:.2g} times what "
         f"would be found; "
@@ -122,5 +136,10 @@ def _outcome(found: list[Comparison]) -> Outcome:
     )
     if shape > MOST_CORRECTION and smallest >= FALSE_ALARM / tests:
         return Outcome.failed(NAME, f"too few draws for the shape of what is drawn: {detail}")
-    figure = math.log(max(smallest, 1e-300)) / math.log(FALSE_ALARM / tests)
-    return Outcome.measured(NAME, max(figure, 0.0), 1.0, detail)
+    figures = {path: _figure([c.p for c in found if c.path == path], tests) for path in {c.path: None for c in found}}
+    return Outcome.measured(NAME, max(figures.values()), 1.0, detail, figures)
+
+
+def _figure(probabilities: Iterable[float], tests: int) -> float:
+    """The logarithm of the smallest by that of the threshold."""
+    return max(math.log(max(min(probabilities), 1e-300)) / math.log(FALSE_ALARM / tests), 0.0)

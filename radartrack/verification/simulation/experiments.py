@@ -26,8 +26,10 @@ from radartrack.verification.subject import model_of, row_of
 
 Array = npt.NDArray[np.float64]
 POINTS = 2
+WITNESSES = 64  # draws at which two ways to compute one estimate are compared
 ROUNDING = 2.0**-49  # some multiple of the rounding of one double
 NOISE, PREDICTION = "noise", "prediction"
+Departures = tuple[float, ...]  # by how much each mean moves
 
 
 @dataclass(frozen=True)
@@ -132,6 +134,27 @@ def trials(quantity: Quantity, function: Function, seed: int) -> Iterator[Trial]
     for number in range(POINTS):
         point = {name: float(values[number]) for name, values in columns.items()}
         yield _trial(quantity, function, _small(point, number), f"{seed}/{quantity.name}/{number}")
+
+
+def departures(quantity: Quantity, trial: Trial, function: Function, other: Function) -> Departures:
+    """How far each mean of a trial moves when another function takes the place of the one it was planned for.
+
+    An estimate enters at every draw. Where the two are equal they are equal at each, so few draws show by how much
+    their means differ; any other quantity enters by its value at the point.
+    """
+    experiment = trial.experiment
+    at = {symbol.name: np.asarray(experiment.point[symbol.name]) for symbol in quantity.symbols}
+    sign = -1.0 / trial.factor
+    if row_of(quantity) == "unbiased.estimate":
+        sign = 1.0
+        normals = np.random.Generator(np.random.Philox(WITNESSES)).standard_normal((WITNESSES, len(experiment.names)))
+        errors = normals @ experiment.factors[0].T
+        at |= {name: at[name] + errors[:, i] for i, name in enumerate(experiment.names)}
+    with np.errstate(all="ignore"):
+        gap = np.asarray(other(**at), dtype=np.float64) - np.asarray(function(**at), dtype=np.float64)
+    gap = gap.reshape(-1, *quantity.shape).mean(axis=0)
+    places = experiment.pairs or [(a,) for a in range(*quantity.shape)]
+    return tuple(sign * float(gap[place]) for place in places)
 
 
 def _small(point: Mapping[str, float], number: int) -> dict[str, float]:

@@ -70,7 +70,7 @@ def test_errors_without_a_correlation_are_independent():
 
 def test_a_new_model_of_a_few_lines_gives_every_quantity():
     x = length("x", "depth")
-    model = Model("echo", "An echo", (x,), (deviation(x, 0.1, 10),), {"t": x**2}, (METRE,), Source("me", None))
+    model = Model("echo", "An echo", (x,), (deviation(x, 0.1, 10),), {"t": x**2}, (METRE**2,), Source("me", None))
     names = {quantity.name for quantity in quantities_of(model)}
     assert {f"echo.{name}" for name in ("map", "bias.truth", "covariance.averaged", "unbiased.estimate")} <= names
     (bias,) = next(q for q in quantities_of(model) if q.name == "echo.bias.truth").expression

@@ -3,8 +3,8 @@
 from random import Random
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.term_order import by_name
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.writing.term_order import by_name
 
 NAMES = ("polar.covariance.averaged", "ruv.jacobian", "finite_sample.degree2.range_rate.covariance")
 

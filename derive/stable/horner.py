@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.term_order import by_name
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.writing.term_order import by_name
 
 
 def nested(expression: Expr) -> Expr:

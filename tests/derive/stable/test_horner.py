@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.writing.horner import nested
+from radartrack.derive.stable.horner import nested
 
 a, b, c, d = (sp.Symbol(name, real=True) for name in "abcd")
 Terms = dict[tuple[int, ...], Fraction]

@@ -1,0 +1,78 @@
+"""Whether the outputs of a model, and their first two derivatives, are real numbers over its domain."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice, product
+
+import mpmath
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.language.model_outputs import parts, shown
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.symbolic import Expr
+
+CORNERS = 512
+INSIDE = 128
+
+
+def require_real(
+    outputs: Iterable[tuple[str, Expr]], symbols: Sequence[Variable], measured: Sequence[Variable]
+) -> None:
+    """Check that outputs and their first two derivatives are real numbers, at the corners of the domain and inside.
+
+    Raises:
+        ValueError: naming the part that is none, and where.
+    """
+    for output, expression in outputs:
+        slopes = [sp.diff(expression, variable) for variable in measured]
+        bends = [sp.diff(slope, variable) for slope in slopes for variable in measured]
+        everything = Evaluator(Tensor((1 + len(slopes) + len(bends),), (expression, *slopes, *bends)), symbols)
+        for point in _points(symbols):
+            if not _real(everything, point):
+                raise ValueError(f"output {output}: {_culprit(expression, symbols, measured, point)}")
+
+
+def _culprit(expression: Expr, symbols: Sequence[Variable], measured: Sequence[Variable], point: list[float]) -> str:
+    """The smallest part that is not real at a point, else that a derivative is not."""
+    for part in parts(expression):
+        if not _real(Evaluator(Tensor((), (part,)), symbols), point):
+            return f"{shown(part)} is no real number{_where(part, symbols, point)}"
+    for part in parts(expression):
+        slopes = (sp.diff(part, variable) for variable in measured if variable in part.free_symbols)
+        if not all(_real(Evaluator(Tensor((), (slope,)), symbols), point) for slope in slopes):
+            return f"{shown(part)} has no derivative{_where(part, symbols, point)}"
+    return f"{shown(expression)} has no second derivative{_where(expression, symbols, point)}"
+
+
+def _where(part: Expr, symbols: Sequence[Variable], point: list[float]) -> str:
+    at = {s: value for s, value in zip(symbols, point, strict=True) if s in part.free_symbols}
+    places = ", ".join(f"{s.name} = {value:.6g}" for s, value in at.items())
+    domains = ", ".join(f"{s.name} is {s.low:.6g} to {s.high:.6g}" for s in at)
+    return f" at {places}, and {domains}" if at else ""
+
+
+def _real(evaluator: Evaluator, point: list[float]) -> bool:
+    try:
+        return all(isinstance(value, mpmath.mpf) and mpmath.isfinite(value) for value in evaluator(point))
+    except (ArithmeticError, TypeError, ValueError):
+        return False
+
+
+def _points(symbols: Sequence[Variable]) -> Iterator[list[float]]:
+    """Corners of the domain, many where there are many, and points inside, the same each time."""
+    yield from map(list, islice(product(*((s.low, s.high) for s in symbols)), CORNERS))
+    chance = random.Random(0)  # noqa: S311 - no secret
+    for _ in range(INSIDE):
+        yield [_between(symbol, chance.random()) for symbol in symbols]
+
+
+def _between(symbol: Variable, share: float) -> float:
+    return (
+        symbol.low * (symbol.high / symbol.low) ** share
+        if symbol.logarithmic
+        else (symbol.low + (symbol.high - symbol.low) * share)
+    )
