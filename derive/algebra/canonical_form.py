@@ -201,7 +201,9 @@ class Field:
         if expression.func in _RATIOS:
             above, below = _RATIOS[expression.func]
             return self._wave(above, arguments[0]) * self._inverse(self._wave(below, arguments[0]))
-        if expression.func is sp.Abs:
+        if expression.func in _RECIPROCALS:
+            return self._inverse(self._wave(_RECIPROCALS[expression.func], arguments[0]))
+        if expression.func is sp.Abs and expression.args[0].is_extended_real:
             return self._root(arguments[0] * arguments[0], 2)
         if expression.func is sp.hypot:
             return self._root(arguments[0] ** 2 + arguments[1] ** 2, 2)
@@ -386,7 +388,7 @@ def _is_root(call: Expr) -> bool:
 def _room(call: Expr) -> int:
     if isinstance(call, sp.Pow):
         return 0 if isinstance(call.exp, sp.Integer) else FACTORS
-    if call.func in _WAVES or call.func in _RATIOS:
+    if call.func in _WAVES or call.func in _RATIOS or call.func in _RECIPROCALS:
         return 0 if _is_polynomial(call.args[0]) else 1
     return FACTORS if call.func in {sp.Abs, sp.hypot} else 1
 
@@ -412,7 +414,10 @@ _WAVES: dict[type[Expr], tuple[sp.PolyCoefficient, ...]] = {
     sp.sinh: (_ONE, _HALF, -_HALF, _ZERO),
 }
 _RATIOS: dict[type[Expr], tuple[type[Expr], type[Expr]]] = {
+    sp.cot: (sp.cos, sp.sin),
+    sp.coth: (sp.cosh, sp.sinh),
     sp.tan: (sp.sin, sp.cos),
     sp.tanh: (sp.sinh, sp.cosh),
 }
-_OPAQUE = {sp.acos, sp.asin, sp.atan, sp.atan2, sp.log}
+_RECIPROCALS: dict[type[Expr], type[Expr]] = {sp.csc: sp.sin, sp.csch: sp.sinh, sp.sec: sp.cos, sp.sech: sp.cosh}
+_OPAQUE = {sp.Abs, sp.acos, sp.asin, sp.atan, sp.atan2, sp.log}  # the absolute value of what may be complex

@@ -66,7 +66,7 @@ class RoughEvaluator:
         return self._positions[expression]
 
     def _step(self, expression: Expr) -> tuple[Callable[..., Bounded], tuple[int, ...]]:
-        if not expression.args:
+        if not expression.args and expression.is_real:
             number = _rounded(float(expression))
             return lambda: number, ()
         if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Rational):
@@ -77,7 +77,11 @@ class RoughEvaluator:
             return _sum, operands
         if isinstance(expression, sp.Mul):
             return _product, operands
-        return _applied(_FUNCTIONS[expression.func]), operands
+        return _applied(_FUNCTIONS.get(expression.func, _not_computed)), operands
+
+
+def _not_computed(*_: float) -> float:
+    raise ArithmeticError("this has no value in floating point")
 
 
 def _rounded(value: float, error: float = 0.0) -> Bounded:

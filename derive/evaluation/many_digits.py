@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import cycle
 from typing import Any
 
 import mpmath
@@ -16,6 +17,15 @@ GUARD = 90  # an unstable textbook form may lose as many digits as a fourth powe
 Number = Any
 
 LARGEST_EXPONENT = 1e6
+RESIDUE = 30  # of the digits carried, those that rounding may reach in the part of a complex number that is zero
+
+
+NOISE = (1, -3, 5, -2, 7, -5, 3, -1, 2, -7, 4)  # what is added to one result after the other, in units of a last digit
+LAST = 4  # digits from the last of those carried to that one
+
+
+class NotComputed(ArithmeticError):
+    """A formula holds a function or a constant that is not evaluated here."""
 
 
 def _growing(function: Callable[[Number], Number]) -> Callable[[Number], Number]:
@@ -44,25 +54,49 @@ def _remainder(argument: Number, order: Number) -> Number:
     return mpmath.exp(argument) - sum(argument**n / mpmath.factorial(n) for n in range(int(order)))
 
 
+# Those that formulas are written with, and those that SymPy makes of them.
 _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.Abs: mpmath.fabs,
+    sp.Heaviside: lambda value, at_zero: (1 + mpmath.sign(value)) / 2 if value else at_zero,
     sp.acos: mpmath.acos,
+    sp.acot: mpmath.acot,
+    sp.acoth: mpmath.acoth,
+    sp.acsc: mpmath.acsc,
+    sp.arg: mpmath.arg,
+    sp.asec: mpmath.asec,
     sp.asin: mpmath.asin,
+    sp.asinh: mpmath.asinh,
     sp.atan: mpmath.atan,
     sp.atan2: _atan2,
+    sp.atanh: mpmath.atanh,
+    sp.conjugate: mpmath.conj,
     sp.cos: mpmath.cos,
     sp.cosh: _growing(mpmath.cosh),
+    sp.cot: mpmath.cot,
+    sp.coth: mpmath.coth,
+    sp.csc: mpmath.csc,
+    sp.csch: _growing(mpmath.csch),
     sp.erf: mpmath.erf,
     sp.exp: _growing(mpmath.exp),
     sp.expm1: _growing(mpmath.expm1),
     sp.hypot: _hypot,
+    sp.im: mpmath.im,
     sp.log: mpmath.log,
     sp.ratio: lambda above, below: above / below if below else mpmath.mpf(0),
+    sp.re: mpmath.re,
     sp.remainder: _remainder,
+    sp.sec: mpmath.sec,
+    sp.sech: _growing(mpmath.sech),
+    sp.sign: mpmath.sign,
     sp.sin: mpmath.sin,
     sp.sinh: _growing(mpmath.sinh),
     sp.tan: mpmath.tan,
     sp.tanh: mpmath.tanh,
+}
+_CONSTANTS: dict[Expr, Callable[[], Number]] = {
+    sp.pi: lambda: +mpmath.pi,
+    sp.E: lambda: +mpmath.e,
+    sp.I: lambda: mpmath.mpc(0, 1),
 }
 
 
@@ -80,21 +114,31 @@ class Evaluator:
         self._results = [self._add(entry) for entry in entries]
         self._shape = entries.shape
 
-    def __call__(self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0) -> Tensor[Number]:
+    def __call__(
+        self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0, *, noisy: bool = False
+    ) -> Tensor[Number]:
         """The entries at one point, given in the order of the symbols; floats are taken as exact.
 
         Args:
             point: the values of the symbols.
             more_digits: beyond those for which this was made.
+            noisy: whether the last digits of every intermediate value are changed: an entry that stays what it is
+                owes nothing to how they are rounded, however many are lost.
 
         Raises:
             OverflowError: for an exponential of more than a million.
+            ZeroDivisionError: where a formula divides by zero.
+            NotComputed: for a formula that holds what is not evaluated.
         """
         values = point.values() if isinstance(point, Mapping) else point
         with mpmath.workdps(self._precision + more_digits):
+            residue = mpmath.mpf(10) ** (RESIDUE - self._precision - more_digits)
             slots: list[Number] = [mpmath.mpf(value) for value in values]
-            for operation, operands in self._steps:
-                slots.append(operation(*(slots[i] for i in operands)))
+            noise = [1 + n * mpmath.mpf(10) ** (LAST - self._precision - more_digits) for n in NOISE] if noisy else [1]
+            for (operation, operands), factor in zip(self._steps, cycle(noise), strict=False):
+                value = operation(*(slots[i] for i in operands))
+                value = value * factor if noisy and operands else value
+                slots.append(_tidied(value, residue) if isinstance(value, mpmath.mpc) else value)
             return Tensor(self._shape, tuple(slots[i] for i in self._results))
 
     def _add(self, expression: Expr) -> int:
@@ -108,8 +152,10 @@ class Evaluator:
         if isinstance(expression, sp.Rational):
             numerator, denominator = int(expression.p), int(expression.q)
             return lambda: mpmath.mpf(numerator) / denominator, ()
-        if expression in (sp.pi, sp.E):
-            return (lambda: +mpmath.pi) if expression == sp.pi else (lambda: +mpmath.e), ()
+        if expression in _CONSTANTS:
+            return _CONSTANTS[expression], ()
+        if not (expression.is_Add or expression.is_Mul or expression.is_Pow or expression.func in _FUNCTIONS):
+            return _refusal(expression), ()
         operands = tuple(self._add(argument) for argument in expression.args)
         if isinstance(expression, sp.Add):
             return lambda *terms: mpmath.fsum(terms), operands
@@ -118,6 +164,25 @@ class Evaluator:
         if isinstance(expression, sp.Pow):
             return _power(expression, operands)
         return _FUNCTIONS[expression.func], operands
+
+
+def _refusal(expression: Expr) -> Callable[[], Number]:
+    """What is done for a formula without a value: infinite, undefined, or of a function that is not known."""
+    infinite = expression in (sp.oo, -sp.oo, sp.zoo, sp.nan)
+
+    def refuse() -> Number:
+        if infinite:
+            raise ZeroDivisionError(f"{expression} is no number")
+        raise NotComputed(f"{expression.func.__name__} is not evaluated")
+
+    return refuse
+
+
+def _tidied(value: Number, residue: Number) -> Number:
+    """A complex number without a part that is rounding: the sign of that would choose the branch of a root."""
+    if abs(value.imag) <= residue * abs(value.real):
+        return value.real
+    return mpmath.mpc(0, value.imag) if abs(value.real) <= residue * abs(value.imag) else value
 
 
 def _product(*factors: Number) -> Number:

@@ -10,6 +10,8 @@ from radartrack.derive.language.variable import Variable
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND, Unit
 
 Point = dict[str, float]
+Range = Callable[[float], float]  # a value for a fraction between 0 and 1
+SCALES = 9  # decades below the largest value
 
 # What stands in an example: a target 50 km away, a deviation of 50 m and of one degree.
 _ROUND: Mapping[tuple[str, Unit], float] = {
@@ -61,12 +63,25 @@ def round_points(symbols: Sequence[Variable]) -> Iterator[Point]:
 
 def domain_points(symbols: Sequence[Variable], count: int) -> list[Point]:
     """Points spread over the domain by a Halton sequence."""
-    return list(_spread(symbols, count, lambda symbol: (symbol.low, symbol.high), whole=True))
+    return list(_spread(symbols, count, lambda symbol: _between(symbol.low, symbol.high)))
+
+
+def scattered_points(symbols: Sequence[Variable], count: int) -> list[Point]:
+    """Points all over the domain on every scale: of lengths with a sign, small ones beside large ones too."""
+    return list(_spread(symbols, count, _on_any_scale, first=1000))
+
+
+def ordinary_points(symbols: Sequence[Variable], count: int) -> list[Point]:
+    """Points inside the domain, of ordinary size where that is inside."""
+    return list(_spread(symbols, count, lambda symbol: _between(*_ordinary_inside(symbol))))
 
 
 def generic_points(symbols: Sequence[Variable], count: int) -> list[Point]:
-    """Points of ordinary size, well inside principal branches, where floating point loses nothing."""
-    return list(_spread(symbols, count, _ordinary, whole=False))
+    """Points for screening, of ordinary size and well inside principal branches, where floating point loses nothing.
+
+    Some lie outside the domain, with fractions for whole numbers: what is found there says nothing about it.
+    """
+    return list(_spread(symbols, count, lambda symbol: _between(*_ordinary(symbol)), whole=False))
 
 
 def _rounded(symbol: Variable, prime: int, nearer: float, rougher: float, wider: float, turn: float) -> float:
@@ -85,32 +100,47 @@ def _rounded(symbol: Variable, prime: int, nearer: float, rougher: float, wider:
 def _inside(symbol: Variable, value: float) -> float:
     if symbol.low <= value <= symbol.high:
         return value
-    if symbol.low > 0:
-        value = math.sqrt(symbol.low * symbol.high)
-        return float(math.ceil(value)) if symbol.whole else value
-    return symbol.low + (symbol.high - symbol.low) * 0.3
+    value = math.sqrt(symbol.low * symbol.high) if symbol.low > 0 else symbol.low + (symbol.high - symbol.low) * 0.3
+    return float(math.ceil(value)) if symbol.whole else value
 
 
 def _spread(
     symbols: Sequence[Variable],
     count: int,
-    limits: Callable[[Variable], tuple[float, float]],
+    range_of: Callable[[Variable], Range],
     *,
-    whole: bool,
+    whole: bool = True,
+    first: int = 20,
 ) -> Iterator[Point]:
-    sequences = [islice(_halton(_PRIMES[i % len(_PRIMES)]), 20 + 7 * i, None) for i, _ in enumerate(symbols)]
+    """Points whose values come from fractions between 0 and 1; those of bounded symbols after those that bound them."""
+    sequences = [islice(_halton(_PRIMES[i % len(_PRIMES)]), first + 7 * i, None) for i, _ in enumerate(symbols)]
     for fractions in islice(zip(*sequences, strict=False), count):
-        point = {}
-        for symbol, fraction in zip(symbols, fractions, strict=True):
-            value = _between(*limits(symbol), fraction)
+        point: Point = {}
+        for symbol, fraction in sorted(zip(symbols, fractions, strict=True), key=lambda pair: bool(pair[0].at_most)):
+            bound = point.get(symbol.at_most.name) if symbol.at_most and whole else None
+            value = range_of(symbol if bound is None else symbol.below(bound))(fraction)
             point[symbol.name] = float(round(value)) if symbol.whole and whole else value
-        yield _ordered(symbols, point)
+        yield _ordered(symbols, {symbol.name: point[symbol.name] for symbol in symbols})
     if not symbols:
         yield {}
 
 
-def _between(low: float, high: float, fraction: float) -> float:
-    return low * (high / low) ** fraction if low > 0 else low + (high - low) * fraction
+def _between(low: float, high: float) -> Range:
+    """Evenly over the scales of what is positive, else over the values."""
+    if low > 0:
+        return lambda fraction: low * (high / low) ** fraction
+    return lambda fraction: low + (high - low) * fraction
+
+
+def _on_any_scale(symbol: Variable) -> Range:
+    if symbol.low > 0 or symbol.high <= math.tau:
+        return _between(symbol.low, symbol.high)
+
+    def value(fraction: float) -> float:
+        place = 2 * fraction - 1 if symbol.low < 0 else fraction
+        return (symbol.high if place > 0 else symbol.low) * 10 ** (SCALES * (abs(place) - 1))
+
+    return value
 
 
 def _ordinary(symbol: Variable) -> tuple[float, float]:
@@ -122,6 +152,16 @@ def _ordinary(symbol: Variable) -> tuple[float, float]:
         return low, low + 3
     low, high = (0.2, 0.55) if symbol.high <= 1 else (0.6, 1.7)
     return (low, high) if symbol.low < high < symbol.high else (symbol.low + 0.6, symbol.low + 1.7)
+
+
+def _ordinary_inside(symbol: Variable) -> tuple[float, float]:
+    """The part of that interval that is inside the domain; where none is, the nearest scale of the domain."""
+    low, high = _ordinary(symbol)
+    if low >= symbol.high:
+        return max(symbol.low, symbol.high / 5), symbol.high / 2
+    if high <= symbol.low:
+        return symbol.low, min(3 * symbol.low, symbol.high)
+    return max(low, symbol.low), min(high, symbol.high)
 
 
 def _ordered(symbols: Sequence[Variable], point: Point) -> Point:

@@ -148,7 +148,22 @@ class Screen:
         return self.names[tree.name] if isinstance(tree, Name) else self.constant(_number(tree))
 
     def required(self, tree: Tree, needed: Values) -> list[Values | None]:
-        """What each subtree would have to be worth for the tree to be worth what is needed."""
+        """What each subtree would have to be worth for the tree to be worth what is needed; None where nothing does.
+
+        An inverse sine is never more than a right angle, an absolute value never negative.
+        """
+        found = self._inverted(tree, needed)
+        if not isinstance(tree, Power | Call):
+            return found
+        return [value if self._gives(tree, place, value, needed) else None for place, value in enumerate(found)]
+
+    def _gives(self, tree: Power | Call, place: int, value: Values | None, needed: Values) -> bool:
+        """Whether the tree is worth what is needed with this value of one of its subtrees."""
+        operands = [value if other == place else self(child) for other, child in enumerate(children(tree))]
+        return close(combined(_operation(tree), *operands), needed)
+
+    def _inverted(self, tree: Tree, needed: Values) -> list[Values | None]:
+        """The same by inverse functions, which do not give it where their branch is another."""
         match tree:
             case Sum():
                 return [combined(sub, needed, rest) for rest in self._rests(tree)]

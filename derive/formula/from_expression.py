@@ -10,6 +10,8 @@ from radartrack.derive.symbolic import Expr
 
 HALF = sp.Rational(1, 2)
 ONE = Number("1")
+# What conditions make of formulas outside of where they hold; the readers do not take it back.
+_NO_NUMBERS = {sp.I: "i", sp.nan: "undefined", sp.oo: "infinity", -sp.oo: "infinity", sp.zoo: "infinity"}
 
 
 def to_tree(expression: Expr) -> Tree:
@@ -36,6 +38,8 @@ class _Printer:
             return Name(expression.name)
         if expression in (sp.pi, sp.E):
             return Constant("pi" if expression == sp.pi else "e")
+        if expression in _NO_NUMBERS:
+            return Name(_NO_NUMBERS[expression])
         if isinstance(expression, sp.Rational):
             return _signed(_over([_number(abs(expression.p))], _unless_one(expression.q)), expression)
         if isinstance(expression, sp.Add):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 from difflib import SequenceMatcher
 
@@ -9,6 +10,7 @@ from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS
 
 CONSTANTS = {"pi": "pi", "e": "e", "E": "e", "inf": "inf"}
 MEANT = 0.6  # similarity from which a name is offered as the one meant
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 SHOWN = 40  # characters of an unknown name that are repeated
 
 
@@ -22,6 +24,13 @@ def check_names(names: Iterable[str]) -> frozenset[str]:
     if hidden := sorted(allowed & SPELLINGS.keys()):
         raise ValueError(f"names: {', '.join(hidden)} cannot name a symbol, it is a function")
     return allowed
+
+
+def unusable(name: str) -> str:
+    """Why a formula cannot use this as the name of a symbol; nothing where it can."""
+    if name in SPELLINGS:
+        return f"{name} is a function"
+    return "" if _NAME.fullmatch(name) else "a name is a letter, and letters, digits and _ after it"
 
 
 def constants(names: Collection[str]) -> dict[str, str]:

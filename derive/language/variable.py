@@ -60,6 +60,11 @@ class Variable(Symbol):
         variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
 
+    def below(self, high: float) -> Variable:
+        """The same symbol with a domain that ends there at the latest."""
+        kind = {"whole": self.whole, "is_correlation": self.is_correlation}
+        return type(self)(self.name, self.meaning, self.unit, self.low, min(self.high, high), **kind)
+
     @property
     def logarithmic(self) -> bool:
         """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""

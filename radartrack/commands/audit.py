@@ -12,6 +12,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile
@@ -25,7 +26,9 @@ def audit(
     ] = None,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the verdicts here as JSON.")] = None,
     html_out: Annotated[Path | None, typer.Option("--html", help="Write a page with typeset formulas here.")] = None,
-    timeout: Annotated[float, typer.Option(help="Seconds after which a claim is given up.", min=0.1)] = 20.0,
+    timeout: Annotated[
+        float, typer.Option(help="Seconds after which a claim is given up.", min=0.1, callback=seconds)
+    ] = 20.0,
 ) -> None:
     """Check every formula and number of a paper; a verdict that is not `equal` is no failure of the command.
 

@@ -8,6 +8,7 @@ import typer
 from rich.text import Text
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.seconds import seconds
 
 EXIT = {"equal": 0, "equal_numerically": 0, "differs": 1, "wrong_dimensions": 1, "undecided": 3}
 COLOURS = {"equal": "green", "equal_numerically": "green", "differs": "red", "wrong_dimensions": "red"}
@@ -21,7 +22,9 @@ def check(
     let: Annotated[
         list[str] | None, typer.Option(help="The paper's own name: D_beta=sigma_beta**2. May be repeated.")
     ] = None,
-    timeout: Annotated[float, typer.Option(help="Seconds after which the check is given up.", min=0.1)] = 20.0,
+    timeout: Annotated[
+        float, typer.Option(help="Seconds after which the check is given up.", min=0.1, callback=seconds)
+    ] = 20.0,
     as_json: Annotated[bool, typer.Option("--json", help="Print the verdict as JSON.")] = False,
 ) -> None:
     """Say whether a printed formula is right, where it is wrong, and what was probably meant.

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from operator import itemgetter
 
 import mpmath
 
-from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values, is_real
+from radartrack.derive.checking.comparing.numerical_comparison import (
+    LARGEST,
+    NOISE,
+    Comparison,
+    Imaginary,
+    Values,
+    is_real,
+)
+from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.reporting.verdict import Counterexample
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
-from radartrack.derive.evaluation.many_digits import Evaluator
-from radartrack.derive.evaluation.points import Point, domain_points, generic_points, round_points
+from radartrack.derive.evaluation.many_digits import Evaluator, Number
+from radartrack.derive.evaluation.points import Point
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
@@ -24,20 +33,20 @@ STEP = 0.5
 SAME = 1e-6  # relative differences that are one but for rounding
 
 
-def find_difference(comparison: Comparison, symbols: Sequence[Variable]) -> Values | None:
+def find_difference(comparison: Comparison, domain: Domain) -> Values | None:
     """The plainest round point at which the formulas differ by an amount that matters, else where they differ most.
 
     Points of ordinary size come after the round ones, then points all over the domain.
     """
     found: list[Values] = []
-    for point in round_points(symbols):
+    for point in domain.round():
         values = comparison.differ_at(point)
         if values is not None and values.relative >= MATTERS:
             return values
         found += [values] if values else []
     if found:
         return max(found, key=lambda values: values.relative)
-    others = (*generic_points(symbols, 6), *domain_points(symbols, 12))
+    others = chain(domain.ordinary(6), domain.spread(12))
     return next((values for point in others if (values := comparison.differ_at(point))), None)
 
 
@@ -71,7 +80,7 @@ class Relative:
         except (ArithmeticError, ValueError):
             return Worst(0.0, point)
         size = mpmath.sqrt(abs(square)) or abs(printed)
-        compared = size and is_real(difference) and is_real(printed)
+        compared = size and all(is_real(value) or _is_nearly_real(value) for value in (difference, printed))
         return Worst(float(abs(difference) / size) if compared else 0.0, point)
 
     def at_most(self, point: Point) -> float:
@@ -83,16 +92,21 @@ class Relative:
         return (abs(difference) + error) / math.sqrt(abs(square) - wrong) if abs(square) > wrong else math.inf
 
 
-def worst_over_domain(relative: Relative, symbols: Sequence[Variable], start: Point) -> Worst:
+def worst_over_domain(relative: Relative, domain: Domain, start: Point) -> Worst:
     """The largest relative difference among points of the domain, improved along each symbol."""
-    best = _largest(relative.at(start), domain_points(symbols, DOMAIN_POINTS), relative)
-    for symbol in symbols:
+    best = _largest(relative.at(start), domain.spread(DOMAIN_POINTS), relative)
+    for symbol in domain.symbols:
         moved = [best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP)]
-        best = _largest(best, moved, relative)
+        best = _largest(best, filter(domain.contains, moved), relative)
     return best
 
 
-def _largest(best: Worst, points: Sequence[Point], relative: Relative) -> Worst:
+def _is_nearly_real(value: Number) -> bool:
+    """Whether an imaginary part is rounding."""
+    return bool(abs(value) < LARGEST and abs(mpmath.im(value)) <= NOISE * abs(value))
+
+
+def _largest(best: Worst, points: Iterable[Point], relative: Relative) -> Worst:
     """The largest of all; only what may exceed the best by more than rounding is evaluated exactly."""
     bounds = sorted(((relative.at_most(point), point) for point in points), key=itemgetter(0), reverse=True)
     for bound, point in bounds:
@@ -102,8 +116,8 @@ def _largest(best: Worst, points: Sequence[Point], relative: Relative) -> Worst:
     return best
 
 
-def counterexample(values: Values, entry: Index, worst: Worst, symbols: Sequence[Variable]) -> Counterexample:
-    """The point and the worst of the domain as data."""
+def counterexample(values: Values, entry: Index, worst: Worst | None, symbols: Sequence[Variable]) -> Counterexample:
+    """The point and the worst of the domain, where it was looked for, as data."""
     return Counterexample(
         point=values.point,
         entry=entry,
@@ -111,8 +125,8 @@ def counterexample(values: Values, entry: Index, worst: Worst, symbols: Sequence
         derived=float(values.derived),
         relative_difference=values.relative,
         units=_units(symbols),
-        largest_relative_difference=worst.relative,
-        largest_at=worst.point,
+        largest_relative_difference=worst.relative if worst else None,
+        largest_at=worst.point if worst else {},
     )
 
 
@@ -128,7 +142,7 @@ def _units(symbols: Sequence[Variable]) -> dict[str, str]:
 def _neighbours(symbol: Variable, point: Point, step: float) -> list[float]:
     """The ends of the domain, and a step to either side."""
     value = point[symbol.name]
-    high = min(symbol.high, point[symbol.at_most.name]) if symbol.at_most else symbol.high
+    high = min(symbol.high, point.get(symbol.at_most.name, symbol.high)) if symbol.at_most else symbol.high
     if symbol.low > 0:
         factor = (high / symbol.low) ** (step / 4)
         beside = [value / factor, value * factor]

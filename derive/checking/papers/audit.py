@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from radartrack.derive.catalogue import UnknownQuantity
-from radartrack.derive.checking.check import check
+from radartrack.derive.checking.check import ask
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim, problems
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
@@ -19,22 +20,29 @@ def decide(claim: Claim) -> Verdict:
     Raises:
         UnreadableClaim: naming the claim.
     """
+    *_, verdict = decisions(claim)
+    return verdict
+
+
+def decisions(claim: Claim) -> Iterator[Verdict]:
+    """The verdict on one claim, then the same with more and more said beside it.
+
+    Raises:
+        UnreadableClaim: naming the claim.
+    """
     if claim.unreadable:
         raise UnreadableClaim(claim.unreadable)
     for problem in problems(claim):
         raise UnreadableClaim(f"claim {claim.id!r}: {problem}")
     if claim.undecided:
-        return Verdict(Outcome.UNDECIDED, claim.quantity, claim.printed, "", claim.undecided)
+        yield Verdict(Outcome.UNDECIDED, claim.quantity, claim.printed, "", claim.undecided)
+        return
     try:
         if not claim.is_formula:
-            return check_number(claim)
-        return check(
-            claim.quantity,
-            claim.formula or claim.latex,
-            latex=bool(claim.latex),
-            given=claim.given,
-            let=claim.let,
-        )
+            yield check_number(claim)
+            return
+        formula, latex = claim.formula or claim.latex, bool(claim.latex)
+        yield from ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let).answers()
     except (FormulaError, UnknownQuantity, UnknownEntry) as error:
         raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
 

@@ -7,10 +7,11 @@ import queue
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from types import TracebackType
 from typing import Any, Self, TextIO, cast
 
@@ -23,19 +24,36 @@ if sys.platform == "win32":
 else:
     APART = {"process_group": 0}
 START = 60.0  # seconds that a child may take to load what it needs
+EXPLANATION = 10.0  # seconds, of those that are left, for what is said beside a verdict that is known
+
+UNFINISHED = "what else is said beside a verdict was not found in time"
+DONE = {"done": True}  # what a child writes last
 
 Record = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a child said last, and whether it had no more to say."""
+
+    known: Record
+    complete: bool
 
 
 class Decider:
     """A child process that is started when it is needed, and again after it was ended.
 
     Args:
-        timeout: seconds for one claim.
+        timeout: seconds for one claim; infinite for no limit.
         typeset: whether records hold the formulas as MathML too.
+
+    Raises:
+        ValueError: when the timeout is not positive.
     """
 
     def __init__(self, timeout: float, *, typeset: bool = False) -> None:
+        if not timeout > 0:
+            raise ValueError(f"timeout must be more than 0 seconds; got {timeout}")
         self._timeout = timeout
         self._typeset = typeset
         self._child: _Child | None = None
@@ -49,21 +67,24 @@ class Decider:
         self._end()
 
     def decide(self, claim: Claim) -> Record:
-        """The record of a claim; undecided when the time is over.
+        """The record of a claim, with what was found beside the verdict in time; undecided when there is no verdict.
 
         Raises:
             UnreadableClaim: when the claim cannot be read.
         """
         child = self._child = self._child or _Child()
         answer = child.ask({"claim": asdict(claim), "typeset": self._typeset}, self._timeout)
-        if answer is None:
-            ended = child.has_ended
+        late = ""
+        if not answer.complete:
+            late = (
+                "the process that checks it has ended" if child.has_ended else f"cannot decide in {self._timeout:g} s"
+            )
             self._end()
-            reason = "the process that checks it has ended" if ended else f"cannot decide in {self._timeout:g} s"
-            return undecided(claim, reason)
-        if "error" in answer:
-            raise UnreadableClaim(answer["error"])
-        return undecided(claim, answer["undecided"]) if "undecided" in answer else answer
+        if "error" in answer.known:
+            raise UnreadableClaim(answer.known["error"])
+        if "undecided" in answer.known or not answer.known:
+            return undecided(claim, answer.known.get("undecided", late))
+        return answer.known | {"remarks": [*answer.known["remarks"], *([UNFINISHED] if late else [])]}
 
     def _end(self) -> None:
         if self._child is not None:
@@ -152,16 +173,23 @@ class _Child:
         """Whether it ended by itself."""
         return self._process.poll() is not None
 
-    def ask(self, request: Record, timeout: float) -> Record | None:
-        """The answer, or None when there is none in time."""
+    def ask(self, request: Record, timeout: float) -> Answer:
+        """The last that is said in time."""
+        known: Record = {}
         try:
             self._ready = self._ready or bool(self._answers.get(timeout=START))
             self._requests.write(json.dumps(request) + "\n")
             self._requests.flush()
-            answer = self._answers.get(timeout=timeout)
+            until = time.monotonic() + timeout
+            while line := self._answers.get(timeout=_left(until)):
+                answer = json.loads(line)
+                if answer == DONE:
+                    return Answer(known, complete=True)
+                until = min(until, time.monotonic() + EXPLANATION) if not known else until
+                known = dict(answer)
         except (OSError, queue.Empty):
-            return None
-        return dict(json.loads(answer)) if answer else None
+            pass
+        return Answer(known, complete=False)
 
     def end(self) -> None:
         """End the process, whatever it does."""
@@ -176,3 +204,8 @@ class _Child:
         for line in self._lines:
             self._answers.put(line)
         self._answers.put("")
+
+
+def _left(until: float) -> float:
+    """Seconds that are left, as many as may be waited for."""
+    return min(max(until - time.monotonic(), 0.0), threading.TIMEOUT_MAX)

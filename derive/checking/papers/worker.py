@@ -1,4 +1,7 @@
-"""A process of its own that decides claims, one line of JSON for each: it can be ended at any moment.
+"""A process of its own that decides claims: it can be ended at any moment.
+
+For each claim it writes lines of JSON: the verdict as soon as it is known, the same with more beside it, and that it
+is done.
 
 Run as `python -m radartrack.derive.checking.papers.worker`; see `radartrack.derive.checking.papers.deadline`.
 """
@@ -11,12 +14,14 @@ import queue
 import signal
 import sys
 import threading
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from io import TextIOWrapper
 from typing import Any, cast
 
 from radartrack.derive.checking.papers import audit, mathml
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.deadline import DONE
+from radartrack.derive.checking.reporting.barrier import attempted, reason
 
 try:
     import resource
@@ -38,9 +43,9 @@ def main() -> None:
     sys.stdout.write(READY + "\n")
     sys.stdout.flush()
     while True:
-        line = requests.get()
-        sys.stdout.write(json.dumps(_answer(json.loads(line))) + "\n")
-        sys.stdout.flush()
+        for answer in _answers(json.loads(requests.get())):
+            sys.stdout.write(json.dumps(answer) + "\n")
+            sys.stdout.flush()
 
 
 def _read(requests: queue.SimpleQueue[str]) -> None:
@@ -50,16 +55,21 @@ def _read(requests: queue.SimpleQueue[str]) -> None:
     os._exit(0)
 
 
-def _answer(request: Mapping[str, Any]) -> dict[str, Any]:
+def _answers(request: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """What is known of a claim, each time more; what fails after the verdict is known does not undo it."""
     claim = Claim(**request["claim"])
+    known: dict[str, Any] = {}
     try:
-        verdict = audit.decide(claim)
+        for verdict in audit.decisions(claim):
+            known = audit.record(claim, verdict)
+            yield known
+        if request["typeset"]:
+            yield known | attempted(lambda: mathml.formulas(claim, verdict), lambda _: {})
     except UnreadableClaim as error:
-        return {"error": str(error)}
-    except (MemoryError, RecursionError):
-        return {"undecided": "needs more memory than is allowed"}
-    answer = audit.record(claim, verdict)
-    return answer | (mathml.formulas(claim, verdict) if request["typeset"] else {})
+        yield {"error": str(error)}
+    except Exception as error:  # noqa: BLE001 - as in `barrier`
+        yield known or {"undecided": f"this {reason(error)}"}
+    yield DONE
 
 
 def _limit_memory() -> None:

@@ -15,7 +15,7 @@ from radartrack.derive import catalogue
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.single_number import scalar_expression
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.tree import Array, Tree
+from radartrack.derive.formula.tree import Array, Name, Tree
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
@@ -25,6 +25,7 @@ from radartrack.derive.tracks.gaussian_coverage import COVERAGE
 
 MAX_CHARACTERS = 2000
 _MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
+_WORD = re.compile(r"\w+")
 _POSITION = re.compile(r"\s*(\d{1,3}|:)\s*")
 
 
@@ -66,8 +67,7 @@ class Reference:
     @property
     def part(self) -> Part | None:
         """The part, when there is one and nothing is done with it."""
-        alone = len(self.parts) == 1 and self.tree in _PLACEHOLDERS
-        return next(iter(self.parts.values())) if alone else None
+        return self.parts.get(self.tree.name) if isinstance(self.tree, Name) else None
 
     @property
     def symbols(self) -> tuple[Variable, ...]:
@@ -113,12 +113,10 @@ def refer(text: str) -> Reference:
     """
     if len(text) > MAX_CHARACTERS:
         raise UnknownEntry(f"{text[:80]!r} names no quantity: it has more than {MAX_CHARACTERS} characters")
-    names = {found[0]: _placeholder(place) for place, found in enumerate(_mentions(text))}
+    names = {found[0]: f"{_unused(text)}{place}" for place, found in enumerate(_mentions(text))}
     parts = {names[found[0]]: _part(_find(found["name"]), found["index"]) for found in _mentions(text)}
     if not parts:
         _find(text[:80].strip())
-    if taken := _PLACEHOLDER.search(text):
-        raise UnknownEntry(f"{text}: {taken[0]} is no symbol of any quantity")
     reference = Reference(text.strip(), _combination(text, names, parts), parts)
     try:
         _ = reference.dimensions
@@ -149,7 +147,8 @@ def _combination(text: str, names: Mapping[str, str], parts: Mapping[str, Part])
 
 def _with_names(message: str, names: Mapping[str, str]) -> str:
     """What is said about placeholders, said about quantities."""
-    return _PLACEHOLDER.sub(lambda found: list(names)[int(found[1])], message)
+    quantities = {placeholder: quantity for quantity, placeholder in names.items()}
+    return _WORD.sub(lambda found: quantities.get(found[0], found[0]), message)
 
 
 def _find(name: str) -> Quantity:
@@ -157,14 +156,12 @@ def _find(name: str) -> Quantity:
     return COVERAGE if name == COVERAGE.name else catalogue.find(name)
 
 
-def _placeholder(number: int) -> str:
-    return f"quantity_{number}"
-
-
-_PLACEHOLDER = re.compile(r"quantity_(\d+)")
-
-
-_PLACEHOLDERS = {read_text(_placeholder(0), {_placeholder(0)})}
+def _unused(text: str) -> str:
+    """How the names of placeholders begin: as no word of the text does."""
+    start = "quantity_"
+    while start in text:
+        start += "_"
+    return start
 
 
 def _part(quantity: Quantity, index: str | None) -> Part:

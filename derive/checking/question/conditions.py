@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.question.possible_values import check_domain, check_domain_somewhere
@@ -30,17 +30,6 @@ def resolved(conditions: Mapping[Variable, Expr]) -> dict[Symbol, Expr]:
     for one in conditions:
         check_domain_somewhere(one, found[one], "given")
     return {one: found[one] for one in conditions}
-
-
-def check_defined(conditions: Mapping[Symbol, Expr], expressions: Iterable[Expr], what: str) -> None:
-    """Refuse conditions under which a formula divides by zero or is imaginary.
-
-    Raises:
-        FormulaError: naming the conditions.
-    """
-    if conditions and not all(is_real(under(conditions, expression)) for expression in expressions):
-        when = " and ".join(f"{symbol} = {value}" for symbol, value in conditions.items())
-        raise FormulaError(f"given: {what} has no value when {when}; leave a condition out, or choose another value")
 
 
 def _put_in(found: Mapping[Symbol, Expr], symbol: Variable, value: Expr) -> Expr:

@@ -18,6 +18,7 @@ from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.to_expression import Reader
 from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Sum, Tree
+from radartrack.derive.formula.unknown_names import unusable
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.latex import read_latex
@@ -106,6 +107,8 @@ def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
         _check_name(name)
         if name in values:
             raise FormulaError(f"let {name}: {name} is already a symbol of {reference.text}")
+        if why := unusable(name):
+            raise FormulaError(f"let {name}: {why}")
         known = Names(dict(values), dict(dimensions))
         tree, values[name] = _definition("let", name, definition, known)
         dimensions[name] = _dimension(f"let {name}", tree, known)

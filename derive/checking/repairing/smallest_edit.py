@@ -8,13 +8,14 @@ from dataclasses import dataclass
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
+from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.printed_formula import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
-from radartrack.derive.evaluation.points import domain_points, generic_points
+from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Screen, Values
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold, rebuild
@@ -58,7 +59,7 @@ def suggest(
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
     search = Search(screen, target, names, printed, _derived_trees(derived))
     found = search.edits(printed)
-    return list(_confirmed(found, names, derived, symbols, conditions))
+    return list(_confirmed(found, names, derived, Domain(symbols, conditions)))
 
 
 def _derived_trees(derived: Expr) -> list[Tree]:
@@ -84,8 +85,7 @@ def _confirmed(
     candidates: Sequence[Candidate],
     names: Names,
     derived: Expr,
-    symbols: Sequence[Variable],
-    conditions: Mapping[Symbol, Expr],
+    domain: Domain,
 ) -> Iterator[Edited]:
     """Those that can be read and are right, the best first; those that are not proved are said to be so.
 
@@ -101,12 +101,12 @@ def _confirmed(
         if written(tidied) in seen:
             continue
         try:
-            expression = under(conditions, names.read(check_tree(candidate.tree, measure)))
+            expression = under(domain.conditions, names.read(check_tree(candidate.tree, measure)))
         except FormulaError:
             continue
         seen.add(written(tidied))
         proved = proved_equal(expression, derived)
-        if proved or _confirmed_by_numbers(expression, derived, symbols):
+        if proved or _confirmed_by_numbers(expression, derived, domain):
             best = min(best, candidate.cost)
             yield Edited(to_text(tidied), candidate.words, candidate.cost, proved)
 
@@ -136,7 +136,6 @@ def _plain(node: Tree) -> Tree:
             return node
 
 
-def _confirmed_by_numbers(expression: Expr, derived: Expr, symbols: Sequence[Variable]) -> bool:
-    comparison = Comparison(expression, derived, symbols)
-    points = (*generic_points(symbols, ENOUGH), *domain_points(symbols, EVERYWHERE))
-    return all(comparison.differ_at(point) is None for point in points)
+def _confirmed_by_numbers(expression: Expr, derived: Expr, domain: Domain) -> bool:
+    comparison = Comparison(expression, derived, domain.symbols)
+    return comparison.agree_at([*domain.ordinary(ENOUGH), *domain.spread(EVERYWHERE)])

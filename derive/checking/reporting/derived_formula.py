@@ -9,6 +9,7 @@ from radartrack.derive.algebra.exponential_polynomial import NotExponentialPolyn
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Tree
+from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.stable.attenuation import stable_form
 from radartrack.derive.symbolic import Expr
@@ -32,7 +33,7 @@ def as_printed(expression: Expr) -> Tree:
         return derived
     try:
         stable = stable_form(Tensor((), (expression,))).expanded().entries[0]
-    except NotExponentialPolynomial:
+    except (NotExponentialPolynomial, NotProved):  # or no stable form that is known to be the same
         return derived
     return min(derived, to_tree(_spelled(stable)), key=lambda tree: len(to_text(tree)))
 

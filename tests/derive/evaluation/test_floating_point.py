@@ -8,6 +8,7 @@ import sympy
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.comparing.counterexample import SAME, Relative, worst_over_domain
+from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import domain_points, round_points
@@ -65,7 +66,7 @@ def test_no_point_of_the_domain_is_worse_than_the_worst(name: str) -> None:
     symbols = quantity.symbols
     for extra in (symbols[0] * derived / 7, Random(1).choice(symbols) ** 2, sympy.cos(symbols[1]) * derived):
         relative = Relative(derived + extra, derived, derived**2, symbols)
-        worst = worst_over_domain(relative, symbols, next(round_points(symbols)))
+        worst = worst_over_domain(relative, Domain(symbols), next(round_points(symbols)))
         assert relative.at(worst.point) == worst
         for point in domain_points(symbols, 40):
             assert relative.at(point).relative <= worst.relative * (1 + SAME)
@@ -75,6 +76,7 @@ def test_a_difference_that_is_the_same_everywhere_is_shown_at_the_round_point() 
     quantity = catalogue()["polar.covariance.truth"]
     derived = quantity.expression[0, 0]
     start = next(round_points(quantity.symbols))
-    worst = worst_over_domain(Relative(2 * derived, derived, derived**2, quantity.symbols), quantity.symbols, start)
+    relative = Relative(2 * derived, derived, derived**2, quantity.symbols)
+    worst = worst_over_domain(relative, Domain(quantity.symbols), start)
     assert worst.point == start
     assert worst.relative == pytest.approx(1)

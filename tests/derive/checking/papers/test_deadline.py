@@ -1,22 +1,20 @@
+import json
+import math
 import resource
 import time
+from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import asdict
+from itertools import pairwise
 
 import pytest
 
-from radartrack.derive.checking.papers import deadline
+from radartrack.derive.checking.papers import audit, deadline, worker
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
-from radartrack.derive.checking.papers.deadline import Decider, decide_all
+from radartrack.derive.checking.papers.deadline import Decider, decide_all, undecided
+from radartrack.derive.checking.reporting.verdict import Verdict
 
 RIGHT = Claim("a", "polar.map[0]", formula="r*cos(beta)")
-# Each is small on paper and could be large in algebra.
-SLOW = Claim(
-    "b",
-    "polar.covariance.linear[0,0]",
-    formula="r**2*sigma_beta**2*("
-    + "+".join(f"(sin(beta) + cos({n}*beta) + exp(sigma_beta**2) + rho)**50" for n in range(2, 9))
-    + ")",
-)
 HOSTILE = [
     "9**9**9**9",
     "(" * 10_000 + "r" + ")" * 10_000,
@@ -37,17 +35,92 @@ def test_a_claim_is_decided_in_a_child() -> None:
         assert decider.decide(RIGHT)["verdict"] == "equal"
 
 
-def test_the_time_limit_is_kept_and_the_next_claim_is_decided_all_the_same() -> None:
-    with Decider(60) as decider:
-        decider.decide(RIGHT)
-        decider._timeout = 0.3
-        start = time.monotonic()
-        record = decider.decide(SLOW)
-        assert time.monotonic() - start < 3
+def _child(*lines: object, ends: bool) -> str:
+    """What a child runs that gives these answers to its first request, and then ends or says nothing for an hour."""
+    answers = "".join(f"print({json.dumps(line)!r}, flush=True); " for line in lines)
+    rest = "" if ends else "time.sleep(3600)"
+    return f"import sys, time; print('ready', flush=True); sys.stdin.readline(); {answers}{rest}"
+
+
+def _decided_by(code: str, monkeypatch: pytest.MonkeyPatch, timeout: float = 60) -> dict[str, object]:
+    with monkeypatch.context() as patch, Decider(timeout) as decider:
+        patch.setattr(deadline, "COMMAND", (deadline.COMMAND[0], "-c", code))
+        return decider.decide(RIGHT)
+
+
+def test_the_time_limit_is_kept_and_the_next_claim_is_decided_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    with Decider(0.3) as decider:
+        with monkeypatch.context() as patch:
+            patch.setattr(deadline, "COMMAND", (deadline.COMMAND[0], "-c", _child(ends=False)))
+            record = decider.decide(RIGHT)
         assert record["verdict"] == "undecided"
         assert record["reason"] == "cannot decide in 0.3 s"
         decider._timeout = 60
         assert decider.decide(RIGHT)["verdict"] == "equal"
+
+
+@pytest.mark.parametrize("ends", [False, True])
+@pytest.mark.parametrize("told", [1, 2])
+def test_a_verdict_that_is_known_is_told_though_the_child_hangs_or_dies_over_the_rest(
+    ends: bool, told: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known = {**undecided(RIGHT, "not equal"), "verdict": "differs", "remarks": ["equal when rho = 0"]}
+    record = _decided_by(_child(*[{"reason": "early"}, known][-told:], ends=ends), monkeypatch, timeout=0.3)
+    assert record == {**known, "remarks": ["equal when rho = 0", deadline.UNFINISHED]}
+
+
+def test_what_is_said_beside_a_verdict_has_a_time_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(deadline, "EXPLANATION", 0.2)
+    known = {**undecided(RIGHT, "not equal"), "verdict": "differs"}
+    record = _decided_by(_child(known, ends=False), monkeypatch, timeout=3600)
+    assert record["verdict"] == "differs"
+
+
+@pytest.mark.parametrize("formula", ["r*cos(beta)", "r*sin(beta)", "r*cos(beta)*sin(beta)**2/(1 - cos(beta)**2)"])
+def test_each_answer_of_a_child_says_what_the_one_before_it_says_and_more(formula: str) -> None:
+    request = {"claim": asdict(Claim("a", "polar.map[0]", formula=formula)), "typeset": True}
+    *answers, last = worker._answers(request)
+    assert last == deadline.DONE
+    assert len({answer["verdict"] for answer in answers}) == 1
+    for before, after in pairwise(answers):
+        assert all(after[name] for name in before if before[name])
+
+
+def test_what_fails_before_a_verdict_is_known_is_undecided_with_a_word(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(_: Claim) -> None:
+        raise KeyError("cot")
+
+    monkeypatch.setattr(audit, "decisions", fail)
+    told, last = worker._answers({"claim": asdict(RIGHT), "typeset": False})
+    assert told == {"undecided": "this cannot be worked out: KeyError"}
+    assert last == deadline.DONE
+
+
+def test_what_fails_after_a_verdict_is_known_does_not_undo_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    verdict = audit.decide(RIGHT)
+
+    def fail(_: Claim) -> Iterator[Verdict]:
+        yield verdict
+        raise MemoryError
+
+    monkeypatch.setattr(audit, "decisions", fail)
+    assert [answer.get("verdict") for answer in worker._answers({"claim": asdict(RIGHT), "typeset": True})] == [
+        "equal",
+        "equal",
+        None,
+    ]
+
+
+@pytest.mark.parametrize("timeout", [math.inf, 1e12])
+def test_any_number_of_seconds_may_be_given(timeout: float) -> None:
+    with Decider(timeout) as decider:
+        assert decider.decide(RIGHT)["verdict"] == "equal"
+
+
+@pytest.mark.parametrize("timeout", [math.nan, 0, -1])
+def test_what_is_no_time_is_refused(timeout: float) -> None:
+    with pytest.raises(ValueError, match="timeout"):
+        Decider(timeout)
 
 
 def test_hostile_formulas_are_refused_at_once_and_in_little_memory() -> None:

@@ -1,0 +1,143 @@
+"""Points of comparison lie in the domain of their question, and verdicts are about that."""
+
+import re
+from collections.abc import Mapping
+from math import inf, pi
+
+import pytest
+
+from radartrack.derive import check
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.check import ask
+from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.reporting.verdict import Outcome
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.units import ONE
+from tests.derive.checking.own_values import inside
+
+FRACTION = Variable("x", "a symbol", ONE, -0.5, 0.5)
+NARROW = [
+    Variable("x", "a symbol", ONE, low, high, whole=whole)
+    for low, high, whole in (
+        (1e-9, 1e-3, False), (50.0, 60.0, False), (-7.0, -6.5, False), (0.0, 0.01, False), (2.0, 3.0, True), (9.0, 1e6, True)
+    )
+]  # fmt: skip
+
+
+def _distinct(quantities: Mapping[str, Quantity]) -> list[Quantity]:
+    """One quantity for each set of symbols."""
+    return list({tuple((s.name, s.low, s.high) for s in one.symbols): one for one in quantities.values()}.values())
+
+
+@pytest.mark.parametrize("quantity", _distinct(catalogue()), ids=lambda quantity: quantity.name)
+def test_every_point_of_comparison_is_inside_the_domain_and_whole_numbers_are_whole(quantity: Quantity) -> None:
+    points = Domain(quantity.symbols).sample()
+    assert len(points) > 20 or not any(symbol.low < symbol.high for symbol in quantity.symbols)
+    assert all(inside(quantity.symbols, point) for point in points)
+    assert all(list(point) == [symbol.name for symbol in quantity.symbols] for point in points)
+
+
+@pytest.mark.parametrize("symbol", NARROW, ids=lambda symbol: f"{symbol.low:g} to {symbol.high:g}")
+def test_points_stay_inside_narrow_domains(symbol: Variable) -> None:
+    points = Domain([symbol]).sample()
+    assert points
+    assert all(inside([symbol], point) for point in points)
+
+
+def test_angles_and_speeds_are_compared_in_all_directions_and_on_all_scales() -> None:
+    points = Domain(catalogue()["observe.polar_doppler.map"].symbols).sample()
+    quadrants = {(point["x"] > 0, point["y"] > 0, point["vx"] > 0) for point in points}
+    assert len(quadrants) == 8
+    assert any(abs(point["x"]) < 10 < 1000 < abs(point["y"]) for point in points)
+    assert any(abs(point["y"]) < 10 < 1000 < abs(point["x"]) for point in points)
+
+
+def test_a_symbol_never_exceeds_what_bounds_it_where_a_condition_sets_that() -> None:
+    question = ask("finite_sample.degree1.range.design[0,1]", "T*(j - k)", given={"k": "5"})
+    points = question.domain.sample()
+    assert {point["j"] for point in points} == {1, 2, 3, 4, 5}
+    assert question.finding((0,) if question.reference.shape else ()).outcome is Outcome.EQUAL
+
+
+def test_where_a_condition_sets_a_symbol_to_a_formula_that_stays_in_its_domain_too() -> None:
+    question = ask("finite_sample.degree1.range.covariance[0,0]", "sigma_r", given={"k": "T"})
+    points = question.domain.sample()
+    assert points
+    assert all(point["T"].is_integer() and point["T"] >= 2 for point in points)
+
+
+# Each differs from what is derived outside the domain alone: at fractions of whole numbers, beyond an end.
+RIGHT_INSIDE = [
+    ("finite_sample.degree1.range.covariance[0,0]", "sigma_r**2*(4*k-2)/(k*(k+1))*cos(2*pi*k)"),
+    ("finite_sample.degree1.range.covariance[0,0]", "sigma_r**2*(4*k-2)/(k*(k+1)) + sigma_r**2*sin(pi*k)"),
+    ("finite_sample.degree1.range.design[0,1]", "T*(j - k)*cos(2*pi*j)"),
+    ("finite_sample.degree1.range.design[0,1]", "-T*abs(j - k)"),
+    ("finite_sample.degree2.range.covariance[0,0]", "3*sigma_r**2*(3*k**2 - 3*k + 2)/(k*(k + 1)*(k + abs(k - 3) - k + 5))"),
+    ("spherical.map[2]", "r*asin(sin(epsilon))/epsilon*sin(epsilon)"),
+    ("spherical.map[0]", "r*sin(beta)*sqrt(cos(epsilon)**2)"),
+    ("polar.map[0]", "r*cos(acos(cos(beta)))*acos(cos(beta))/abs(beta)"),
+    ("ruv.map[0]", "r*u*sqrt(1 - u**2)/sqrt((1 - u)*(1 + u))"),
+    ("ruv.map[0]", "r*sin(u)*u/sqrt(1 - cos(u)**2)*abs(u)/u"),
+    ("polar.jacobian[0,0]*0 + abs(cos(beta))**2", "cos(beta)**2*sqrt(1 - cos(beta))*sqrt(1 + cos(beta))/abs(sin(beta))"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "formula"), RIGHT_INSIDE)
+def test_what_differs_outside_the_domain_alone_is_not_called_different(name: str, formula: str) -> None:
+    assert check(name, formula).is_equal
+
+
+# Intermediate values are complex and the result is real, with another sign or size on a part of the domain.
+ANOTHER_BRANCH = [
+    ("polar.map[0]", "r*cos(beta)*sqrt(cos(beta))*sqrt(1/cos(beta))"),
+    ("spherical.map[2]", "r*sin(epsilon)*sqrt(1/sin(epsilon))*sqrt(sin(epsilon))"),
+    ("polar_doppler.map[2]", "r*rdot**(3/2)/log(exp(rdot**(1/2)))"),
+    ("polar.map[0]", "r*abs(sqrt(cos(beta)))**2"),
+    ("polar.map[0]", "r*sqrt(cos(beta))*sqrt(cos(beta)**3)/cos(beta)"),
+    ("polar.map[1]", "r*sqrt(sin(beta) - 2)*sqrt(1/(sin(beta) - 2))*sin(beta)"),
+    ("observe.polar.map[1]", "atan2(y*sqrt(x)*sqrt(1/x), x)"),
+    ("observe.polar.map[1]", "atan2(y, x)*sqrt(y)*sqrt(1/y)"),
+    ("observe.polar.map[0]", "sqrt(x**2 + y**2)*sqrt(x)*sqrt(y)/sqrt(x*y)"),
+    ("polar.map[0]", "r*cos(beta)*(cos(beta)**3)**(1/3)/cos(beta)*abs((cos(beta)**3)**(1/3))/abs(cos(beta))"),
+    ("polar.map[0]", "r*cos(beta)*log(cos(beta)**2)/log(cos(beta))/2"),
+    ("finite_sample.degree1.range.design[0,1]", "T*(j - k)*sqrt(j - k - 1)*sqrt(1/(j - k - 1))"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "formula"), ANOTHER_BRANCH)
+def test_what_is_right_on_one_branch_alone_differs_and_the_example_is_on_the_other(name: str, formula: str) -> None:
+    verdict = check(name, formula)
+    assert verdict.verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
+    assert verdict.counterexample is not None
+    assert inside(ask(name, formula).symbols, verdict.counterexample.point)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("polar.map[0]", "r*cos(beta)*(1/(sin(beta)**2 + cos(beta)**2 - 1) - 1/(sin(beta)**2 + cos(beta)**2 - 1) + 2 - 1)"),
+        ("polar.map[0]", "r*cos(beta)*(sqrt(1 + 2*exp(-r) + exp(-2*r)) - 1)/exp(-r)"),
+        ("polar.map[0]", "r*cos(beta)*asin(sin(beta)**2 + cos(beta)**2)*2/pi"),
+        ("polar.map[0]", "r*cos(beta)*(1 + (sin(beta)**2 + cos(beta)**2 - 1)**(1/8))"),
+        ("polar.map[0]", "r*cos(beta)*sqrt((-1)**3*(sin(beta)**2 + cos(beta)**2))**2*(-1)"),
+        ("polar.map[0]", "r*cos(beta) + atan2(sin(beta)**2 + cos(beta)**2 - 1, -1) - pi"),
+    ],
+)  # fmt: skip
+def test_what_rounding_alone_would_tell_is_never_called_different(name: str, formula: str) -> None:
+    assert check(name, formula).verdict is not Outcome.DIFFERS
+
+
+def test_where_the_printed_formula_has_no_value_the_share_of_the_points_is_said() -> None:
+    found = check("finite_sample.degree1.range.design[0,1]", "T*(j - k)*cos(2*pi*k)*tan(j - 1)*cot(j - 1)")
+    assert found.verdict is Outcome.UNDECIDED
+    share = re.fullmatch(r"equal to 50 digits at (\d+) of (\d+) points; at the others it has no value", found.reason)
+    assert share
+    assert 0 < int(share[1]) < int(share[2])
+
+
+def test_limits_are_those_of_the_variables() -> None:
+    assert not Domain([FRACTION]).contains({"x": 0.6})
+    assert Domain([FRACTION]).contains({"x": 0.5})
+    assert not Domain([FRACTION]).contains({"x": inf})
+    assert not Domain([FRACTION]).contains({"x": pi})
