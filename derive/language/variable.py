@@ -50,7 +50,7 @@ class Variable(Symbol):
             ValueError: they are not finite or not in order, or the meaning is not one line of text.
         """
         require_text(f"the meaning of {name}", meaning)
-        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        if not (math.isfinite(low) and math.isfinite(high) and low <= high):
             raise ValueError(
                 f"the domain of {name} must go from one finite number up to another; given {low} to {high}"
             )

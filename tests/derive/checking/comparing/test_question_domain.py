@@ -61,10 +61,10 @@ def test_a_symbol_never_exceeds_what_bounds_it_where_a_condition_sets_that() -> 
 
 
 def test_where_a_condition_sets_a_symbol_to_a_formula_that_stays_in_its_domain_too() -> None:
-    question = ask("finite_sample.degree1.range.covariance[0,0]", "sigma_r", given={"k": "T"})
+    question = ask("finite_sample.degree1.range_rate.covariance[0,0]", "sigma_r**2*C", given={"k": "C"})
     points = question.domain.sample()
     assert points
-    assert all(point["T"].is_integer() and point["T"] >= 2 for point in points)
+    assert all(point["C"].is_integer() and point["C"] >= 2 for point in points)
 
 
 # Each differs from what is derived outside the domain alone: at fractions of whole numbers, beyond an end.
