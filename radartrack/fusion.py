@@ -336,7 +336,7 @@ def _plots_of_radar(number: int, t: ArrayLike, x: ArrayLike, first_layer: FirstL
     if not shape or not shape[-1]:
         raise ValueError(f"t of radar {number} must have at least one plot on its last axis; got shape {shape}")
     times, values = (np.broadcast_to(array, shape) for array in arrays.values())
-    if first_layer == "equal":
+    if first_layer == "equal" or shape[-1] == 1:  # one plot has all the weight of its radar
         return times, values, np.ones(shape)
     own = line.fit(times, values, method="reweighted").weights
     mean: Floats = own.mean(axis=-1, keepdims=True)
@@ -375,7 +375,7 @@ def _whitener(name: str, covariance: Floats) -> _Whitener:
     if not np.all(np.abs(correlations - np.swapaxes(correlations, -1, -2)) <= SYMMETRY):
         raise ValueError(f"{name} must be symmetric; got a matrix that is not")
     try:
-        factor: Floats = np.linalg.cholesky(correlations)
+        factor = np.linalg.cholesky(correlations).astype(np.float64, copy=False)
     except np.linalg.LinAlgError:
         raise indefinite from None
     inverse = _inverse(factor)
@@ -384,8 +384,8 @@ def _whitener(name: str, covariance: Floats) -> _Whitener:
 
 
 def _inverse(factor: Floats) -> Floats:
-    inverse: Floats = np.linalg.solve(factor, np.broadcast_to(np.eye(factor.shape[-1]), factor.shape))
-    return inverse
+    inverse = np.linalg.solve(factor, np.broadcast_to(np.eye(factor.shape[-1]), factor.shape))
+    return inverse.astype(np.float64, copy=False)
 
 
 def _applied(matrices: Floats, values: Floats) -> Floats:
@@ -411,31 +411,32 @@ def _least_squares(design: Floats, white: _Whitener, observed: Floats) -> _Estim
     Raises:
         ValueError: double precision cannot tell the parameters.
     """
-    rows = white.matrix @ design
-    count, parameters = rows.shape[-3] * rows.shape[-2], rows.shape[-1]
-    rows = np.broadcast_to(rows, (*observed.shape, parameters)).reshape(*observed.shape[:-2], count, parameters)
+    rows = np.broadcast_to(white.matrix @ design, (*observed.shape, design.shape[-1]))
+    first = _factorised(rows, _applied(white.matrix, observed))
+    left = _applied(white.matrix, observed - _applied(design, first.value[..., np.newaxis, :]))
+    second = _factorised(rows, left)
+    doubt = (np.abs(left).max(axis=-1) * white.doubt).max(axis=-1)[..., np.newaxis]
+    deviations = np.abs(second.root).max(axis=-1)
+    size = np.concatenate([np.abs(observed).max(axis=-2)] * (design.shape[-1] // observed.shape[-1]), axis=-1)
+    if not np.all(doubt * deviations <= DOUBT * deviations + DIGITS * size):
+        raise ValueError("covariance must be less unequal for measurements that differ by so many deviations")
+    return _Estimate(first.value + second.value, second.root)
+
+
+def _factorised(rows: Floats, observed: Floats) -> _Estimate:
+    """Parameters from white observations, shape (..., n, d), by an orthogonal factorisation of their rows."""
+    *tracks, count, size, parameters = rows.shape
+    rows = rows.reshape(*tracks, count * size, parameters)
     order = np.argsort(-np.abs(rows).max(axis=-1), axis=-1, kind="stable")[..., np.newaxis]
     scale = np.abs(rows).max(axis=-2, keepdims=True)
-    value, root, doubt = (np.zeros(observed.shape[:-2] + shape) for shape in ((parameters,), (), ()))
-    for _ in range(2):
-        left = _applied(white.matrix, observed - _applied(design, value[..., np.newaxis, :]))
-        both = np.concatenate([rows / scale, left.reshape(*rows.shape[:-1], 1)], axis=-1)
-        factor = np.linalg.qr(np.take_along_axis(both, order, axis=-2), mode="r")[..., :parameters, :]
-        root = _inverse(_independent(factor[..., :parameters])) / np.swapaxes(scale, -1, -2)
-        value = value + _applied(root, factor[..., parameters])
-        doubt = (np.abs(left).max(axis=-1) * white.doubt).max(axis=-1)
-    deviations = np.abs(root).max(axis=-1)
-    size = np.concatenate([np.abs(observed).max(axis=-2)] * (parameters // observed.shape[-1]), axis=-1)
-    if not np.all(doubt[..., np.newaxis] * deviations <= DOUBT * deviations + DIGITS * size):
-        raise ValueError("covariance must be less unequal for measurements that differ by so many deviations")
-    return _Estimate(value, root)
-
-
-def _independent(triangular: Floats) -> Floats:
+    both = np.concatenate([rows / scale, observed.reshape(*tracks, count * size, 1)], axis=-1)
+    factor: Floats = np.asarray(np.linalg.qr(np.take_along_axis(both, order, axis=-2), mode="r"), np.float64)
+    triangular, right = factor[..., :parameters, :parameters], factor[..., :parameters, parameters]
     pivots = np.abs(np.diagonal(triangular, axis1=-2, axis2=-1))
     if not np.all(pivots >= SMALLEST_PIVOT * np.linalg.norm(triangular, axis=-2)):
         raise ValueError("covariance must be less unequal: double precision cannot fuse what was given")
-    return triangular
+    root = _inverse(triangular) / np.swapaxes(scale, -1, -2)
+    return _Estimate(_applied(root, right), root)
 
 
 def _squares(root: Floats) -> Floats:

@@ -21,6 +21,7 @@ from radartrack._arrays.validation import (
     ANGLE,
     RANGE,
     Domain,
+    RealArray,
     broadcast_shape,
     one_of,
     real_arrays,
@@ -107,7 +108,7 @@ class _Centred(NamedTuple):
     Attributes:
         mean_t: weighted mean of the times, shape (...).
         mean_x: weighted mean of the coordinates, shape (...).
-        lost: how much later the mean time is than the plots are centred about: what its rounding has added.
+        lost: what rounding has added to the mean time, over its scale, shape (...).
         scale_t: 0 where all times are the same, shape (...).
         scale_x: 0 where all coordinates are the same, shape (...).
         S_tt: weighted sum of the squares of the scaled times about their mean, shape (...).
@@ -146,7 +147,8 @@ def fit(
     first line (the square root of the machine precision), so that a plot on the line does not divide by zero;
     where all plots lie on the line the weights are equal. Plots that determine no line give NaN, and
     `converged` is False: for "ordinary" identical times, for the others plots that coincide or, to within
-    rounding, scatter alike in all directions. Times that differ in the last bit are not identical.
+    rounding, scatter alike in all directions, be it with the weights of a later step. Times that differ in the
+    last bit are not identical.
 
     Args:
         t: times [s], shape (..., n), n at least 2.
@@ -365,7 +367,7 @@ def _centred(t: Floats, x: Floats, weights: Floats, *, one_unit: bool) -> _Centr
     mean_elapsed, mean_moved = (np.sum(share * values, axis=-1, keepdims=True) for values in (elapsed, moved))
     elapsed, moved = elapsed - mean_elapsed, moved - mean_moved
     mean_t, mean_x = first_t + scale_t * mean_elapsed, first_x + scale_x * mean_moved
-    lost = (mean_t - first_t) - scale_t * mean_elapsed
+    lost = (mean_t - first_t) / _positive(scale_t) - mean_elapsed
     squares = (np.sum(share * product, axis=-1) for product in (elapsed * elapsed, elapsed * moved, moved * moved))
     return _Centred(*(values[..., 0] for values in (mean_t, mean_x, lost, scale_t, scale_x)), *squares)
 
@@ -384,7 +386,8 @@ def _norm(values: Floats) -> Floats:
 
 def _deviation(values: Floats) -> Floats:
     """The standard deviation of a sample, shape (..., n)."""
-    return _norm(values - values.mean(axis=-1, keepdims=True)) / np.sqrt(values.shape[-1] - 1)
+    deviation: Floats = _norm(values - values.mean(axis=-1, keepdims=True)) / np.sqrt(values.shape[-1] - 1)
+    return deviation
 
 
 def _solved(t: Floats, x: Floats, weights: Floats, method: Method) -> Fit:
@@ -398,10 +401,11 @@ def _ordinary(plots: _Centred) -> tuple[Floats, Floats]:
     """The slope, and the coordinate at the mean time as that is rounded."""
     known = plots.scale_t > 0
     scaled = formulas.ordinary_slope(S_tt=np.where(known, plots.S_tt, 1.0), S_tx=plots.S_tx)
+    rise = np.where(known, scaled * plots.scale_x, np.nan)
     with np.errstate(over="ignore"):
-        slope = np.where(known, scaled * plots.scale_x / _positive(plots.scale_t), np.nan)
+        slope = rise / _positive(plots.scale_t)
     _require_representable(slope)
-    return slope, plots.mean_x + np.where(known, slope, 0.0) * plots.lost
+    return slope, plots.mean_x + np.where(known, rise * plots.lost, 0.0)
 
 
 def _perpendicular_slope(plots: _Centred) -> Floats:
@@ -416,7 +420,7 @@ def _perpendicular_slope(plots: _Centred) -> Floats:
     return np.where(alike, np.nan, np.where(tilted, slope, straight))
 
 
-def _require_representable(slope: Floats) -> None:
+def _require_representable(slope: RealArray) -> None:
     if np.any(np.abs(slope) > STEEPEST):
         raise ValueError(f"t must differ by more beside x: the slope of a track exceeds {STEEPEST:g}")
 
@@ -442,7 +446,8 @@ def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
         better = _solved(times, values, shares**2, "perpendicular")
         total = np.sum(shares * np.abs(better.distance(times, values)), axis=-1)
         stops = ~(total < before[active])
-        line = _put(line, active, replace(better, iterations=line.iterations[active] + 1, converged=stops))
+        found = stops & better.converged
+        line = _put(line, active, replace(better, iterations=line.iterations[active] + 1, converged=found))
         before[active] = total
         active = active[~stops]
     return _map(line, lambda field: field.reshape(t.shape[:-1] + field.shape[1:]))

@@ -134,9 +134,8 @@ class VarianceTable:
         line.require_count("sectors", self.sectors)
         object.__setattr__(self, "sectors", int(self.sectors))  # a narrow integer of NumPy would overflow
         if ranges * self.sectors > MOST_CELLS:
-            raise ValueError(
-                f"sectors must be at most {MOST_CELLS // ranges} of {ranges} range bins; got {self.sectors}"
-            )
+            given = f"{ranges} range bins by {self.sectors} sectors"
+            raise ValueError(f"range_edges and sectors must make at most {MOST_CELLS} cells; got {given}")
         _require_sound(self.contributions, ranges, self.sectors)
 
     @classmethod
@@ -476,7 +475,7 @@ def _require_edges(edges: Floats) -> int:
         TypeError: they are no array of float64.
         ValueError: they do not ascend from 0 or more, nor do their centres, or there are fewer than two.
     """
-    if not isinstance(edges, np.ndarray) or edges.dtype != np.float64:
+    if getattr(edges, "dtype", None) != np.float64:
         raise TypeError(f"range_edges must be an array of float64; got {edges!r}")
     require_within("range_edges", edges, RANGE)
     if edges.ndim != 1 or edges.size < 2 or not np.all(np.diff(edges) > 0):

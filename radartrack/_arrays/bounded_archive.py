@@ -95,7 +95,7 @@ def packed(columns: Mapping[str, NDArray[Any]]) -> bytes:
     """An archive that `unpacked` reads; one so large that it must not shrink too much is not compressed."""
     file = io.BytesIO()
     write = np.savez_compressed if sum(column.nbytes for column in columns.values()) < ALWAYS_ALLOWED // 2 else np.savez
-    write(file, **columns)
+    write(file, **dict[str, Any](columns))
     content = file.getvalue()[:-2] + struct.pack("<H", _CHECKSUM)
     return content + hashlib.sha256(content).hexdigest().encode()
 

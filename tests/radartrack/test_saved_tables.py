@@ -55,7 +55,7 @@ def columns(content: bytes) -> dict[str, Array]:
 
 def archived(stored: Mapping[str, Array]) -> bytes:
     file = io.BytesIO()
-    np.savez_compressed(file, **stored)
+    np.savez_compressed(file, **dict[str, Any](stored))
     return file.getvalue()
 
 
@@ -213,7 +213,7 @@ def forged(change: Change) -> bytes:
     return archived(stored | {"digest": np.array(variance_table._digest(stored))})
 
 
-def converted(name: str, dtype: object) -> Change:
+def converted(name: str, dtype: Any) -> Change:
     return lambda stored: stored.update({name: stored[name].astype(dtype)})
 
 
@@ -447,6 +447,8 @@ def test_places_that_hold_no_table_are_named(tmp_path: Path) -> None:
 
 # Arguments
 
+SINGLE: Any = np.array([0.0, 1.0], np.float32)
+
 
 @pytest.mark.parametrize(
     ("call", "error", "words"),
@@ -457,7 +459,7 @@ def test_places_that_hold_no_table_are_named(tmp_path: Path) -> None:
             ValueError,
             "range_edges must be further apart",
         ),
-        (lambda: VarianceTable([0.0, 1.0], 1, Contributions.none()), TypeError, "range_edges must be an array"),
+        (lambda: VarianceTable(SINGLE, 1, Contributions.none()), TypeError, "range_edges must be an array"),
         (lambda: VarianceTable(np.array([0.0, 1.0]), 1, SMALL.contributions), ValueError, "sector must be"),
         (lambda: SMALL.lookup(1.0, 0.0, [[1.0, 2.0], [2.0, 1.0]]), ValueError, "fallback must be positive"),
         (lambda: SMALL.lookup(1.0, 0.0, [[1.0, 0.5], [0.0, 1.0]]), ValueError, "fallback must be symmetric"),

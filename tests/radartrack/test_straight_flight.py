@@ -1,5 +1,8 @@
 """The comparison of weights around a straight flight."""
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -76,6 +79,31 @@ def test_weights_from_any_source_are_equal_for_equal_radars_seen_alike() -> None
         assert weigh([radar] * 3, plots) == pytest.approx(1 / 3)
 
 
-def test_at_least_two_runs_are_needed() -> None:
-    with pytest.raises(ValueError, match="runs must be at least 2"):
-        compare(runs=1)
+RADAR = CALIBRATED[0].radar
+REFUSED: dict[str, tuple[Callable[[], object], str]] = {
+    "one run": (lambda: compare(runs=1), "runs must be at least 2"),
+    "no radar": (lambda: compare((), runs=2), "stations must be one or more"),
+    "two plots": (lambda: compare([Station(replace(RADAR, period=300.0))], runs=2), "periods up to 200 s"),
+    "certainty": (lambda: compare(runs=2, confidence=1.0), "confidence must be between"),
+    "another sensor": (
+        lambda: Station(Radar("polar", 5.0, {"range_std": 1.0, "azimuth_std": 0.1})),
+        "must be spherical",
+    ),
+    "misses": (lambda: Station(replace(RADAR, detection_probability=0.9)), "miss nothing"),
+    "azimuth from x": (lambda: Station(replace(RADAR, azimuth_from="x")), "azimuth from y"),
+    "no errors": (lambda: Station(replace(RADAR, noise={**RADAR.noise, "range_std": 0.0})), "positive deviations"),
+    "no age": (lambda: Station(RADAR, ageing=0.0), "ageing must be"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_cannot_be_compared_is_refused_by_name(case: str) -> None:
+    call, words = REFUSED[case]
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+def test_one_radar_of_three_plots_has_all_the_weight_whatever_the_source() -> None:
+    found = compare([Station(replace(RADAR, period=200.0))], runs=2)
+    sources = [float(found.rmse[source].value) for source in straight_flight._SOURCES]
+    assert sources == pytest.approx([sources[0]] * len(sources))
