@@ -124,7 +124,11 @@ def _errors(noisy: Run, noiseless: Run, truth: RealArray, false_alarm: float) ->
 
 
 def chi_square_ratio(freedom: RealArray, probability: float) -> RealArray:
-    """The quantile of a chi-square variable over its degrees of freedom, many of them (Wilson & Hilferty 1931)."""
+    """The quantile of a chi-square variable over its degrees of freedom, many of them (Wilson & Hilferty 1931).
+
+    Of few, the approximation of a low one may be negative; it is 0 then, as no chi-square variable is less.
+    """
     share = 2 / (9 * freedom)
-    ratio: RealArray = (1 - share + NormalDist().inv_cdf(probability) * np.sqrt(share)) ** 3
+    root = 1 - share + NormalDist().inv_cdf(probability) * np.sqrt(share)
+    ratio: RealArray = np.maximum(root, 0.0) ** 3
     return ratio

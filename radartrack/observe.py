@@ -240,7 +240,7 @@ def _moments(observed: Observed, covariance: RealArray, *, second: bool) -> Proj
     if second:
         curved = np.swapaxes(root, -1, -2)[..., np.newaxis, :, :] @ hessian @ root[..., np.newaxis, :, :]
         measurement = measurement + np.trace(curved, axis1=-2, axis2=-1) / 2
-        flat = curved.reshape(*curved.shape[:-2], -1)
+        flat = curved.reshape(*curved.shape[:-2], curved.shape[-1] ** 2)
         projected = projected + flat @ np.swapaxes(flat, -1, -2) / 2
     symmetric = (projected + np.swapaxes(projected, -1, -2)) / 2
     return Projected(np.broadcast_to(measurement, symmetric.shape[:-1]).copy(), symmetric)

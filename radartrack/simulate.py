@@ -11,7 +11,7 @@ one stream, trial after trial: the first thousand of two thousand are the same t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from hashlib import sha256
 from typing import NamedTuple, Protocol, TypeAlias
@@ -272,7 +272,7 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
 
 def _entropy(seed: Seed) -> int:
     """What seeds the streams: of several numbers a digest, as NumPy would take 0, (0,) and (0, 0) for one."""
-    if not isinstance(seed, Iterable) or getattr(seed, "shape", None) == ():
+    if not isinstance(seed, (Sequence, np.ndarray)) or getattr(seed, "ndim", 1) == 0:
         return whole_number("seed", seed, 0)
     text = ",".join(f"{whole_number('seed', number, 0):x}" for number in seed)
     return int.from_bytes(sha256(text.encode()).digest(), "big")

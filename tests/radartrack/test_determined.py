@@ -166,6 +166,35 @@ def test_a_lag_keeps_its_digits_beside_large_time_stamps(offset: float, period: 
     assert np.array_equal(near.covariance, far.covariance)
 
 
+def test_a_rate_just_midway_between_two_ranges_never_makes_a_parabola() -> None:
+    """However the times round: a thousand triples of which the middle one is exactly the middle."""
+    first, last = np.sort(np.random.default_rng(3).uniform(0, 100, size=(2, 3000)), axis=0)
+    middle = (first + last) / 2
+    exactly = [Fraction(a) + Fraction(b) == 2 * Fraction(m) for a, b, m in zip(first, last, middle, strict=True)]
+    times = np.stack([first, middle, last], axis=-1)[exactly]
+    assert len(times) > 1000
+    ranges, rates = np.array([1e4, np.nan, 1.1e4]), np.array([np.nan, -3.0, np.nan])
+    run = FiniteSampleFilter(10.0, 250.0, 15.0).run(ranges, rates, times=times)
+    assert (run.degree == [0, 1, 1]).all()
+    off = times + np.array([0.0, 1e-3, 0.0])
+    assert (FiniteSampleFilter(10.0, 250.0, 15.0).run(ranges, rates, times=off).degree == [0, 1, 2]).all()
+
+
+@pytest.mark.parametrize("period", [1.0, 0.1, 2.7, 1 / 3, 1e-3])
+@pytest.mark.parametrize(("ranges", "rates"), [([0, 6], [0, 4]), ([0, 3, 8], [6]), ([0, 6], [2, 6]), ([2, 5, 10], [8])])
+def test_as_many_data_as_coefficients_that_leave_a_cubic_open(
+    period: float, ranges: list[int], rates: list[int]
+) -> None:
+    """A cubic whose value is 0 at the ranges and whose slope is 0 at the rates, by construction."""
+    values = [np.where(np.isin(np.arange(11), places), 1.0, np.nan) for places in (ranges, rates)]
+    f = FiniteSampleFilter(period, 250.0, 15.0, 3)
+    for first in (0, max(ranges[0], rates[0]) // 2):
+        with pytest.raises(ValueError, match="support degree 2"):
+            f.estimate(*(part[first:] for part in values))
+    values[1][rates[0] + 1] = 1.0
+    assert np.isfinite(f.estimate(*values).state).all()
+
+
 def test_the_reported_tracks_with_too_few_ranges_are_refused() -> None:
     nan = np.nan
     f = FiniteSampleFilter(0.1, 100.0)

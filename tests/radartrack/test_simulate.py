@@ -121,6 +121,88 @@ def test_the_same_seed_gives_the_same_plots_whatever_the_number_of_trials() -> N
     assert (few != other).all()
 
 
+SEEDS: list[simulate.Seed] = [
+    0,
+    (0,),
+    (0, 0),
+    (0, 0, 0),
+    5,
+    (5,),
+    (5, 0),
+    (0, 5),
+    2**32,
+    (0, 1),
+    (2**32,),
+    (2**64 + 3, 1),
+    (),
+]
+
+
+def test_every_seed_is_a_stream_of_its_own() -> None:
+    """NumPy joins the numbers of a sequence and drops zeros at its end."""
+    radar = Radar("polar", 2.0, NOISE["polar"])
+    drawn = [simulate.plots(TARGETS[0], radar, scans=1, seed=seed).measured["r"].item() for seed in SEEDS]
+    assert len(set(drawn)) == len(SEEDS)
+
+
+def test_a_sequence_of_seeds_is_its_numbers_whatever_holds_them() -> None:
+    radar = Radar("polar", 2.0, NOISE["polar"])
+    holders: list[Any] = [(7, 1), [7, 1], np.array([7, 1]), (np.int8(7), np.uint64(1))]
+    drawn = {simulate.plots(TARGETS[0], radar, scans=1, seed=seed).measured["r"].item() for seed in holders}
+    assert len(drawn) == 1
+
+
+@pytest.mark.parametrize("seed", [-1, (1, -1), np.int64(-3)])
+def test_a_negative_seed_is_refused(seed: Any) -> None:
+    with pytest.raises(ValueError, match="seed must be at least 0; got"):
+        simulate.plots(TARGETS[0], Radar("polar", 2.0, NOISE["polar"]), scans=1, seed=seed)
+
+
+@pytest.mark.parametrize("sensor", list(NOISE))
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 1e300, "0.1", True, None, [0.1, 0.2]])
+def test_a_value_that_is_no_number_of_its_domain_makes_no_radar(sensor: Any, bad: Any) -> None:
+    right: dict[str, Any] = {"sensor": sensor, "period": 1.0, "noise": NOISE[sensor]}
+    for name in NOISE[sensor]:
+        with pytest.raises((TypeError, ValueError), match=f"^{name} must be "):
+            Radar(**(right | {"noise": NOISE[sensor] | {name: bad}}))
+    for name in SENSORS[sensor].coordinates:
+        with pytest.raises((TypeError, ValueError), match=f"^bias of {name} must be "):
+            Radar(**right, bias={name: bad})
+    with pytest.raises((TypeError, ValueError), match=r"^detection_probability must be "):
+        Radar(**right, detection_probability=bad)
+    if bad != 1e300:
+        with pytest.raises((TypeError, ValueError), match=r"^period must be "):
+            Radar(**(right | {"period": bad}))
+
+
+@pytest.mark.parametrize("sensor", list(NOISE))
+@pytest.mark.parametrize("word", ["z", "X", "", "north", 1, True])
+def test_an_azimuth_from_that_the_sensor_does_not_have_makes_no_radar(sensor: Any, word: Any) -> None:
+    with pytest.raises((TypeError, ValueError), match=r"^azimuth_from must be "):
+        Radar(sensor, 1.0, NOISE[sensor], azimuth_from=word)
+
+
+def test_direction_cosines_count_no_azimuth() -> None:
+    for word in ("x", "y"):
+        with pytest.raises(ValueError, match="azimuth_from must be None for sensor 'ruv'; got "):
+            Radar("ruv", 1.0, NOISE["ruv"], azimuth_from=word)
+
+
+def test_a_negative_bias_and_no_scans_are_natural() -> None:
+    radar = Radar("polar", 2.0, NOISE["polar"], bias={"r": -30.0, "azimuth": np.float32(-0.5)})  # type: ignore[dict-item]
+    assert radar.times(0).shape == (0,)
+    for target in TARGETS:
+        assert target.states([]).shape == (0, 6)
+        assert radar.truth(target.states([]))["r"].shape == (0,)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+@pytest.mark.parametrize("target", TARGETS)
+def test_a_time_that_is_none_is_refused(target: Target, bad: float) -> None:
+    with pytest.raises(ValueError, match="t must be finite"):
+        target.states([0.0, bad])
+
+
 def test_the_filters_take_plots_with_missing_detections() -> None:
     radar = Radar("polar_doppler", 10.0, NOISE["polar_doppler"], detection_probability=0.8)
     seen = simulate.plots(Accelerated((80e3, 0.0), (-200.0, 0.0), (2.0, 0.0)), radar, scans=12, trials=200)

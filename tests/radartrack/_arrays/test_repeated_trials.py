@@ -1,5 +1,7 @@
 """Intervals of figures from repeated trials."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -32,3 +34,33 @@ def test_root_excess_is_the_ratio_of_root_mean_squares_less_one() -> None:
     assert found.value == pytest.approx(np.sqrt(one.mean(axis=0) / other.mean(axis=0)) - 1)
     assert (found.lower < found.value).all()
     assert (found.value < found.upper).all()
+
+
+FIGURES = {
+    "mean": repeated_trials.mean,
+    "root_mean": repeated_trials.root_mean,
+    "excess": lambda values, *rest: repeated_trials.excess(values, np.ones_like(values), *rest),
+    "root_excess": lambda values, *rest: repeated_trials.root_excess(values, np.ones_like(values), *rest),
+}
+
+
+@pytest.mark.parametrize("figure", FIGURES.values(), ids=FIGURES)
+def test_two_trials_have_a_scatter_and_fewer_have_none(figure: Any) -> None:
+    assert np.isfinite(figure(np.array([[1.0, 2.0], [2.0, 1.0]]))).all()
+    assert figure(np.ones((2, 0))).value.shape == (0,)
+    for few in (np.ones(1), np.ones((0, 3)), np.array(1.0)):
+        with pytest.raises(ValueError, match="must have at least 2 trials"):
+            figure(few)
+    for bad in (np.nan, np.inf):
+        with pytest.raises(ValueError, match="must be finite"):
+            figure(np.array([1.0, bad]))
+    for share in (0.0, 1.0, -0.5, np.nan):
+        with pytest.raises(ValueError, match="confidence must be"):
+            figure(np.ones(3), share)
+
+
+def test_an_excess_over_nothing_or_over_other_trials_is_refused() -> None:
+    with pytest.raises(ValueError, match="reference must have a mean of more than 0; got 0"):
+        repeated_trials.excess(np.ones((3, 2)), np.array([[1.0, 0.0]] * 3))
+    with pytest.raises(ValueError, match=r"must have one shape; got \(3,\) and \(4,\)"):
+        repeated_trials.excess(np.ones(3), np.ones(4))

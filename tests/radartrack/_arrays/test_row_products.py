@@ -37,3 +37,8 @@ def test_what_is_not_finite_shows(columns: int, bad: list[float], place: int) ->
     rows = np.ones((3 * BLOCK + 5, 23))
     rows[place, 7:9] = bad
     assert not rowwise_product([rows], np.ones((23, columns))).is_finite
+
+
+@pytest.mark.parametrize("columns", [1, 5, 300])
+def test_products_that_overflow_are_told_however_many_they_are(columns: int) -> None:
+    assert not rowwise_product([np.full((300, 23), 1e300)], np.full((23, columns), 1e9)).is_finite

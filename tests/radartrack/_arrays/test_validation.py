@@ -1,6 +1,7 @@
 """What is refused, and in which words; what is taken, and as what."""
 
 import math
+from collections import UserList, deque
 from typing import Any
 
 import numpy as np
@@ -17,10 +18,15 @@ from radartrack._arrays.validation import (
     Domain,
     RealArray,
     broadcast_shape,
+    number_between,
     one_of,
+    positive_number,
     real_arrays,
+    real_number,
     require_covariance,
+    require_finite,
     require_trailing_shape,
+    require_variances,
     require_within,
 )
 
@@ -56,6 +62,46 @@ def test_what_is_no_real_number_is_a_type_error_that_shows_it(value: Any, shown:
     with pytest.raises(TypeError, match=r"^r must be real numbers; got ") as raised:
         read(value)
     assert shown in str(raised.value)
+
+
+BOOLS = [True, np.True_, np.array([True]), np.array(False)]
+NUMBERS = [2.0, 3, np.float64(2.0), np.float32(2.0), np.int8(1), np.array([2.0])]
+
+
+@given(
+    bool_=st.sampled_from(BOOLS),
+    others=st.lists(st.sampled_from(NUMBERS), min_size=1, max_size=4),
+    place=st.integers(0, 4),
+    wrap=st.sampled_from([list, tuple, deque, UserList, lambda part: [part, part], lambda part: [[part], [part]]]),
+)
+def test_a_bool_among_numbers_is_none_wherever_it_stands(bool_: Any, others: list[Any], place: int, wrap: Any) -> None:
+    """NumPy reads [True, 2.0] as [1.0, 2.0]."""
+    as_arrays = any(np.ndim(entry) for entry in (bool_, *others))
+    entries = [np.atleast_1d(entry) if as_arrays else entry for entry in (*others[:place], bool_, *others[place:])]
+    with pytest.raises(TypeError, match=r"^r must be real numbers; got "):
+        read(wrap(entries))
+
+
+@given(entries=st.lists(st.sampled_from(NUMBERS[:-1]), max_size=5), wrap=st.sampled_from([list, tuple, deque]))
+def test_numbers_without_a_bool_among_them_are_read(entries: list[Any], wrap: Any) -> None:
+    assert read(wrap(entries)).tolist() == [float(entry) for entry in entries]
+
+
+def test_what_can_be_read_as_an_array_is_not_searched_entry_by_entry() -> None:
+    class Column:
+        """As a series of pandas: an array of its own making, not a sequence."""
+
+        def __init__(self, values: Any) -> None:
+            self.values = np.asarray(values)
+            self.dtype = self.values.dtype
+
+        def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+            return self.values
+
+    assert read(Column([1.0, 2.0])).tolist() == [1.0, 2.0]
+    assert read([Column([1.0, 2.0])]).tolist() == [[1.0, 2.0]]
+    with pytest.raises(TypeError, match="real numbers"):
+        read([Column([True, False]), Column([1.0, 2.0])])
 
 
 def test_ragged_nesting_is_refused() -> None:
@@ -331,3 +377,48 @@ def test_a_domain_may_begin_above_zero() -> None:
     require_within("r", np.array([2.0, 10.0]), domain)
     with pytest.raises(ValueError, match=r"r must be from 2 to 10 m in float64 \(why\); got 1.9"):
         require_within("r", np.array(1.9), domain)
+
+
+@pytest.mark.parametrize(
+    "read_one", [real_number, positive_number, lambda name, given: number_between(name, given, 1, 9)]
+)
+def test_one_real_number_is_read_as_a_float(read_one: Any) -> None:
+    for given_number in (3, 3.0, np.float32(3), np.float16(3), np.int64(3), np.uint8(3), np.longdouble(3)):
+        assert (read_one("x", given_number), type(read_one("x", given_number))) == (3.0, float)
+    for none in (True, np.True_, "3", None, [3.0], np.array([3.0]), 3 + 0j):
+        with pytest.raises(TypeError, match=r"^x must be a real number; got "):
+            read_one("x", none)
+    for far in (math.nan, math.inf, -math.inf, 10**400, -(10**400), 10**5000):
+        with pytest.raises(ValueError, match=r"^x must be (finite|from 1 to 9); got "):
+            read_one("x", far)
+
+
+def test_numbers_out_of_bounds_are_refused() -> None:
+    for low in (0, -1.0):
+        with pytest.raises(ValueError, match=r"^x must be more than 0; got "):
+            positive_number("x", low)
+        with pytest.raises(ValueError, match=r"^x must be from 1 to 9; got "):
+            number_between("x", low, 1, 9)
+    assert [number_between("x", end, 1, 9) for end in (1, 9)] == [1, 9]
+
+
+@pytest.mark.parametrize("dtype", TYPES, ids=str)
+def test_variances_that_overflow_or_lose_digits_are_refused(dtype: np.dtype[Any]) -> None:
+    limits = np.finfo(dtype)
+    require_variances("c", np.array([limits.tiny, 1, limits.max, math.nan], dtype))
+    for bad in (limits.tiny / 2, 0, math.inf, -1):
+        with pytest.raises(ValueError, match=r"^c must be of variances from .* at \[1\]"):
+            require_variances("c", np.array([1, bad], dtype))
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+def test_what_is_not_finite_is_told(bad: float) -> None:
+    require_finite("x", np.ones((2, 2)))
+    with pytest.raises(ValueError, match=r"^x must be finite; got .* at \[0, 1\], the first of 1 among 2"):
+        require_finite("x", np.array([[1.0, bad]]))
+
+
+def test_covariances_of_the_largest_numbers_do_not_overflow_in_the_check() -> None:
+    require_covariance("covariance", np.full((3, 3), 1e308))
+    with pytest.raises(ValueError, match="symmetric"):
+        require_covariance("covariance", np.array([[1e308, -1e308], [1e308, 1e308]]))
