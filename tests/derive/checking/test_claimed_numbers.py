@@ -154,6 +154,24 @@ def test_a_symbol_is_set_once(field: dict[str, object]) -> None:
         decide(Claim("a", LENGTH, at={"beta": "0", "r": "1"}, **field))  # type: ignore[arg-type]
 
 
+def test_a_level_that_is_the_quantity_itself_is_not_crossed() -> None:
+    along = ("r", ("7", "8"))
+    assert not _holds(Claim("a", LENGTH, at={"beta": "0"}, along=along, crosses="r"))
+    assert _holds(Claim("a", LENGTH, at={"beta": "0"}, along=along, crosses="7"))
+
+
+def test_what_no_number_of_digits_tells_is_decided_by_algebra() -> None:
+    """A difference of 1e-400, and one that vanishes in a way that has to be proved."""
+    small = "*".join(["10**-50"] * 4)
+    below = {"beta": "0", "r": f"(1 + {small})*(1 - {small})"}
+    assert _holds(Claim("a", LENGTH, at=below, at_most="1"))
+    assert not _holds(Claim("a", LENGTH, at=below, at_least="1"))
+    assert not _holds(Claim("a", f"1/{LENGTH}", at=below, at_most="1"))
+    root = {"beta": "0", "r": "sqrt(2) + sqrt(3)"}
+    assert _holds(Claim("a", f"{LENGTH}**2", at=root, at_most="5 + 2*sqrt(6)"))
+    assert _holds(Claim("a", f"{LENGTH}**2", at=root, at_least="5 + 2*sqrt(6)"))
+
+
 def test_a_bound_on_a_maximum_is_decided() -> None:
     over = ("r", ("1", "2"))
     assert _holds(Claim("a", LENGTH, at={"beta": "0"}, maximum_over=over, at_most="2"))

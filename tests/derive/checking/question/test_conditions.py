@@ -153,5 +153,17 @@ def test_a_formula_that_is_right_without_correlation_gets_no_edit_that_changes_n
         assert " when " not in suggestion.edit
 
 
+def test_no_edit_is_the_formula_itself() -> None:
+    """One that is wrong near one point only, which the search for edits does not see."""
+    near = "(abs(r/sigma_r - 1000) - 1/2)"
+    formula = f"{PRINTED} + sigma_r**2*(abs{near} - {near})/3"
+    edits = [
+        suggestion.edit
+        for suggestion in decide(Claim("a", COVARIANCE, formula=formula, given={"rho": "0"})).suggestions
+    ]
+    assert edits
+    assert all(before != after for before, _, after in (edit.partition(" should be ") for edit in edits))
+
+
 def _correlations(quantity: str) -> list[str]:
     return [symbol.name for symbol in refer(quantity).symbols if symbol.is_correlation]
