@@ -59,7 +59,7 @@ def are_sound(covariances: RealArray, least_pivot: float = 0.0) -> NDArray[np.bo
         rest = covariances / deviations[:, :, np.newaxis] / deviations[:, np.newaxis, :]
         while rest.shape[-1]:
             pivot, column = rest[:, :1, :1], rest[:, 1:, :1]
-            sound &= pivot[:, 0, 0] > least_pivot
+            sound = np.logical_and(sound, pivot[:, 0, 0] > least_pivot)
             rest = rest[:, 1:, 1:] - column * column.swapaxes(-1, -2) / np.where(pivot > 0, pivot, 1)
     return sound
 

@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack._arrays import machine_code, semidefinite
-from radartrack._arrays.sensors import SENSORS as SENSOR
+from radartrack._arrays import machine_code, semidefinite, sensors
 from radartrack.convert import Converted, Method
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.writing.conversion_functions import covariance_of
 from tests.examples import share
 from tests.radartrack.plots import DEVIATIONS, METHODS, OF_THE_PLOT, SENSORS, Floats, Plot, centre, function, size
@@ -23,7 +23,13 @@ from tests.radartrack.plots import DEVIATIONS, METHODS, OF_THE_PLOT, SENSORS, Fl
 TOLERANCE = 16  # units in the last place that an eigenvalue of the correlations may be below zero
 SEEDS = st.integers(0, 10**9)
 DTYPES = (np.float64, np.float32)
+KINDS = ("any", "ordinary sizes", "small correlations")  # what is computed with care is found for each reason alone
 FULL = [1.0, -1.0, 1 - 2.0**-53, 2.0**-24 - 1, 1 - 1e-6, 0.0]
+
+
+def arguments(sensor: str) -> dict[str, sensors.Argument]:
+    found: Any = sensors.SENSORS
+    return dict(found[sensor].arguments)
 
 
 def some(generator: np.random.Generator, count: int, low: float, high: float, least: float) -> Floats:
@@ -34,14 +40,16 @@ def some(generator: np.random.Generator, count: int, low: float, high: float, le
     return np.where(generator.random(count) < 0.1, edges, np.where(generator.random(count) < 0.4, any_size, ordinary))
 
 
-def drawn(sensor: str, count: int, dtype: type[np.floating[Any]], seed: int) -> Plot:
-    """Plots from the whole domain."""
+def drawn(sensor: str, count: int, dtype: type[np.floating[Any]], seed: int, kind: str = "any") -> Plot:
+    """Plots from the whole domain, or of ordinary sizes, or with small correlations."""
     generator = np.random.default_rng(seed)
     single = dtype is np.float32
     least = 1.4e-45 if single else 5e-324
     most = {"r": 1e10, "rate": 1e8} if single else {"r": 1e100, "rate": 1e50}
 
     def sizes(low: float, high: float) -> Floats:
+        if kind == "ordinary sizes":
+            return np.exp(generator.uniform(math.log(low), math.log(min(high, 1e5)), count))
         return some(generator, count, low, high, least)
 
     def angles(largest: float) -> Floats:
@@ -64,13 +72,18 @@ def drawn(sensor: str, count: int, dtype: type[np.floating[Any]], seed: int) -> 
             generator.random(count) < 0.5, generator.choice(FULL, count), generator.uniform(-1, 1, count)
         ),
     }
+    cancelling = generator.random(count) < 0.3  # at full correlation the variance along one axis vanishes there
+    there = generator.choice([-1, 1], count) * np.arctan2(plots["range_std"], plots["r"] * plots["azimuth_std"])
+    for name, values in (("azimuth", there), ("elevation", 0.0), ("elevation_std", 0.0)):
+        plots[name] = np.where(cancelling, values, plots[name])
     larger = sizes(1e-7, 0.19)
-    smaller = larger * generator.choice([0.0, 1e-30, 1e-3, 1.0], count)
+    smaller = larger * generator.choice([1e-3, 1.0] if kind == "ordinary sizes" else [0.0, 1e-30, 1e-3, 1.0], count)
     reach = (0.999 - 5 * larger) * (1 - 1e-6) * generator.choice([0.0, 0.5, 1.0], count)
     plots |= {"u": reach * np.cos(plots["azimuth"]), "v": reach * np.sin(plots["azimuth"])}
     swapped = generator.random(count) < 0.5
+    plots["correlation"] *= 0.5 if kind == "small correlations" else 1
     plots |= {"u_std": np.where(swapped, smaller, larger), "v_std": np.where(swapped, larger, smaller)}
-    return {name: plots[name].astype(dtype) for name in SENSOR[sensor].arguments}
+    return {name: plots[name].astype(dtype) for name in arguments(sensor)}
 
 
 def predicted(sensor: str, plot: Plot, seed: int) -> tuple[Floats, Floats]:
@@ -142,7 +155,8 @@ def test_the_oracle_knows_covariances(matrix: list[list[float]], expected: bool)
 def test_covariances_from_arrays_are_covariances(
     sensor: str, method: Method, dtype: type[np.floating[Any]], seed: int
 ) -> None:
-    assert_covariances(converted(sensor, method, drawn(sensor, 100, dtype, seed), seed).covariance)
+    for kind in KINDS:
+        assert_covariances(converted(sensor, method, drawn(sensor, 40, dtype, seed, kind), seed).covariance)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -151,8 +165,9 @@ def test_covariances_from_arrays_are_covariances(
 @share(0.02)
 def test_covariances_from_machine_code_are_covariances(sensor: str, method: Method, seed: int) -> None:
     pytest.importorskip("numba", exc_type=ImportError)
-    plot = drawn(sensor, machine_code.COMPILED_FROM, np.float64, seed)
-    assert_covariances(converted(sensor, method, plot, seed).covariance[::3])
+    for kind in KINDS:
+        plot = drawn(sensor, machine_code.COMPILED_FROM, np.float64, seed, kind)
+        assert_covariances(converted(sensor, method, plot, seed).covariance[::6])
 
 
 @pytest.mark.parametrize("method", OF_THE_PLOT)
@@ -174,18 +189,20 @@ def test_the_covariance_of_one_plot_is_one_and_the_same_as_in_an_array(sensor: s
 # The right numbers, where rounding or underflow left others.
 
 
+def numbers(matrix: Tensor[Any]) -> Floats:
+    return np.array([float(entry) for entry in matrix]).reshape(matrix.shape)
+
+
 def exact(sensor: str, method: str, plot: Plot) -> Iterator[tuple[Floats, Floats]]:
     """Covariances with and without correlation, in so many digits that nothing that cancels matters."""
     quantity = catalogue()[covariance_of(catalogue(), sensor, method)]
     evaluator = Evaluator(quantity.expression, quantity.symbols, 400)
-    symbols = [argument.symbol for argument in SENSOR[sensor].arguments.values()]
+    symbols = [argument.symbol for argument in arguments(sensor).values()]
     with mpmath.workdps(400):
         for values in zip(*plot.values(), strict=True):
             point = dict(zip(symbols, map(float, values), strict=True))
-            yield tuple(
-                np.array([float(entry) for entry in evaluator(point | other)]).reshape(quantity.shape)
-                for other in ({}, {"rho": 0.0})
-            )
+            correlated, independent = (evaluator(point | other) for other in ({}, {"rho": 0.0}))
+            yield numbers(correlated), numbers(independent)
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
