@@ -1,8 +1,9 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any, ClassVar, Self, TypeAlias
+from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 
 Operand: TypeAlias = Expr | int | Fraction
+_Kind = TypeVar("_Kind", bound=Basic)
 
 class Basic:
     args: tuple[Expr, ...]
@@ -17,7 +18,7 @@ class Basic:
     def xreplace(self, rule: Mapping[Any, Any]) -> Expr: ...
     def subs(self, *args: Any, **kwargs: Any) -> Expr: ...
     def has(self, *patterns: Any) -> bool: ...
-    def atoms(self, *types: type[Basic]) -> set[Expr]: ...
+    def atoms(self, *types: type[_Kind]) -> set[_Kind]: ...
 
 class Expr(Basic):
     base: Expr

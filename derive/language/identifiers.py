@@ -32,7 +32,7 @@ def require_names(what: str, names: Iterable[str]) -> None:
         raise ValueError(f"{what} must occur once; given {', '.join(names)}")
 
 
-def require_text(what: str, text: str) -> None:
+def require_text(what: str, text: object) -> None:
     """Check text that is written into documentation: one line of it.
 
     Raises:

@@ -68,6 +68,8 @@ class Model:
             raise ValueError(f"the model's name must not be {' nor '.join(sorted(MODULES))}; given {self.name!r}")
         require_text(f"the title of {self.name}", self.title)
         require_text(f"the source of {self.name}", str(self.source))
+        for output in self.outputs:
+            require_text("the name of an output", output)
         for what, given in (("measured", self.measured), ("outputs", self.outputs)):
             if not given:
                 raise ValueError(f"{what} must name at least one quantity; given {given!r}")

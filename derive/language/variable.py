@@ -56,7 +56,8 @@ class Variable(Symbol):
             )
         sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
-        variable.meaning, variable.unit, variable.low, variable.high = meaning, unit, low, high
+        variable.meaning, variable.unit = meaning, unit
+        variable.low, variable.high = (end if isinstance(end, int | float) else float(end) for end in (low, high))
         variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
 

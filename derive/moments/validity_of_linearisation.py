@@ -134,8 +134,8 @@ class _Comparison:
         found = denominators(self.ring)
         parts = collect(determinant, self.ring, found)
         if len(parts) != 1:  # no product of roots and a polynomial
-            above = {n: self.ring.expression(term) for n, term in terms.items() if term}
-            return _Row(above, self.ring.expression(determinant))
+            plain = {n: self.ring.expression(term) for n, term in terms.items() if term}
+            return _Row(plain, self.ring.expression(determinant))
         ((exponents, numerator),) = parts.items()
         root = reduce(mul, map(self._power, found, exponents), self.ring.ring.one)
         reduced = {n: without_squares(term * root, self.ring, sp.sin) for n, term in terms.items()}

@@ -16,6 +16,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from radartrack._system import written_files
 from radartrack._system.deriving_process import prepare
 from radartrack._system.directory_swap import replace_directory, replace_file
@@ -136,7 +138,7 @@ class NoModel(ValueError):
 
 
 class NotDerived(ValueError):
-    """A quantity has no code: what it holds cannot be rewritten, proved or written."""
+    """A quantity has no code: what it holds cannot be rewritten, proved, written or measured."""
 
 
 def load_model(path: Path) -> Model:
@@ -257,7 +259,11 @@ def _recorded(function: Function, records: Sequence[Record]) -> Accuracy:
 
 
 def with_measured(functions: Iterable[Function], known: Sequence[Record], step: Step) -> Record:
-    """The same with the missing measurements made."""
+    """The same with the missing measurements made.
+
+    Raises:
+        NotDerived: the formula cannot be evaluated over its domain.
+    """
     by_name = {function.quantity.name: function for function in functions}
     record = as_recorded(by_name.values(), known)
     missing = [by_name[name] for name, accuracy in record.items() if math.isnan(accuracy.ulp)]
@@ -266,13 +272,18 @@ def with_measured(functions: Iterable[Function], known: Sequence[Record], step: 
         for function in missing:
             quantity = function.quantity
             step(f"{quantity.name}: measuring")
-            record[quantity.name] = Accuracy(function.digest, measure(modules[quantity.module], quantity))
+            try:
+                found = measure(modules[quantity.module], quantity)
+            except (ArithmeticError, TypeError, ValueError) as error:
+                raise NotDerived(f"{quantity.name} cannot be measured: {_on_one_line(error)}") from error
+            record[quantity.name] = Accuracy(function.digest, found)
     return record
 
 
 def measure(module: ModuleType, quantity: Quantity) -> float:
     """The largest error over random points, rounded up to half an ulp."""
-    found = errors(getattr(module, quantity.function), quantity, sample(quantity, POINTS)).max()
+    with np.errstate(all="ignore"):  # what overflows is an infinite error
+        found = errors(getattr(module, quantity.function), quantity, sample(quantity, POINTS)).max()
     return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
 
 

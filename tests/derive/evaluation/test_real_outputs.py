@@ -1,6 +1,7 @@
 """Models of a user's own: derived where they can be, else refused with the symbol and the reason."""
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -26,8 +27,10 @@ from radartrack.derive.writing.numpy_writer import Function, body, module_text
 from tests.examples import share
 from tests.written import module_of
 
-r, b = length("r", "range"), angle("b", "azimuth")
-u, v = (Variable(name, "a number", ONE, 0.5, 1.5) for name in "uv")
+r: Any = length("r", "range")
+b: Any = angle("b", "azimuth")
+u: Any = Variable("u", "a number", ONE, 0.5, 1.5)
+v: Any = Variable("v", "a number", ONE, 0.5, 1.5)
 NUMBERS = (deviation(u, 1e-3, 0.1), deviation(v, 1e-3, 0.1))
 
 
@@ -115,6 +118,7 @@ WRONG: dict[str, tuple[Callable[[], object], str]] = {
         "each pair once",
     ),
     "nothing measured": (lambda: model(measured=(), deviations=()), "measured must name at least one"),
+    "an output of two lines": (lambda: model(outputs={"x\ny": r}), "the name of an output must be one line"),
     "no outputs": (lambda: model(outputs={}, units=()), "outputs must name at least one"),
     "an endless domain": (lambda: length("r", "range", high=math.inf), "the domain of r must go from one finite"),
     "a domain of no numbers": (lambda: length("r", "range", low=math.nan), "the domain of r must go from one finite"),
@@ -328,8 +332,23 @@ def test_what_cannot_be_written_is_refused_with_the_quantity(tmp_path: Path, mon
     assert not (tmp_path / "out").exists()
 
 
+def test_what_cannot_be_evaluated_over_its_domain_is_refused_with_the_quantity(tmp_path: Path):
+    result = regenerate((HEAD % "r*exp(b)").replace("1e-6, 0.1", "1e-6, 1e4"), tmp_path)
+    assert result.exit_code == 2
+    assert re.search(r"Nothing was written: mine\.\S+ cannot be measured: the exponential of \S+ is not", result.stderr)
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_ends_of_a_domain_may_be_any_real_numbers(tmp_path: Path):
+    quarter = angle("q", "a quarter turn", 0, sympy.pi / 2)
+    assert (quarter.low, quarter.high) == (0, math.pi / 2)
+    deviations = deviation(r, 1, 2), deviation(quarter, 1e-3, 1.0)
+    its = model(measured=(r, quarter), deviations=deviations, outputs={"x": r * sympy.cos(quarter)})
+    assert "0 to 1.5708" in (function_of(its, "map", tmp_path).__doc__ or "")
+
+
 def test_a_rate_of_a_speed_may_be_added_to_a_number():
-    rate = speed("rate", "range rate")
+    rate: Any = speed("rate", "range rate")
     model(
         measured=(rate,), deviations=(deviation(rate, 1, 2),), outputs={"x": 2 * rate + 0.5}, units=(METRE_PER_SECOND,)
     )
