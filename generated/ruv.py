@@ -2269,7 +2269,7 @@ def covariance_averaged_semidefinite(
     Name: ruv.covariance.averaged.semidefinite.
     Definition: e^L C to sigma^4 + dg K dg', g = 2 L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Lerro & Bar-Shalom 1993 and Prosov (11).
+    Source: Lerro & Bar-Shalom 1993; Prosov (11), doi:10.1109/7.220948.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2491,7 +2491,7 @@ def unbiased_covariance_semidefinite(
     Name: ruv.unbiased.covariance.semidefinite.
     Definition: u u' - u (e^L h)' - (e^L h) u' + e^L(h h') to sigma^4 + dg K dg', g = L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Mo et al. 1998.
+    Source: Mo et al. 1998, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2701,7 +2701,7 @@ def posterior_covariance_semidefinite(
     Name: ruv.posterior.covariance.semidefinite.
     Definition: e^L(h h') - (e^L h)(e^L h)' to sigma^4 + dg K dg', g = L h.
     Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
-    Source: Duan et al. 2004 modified unbiased.
+    Source: Duan et al. 2004 modified unbiased, doi:10.1109/TAES.2004.1386889.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2917,7 +2917,7 @@ def decorrelated_covariance_semidefinite(
     Name: ruv.decorrelated.covariance.semidefinite.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^4 + dg K dg', g = Lp h.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated.
+    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
 
     Args:
         r: range [m], 1 to 1e+08.
