@@ -13,9 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.papers.printed_number import PrintedNumber
-from radartrack.derive.formula.functions import SPELLINGS
-from radartrack.derive.formula.unknown_names import CONSTANTS
+from radartrack.derive.checking.printed_number import PrintedNumber
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
@@ -24,6 +22,7 @@ MAX_BITS = 133  # of a whole number: 40 digits, as in a formula
 ID = re.compile(r"[A-Za-z0-9_]+(?:[.-][A-Za-z0-9_]+)*")
 NUMBER = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,2})?")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+OF_NUMBERS = {"e", "pi", "sqrt"}  # words that a number may be written with
 UNITS = ("1", "%", "m", "km", "m^2", "s", "m/s", "m/s^2", "rad", "deg", "mrad")
 TRENDS = ("increasing", "decreasing", "convex", "concave")
 
@@ -111,7 +110,7 @@ class Claim:
 
     def _in_unit(self, number: str) -> str:
         """A number with the unit; a formula in symbols has its own."""
-        has_unit = self.unit not in {"", "1"} and not set(WORD.findall(number)) - SPELLINGS.keys() - CONSTANTS.keys()
+        has_unit = self.unit not in {"", "1"} and set(WORD.findall(number)) <= OF_NUMBERS
         return f"{number} {self.unit}" if has_unit else number
 
     @property

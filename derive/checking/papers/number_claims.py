@@ -9,7 +9,8 @@ from itertools import pairwise
 
 from radartrack.derive.checking.papers.claim_setting import HERE, Place, Setting
 from radartrack.derive.checking.papers.claims_file import Along, Claim
-from radartrack.derive.checking.papers.printed_number import PrintedNumber, shown, shown_apart
+from radartrack.derive.checking.papers.printed_number import rounded, shown, shown_apart
+from radartrack.derive.checking.printed_number import PrintedNumber
 from radartrack.derive.checking.question.formula_units import WrongDimensions
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
 from radartrack.derive.evaluation.exact_numbers import Exact, NoRealValue, Undecidable, compared, order, sign_of
@@ -82,7 +83,7 @@ def _maximum(claim: Claim, setting: Setting, over: Along) -> Answer:
 
 def _value(claim: Claim, setting: Setting, value: Exact) -> Answer:
     printed = PrintedNumber(claim.value, claim.significant)
-    found = printed.rounded(value, setting.unit)
+    found = rounded(printed, value, setting.unit)
     derived = found.shown + _unit(claim)
     if found.is_tie:
         rounds = "rounds to" if found.holds else "does not round to"

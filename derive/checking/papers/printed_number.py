@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
 
 import mpmath
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.checking.printed_number import PrintedNumber
 from radartrack.derive.evaluation.exact_numbers import Exact, Undecidable, compared, sign_of
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.symbolic import Expr
@@ -36,69 +36,39 @@ class Rounded:
     shown: str
 
 
-@dataclass(frozen=True)
-class PrintedNumber:
-    """A number with the digits that count.
+def rounded(printed: PrintedNumber, derived: Exact, unit: Expr) -> Rounded:
+    """Compare a number in SI units with a printed one, which is in a unit.
 
-    Attributes:
-        text: as printed.
-        significant: how many of its digits count; None for all.
+    A number midway may be rounded up, away from zero, as schools teach, or to the even digit.
+
+    Raises:
+        Undecidable: where exact arithmetic cannot tell.
     """
+    ends = [printed.value + side * printed.last / 2 for side in (-1, 1)]
+    beyond = [compared(derived, Exact.of(sp.Rational(end) * unit)) for end in ends]
+    is_tie = 0 in beyond
+    holds = _accepts_tie(printed, ends[beyond.index(0)]) if is_tie else beyond == [1, -1]
+    return Rounded(holds, is_tie, _shown(printed, in_unit(derived, unit), ends, beyond))
 
-    text: str
-    significant: int | None = None
 
-    @property
-    def value(self) -> Fraction:
-        """The number itself."""
-        return Fraction(self.text)
+def _accepts_tie(printed: PrintedNumber, midway: Fraction) -> bool:
+    return abs(printed.value) > abs(midway) or printed.value / printed.last % 2 == 0
 
-    @property
-    def last(self) -> Fraction:
-        """A unit of the last digit that counts."""
-        return Fraction(10) ** self._exponent
 
-    @property
-    def counts_whole(self) -> bool:
-        """Whether the digits that do not count are zeros."""
-        return (self.value / self.last).denominator == 1
+def _shown(printed: PrintedNumber, derived: Number, ends: list[Fraction], beyond: list[int]) -> str:
+    """With digits beyond the printed ones, and so many that what is shown rounds as the number does."""
+    return next(
+        text
+        for text in _in_more_digits(derived, _digits_shown(printed, derived))
+        if [_sign(Fraction(text) - end) for end in ends] == beyond or len(text) > MOST_DIGITS
+    )
 
-    @property
-    def _exponent(self) -> int:
-        number = Decimal(self.text)
-        exponent = int(number.as_tuple().exponent)
-        return exponent if self.significant is None else max(exponent, number.adjusted() - self.significant + 1)
 
-    def rounded(self, derived: Exact, unit: Expr) -> Rounded:
-        """Compare a number in SI units with this one, which is in a unit.
-
-        A number midway may be rounded up, away from zero, as schools teach, or to the even digit.
-
-        Raises:
-            Undecidable: where exact arithmetic cannot tell.
-        """
-        ends = [self.value + side * self.last / 2 for side in (-1, 1)]
-        beyond = [compared(derived, Exact.of(sp.Rational(end) * unit)) for end in ends]
-        is_tie = 0 in beyond
-        holds = self._accepts_tie(ends[beyond.index(0)]) if is_tie else beyond == [1, -1]
-        return Rounded(holds, is_tie, self._shown(in_unit(derived, unit), ends, beyond))
-
-    def _accepts_tie(self, midway: Fraction) -> bool:
-        return abs(self.value) > abs(midway) or self.value / self.last % 2 == 0
-
-    def _shown(self, derived: Number, ends: list[Fraction], beyond: list[int]) -> str:
-        """With digits beyond the printed ones, and so many that what is shown rounds as the number does."""
-        return next(
-            text
-            for text in _in_more_digits(derived, self._digits_shown(derived))
-            if [_sign(Fraction(text) - end) for end in ends] == beyond or len(text) > MOST_DIGITS
-        )
-
-    def _digits_shown(self, derived: Number) -> int:
-        if not derived:
-            return SHOWN_DIGITS
-        leading = int(mpmath.floor(mpmath.log10(abs(derived))))
-        return min(MOST_DIGITS, max(SHOWN_DIGITS, leading - self._exponent + 1 + BEYOND))
+def _digits_shown(printed: PrintedNumber, derived: Number) -> int:
+    if not derived:
+        return SHOWN_DIGITS
+    leading = int(mpmath.floor(mpmath.log10(abs(derived))))
+    return min(MOST_DIGITS, max(SHOWN_DIGITS, leading - printed.exponent + 1 + BEYOND))
 
 
 def shown(value: Number, digits: int = SHOWN_DIGITS) -> str:

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
-from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold
@@ -111,7 +111,7 @@ def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
             raise FormulaError(f"let {name}: {why}")
         known = Names(dict(values), dict(dimensions))
         tree, values[name] = _definition("let", name, definition, known)
-        dimensions[name] = _dimension(f"let {name}", tree, known)
+        dimensions[name] = _dimension(f"let {name}", tree, known) if values[name] != 0 else NOTHING
     return Names(values, dimensions)
 
 
