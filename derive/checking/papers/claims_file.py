@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.printed_number import PrintedNumber
+from radartrack.derive.checking.papers.printed_number import PrintedNumber
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000

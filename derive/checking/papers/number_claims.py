@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from radartrack.derive.checking.papers.claim_setting import HERE, Place, Setting
 from radartrack.derive.checking.papers.claims_file import Along, Claim
-from radartrack.derive.checking.papers.printed_number import rounded, shown, shown_apart
-from radartrack.derive.checking.printed_number import PrintedNumber
+from radartrack.derive.checking.papers.printed_number import PrintedNumber
+from radartrack.derive.checking.papers.rounding_to_print import rounded, shown, shown_apart
 from radartrack.derive.checking.question.formula_units import WrongDimensions
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
 from radartrack.derive.evaluation.exact_numbers import Exact, NoRealValue, Undecidable, compared, order, sign_of
