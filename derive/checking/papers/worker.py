@@ -40,12 +40,18 @@ def main() -> None:
         cast("TextIOWrapper", stream).reconfigure(encoding="utf-8")  # as the parent has it, whatever the terminal has
     requests: queue.SimpleQueue[str] = queue.SimpleQueue()
     threading.Thread(target=_read, args=(requests,), daemon=True).start()
-    sys.stdout.write(READY + "\n")
-    sys.stdout.flush()
+    _tell(READY)
     while True:
         for answer in _answers(json.loads(requests.get())):
-            sys.stdout.write(json.dumps(answer) + "\n")
-            sys.stdout.flush()
+            _tell(json.dumps(answer))
+
+
+def _tell(line: str) -> None:
+    try:
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()
+    except OSError:
+        os._exit(0)  # nobody listens any more
 
 
 def _read(requests: queue.SimpleQueue[str]) -> None:
