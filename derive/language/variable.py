@@ -57,7 +57,7 @@ class Variable(Symbol):
         sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
         variable.meaning, variable.unit = meaning, unit
-        variable.low, variable.high = (end if isinstance(end, int | float) else float(end) for end in (low, high))
+        variable.low, variable.high = map(_plain_number, (low, high))
         variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
 
@@ -84,6 +84,11 @@ class Variable(Symbol):
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         kind = {"whole": self.whole, "at_most": self.at_most, "is_correlation": self.is_correlation}
         return (self.name, self.meaning, self.unit, self.low, self.high), kind
+
+
+def _plain_number(value: Any) -> float:
+    """An end of a domain as it was given, unless it was a number of SymPy's or NumPy's."""
+    return value if type(value) in {int, float} else float(value)
 
 
 def length(name: str, meaning: str, low: float = 1.0, high: float = 1e8) -> Variable:

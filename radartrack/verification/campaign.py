@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import math
 import platform
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
@@ -23,7 +24,7 @@ from radartrack.verification.layers.identity import Identity
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
 from radartrack.verification.layers.ulp_search import Accuracy
-from radartrack.verification.outcome import FUNCTION, Layer, Outcome, examined
+from radartrack.verification.outcome import BROKEN, FUNCTION, Layer, Outcome, examined
 from radartrack.verification.paths import along, paths_of
 from radartrack.verification.simulation.draws import CHUNK, Draws, Sums, tasks_for
 from radartrack.verification.simulation.experiments import Departures, Trial, departures, simulated, trials
@@ -107,6 +108,7 @@ class Campaign:
     effort: Effort
     checkpoint: Path | None = None
     _trials: dict[str, list[Trial]] = field(default_factory=dict)
+    _reasons: dict[str, str] = field(default_factory=dict)
 
     @cached_property
     def kept(self) -> Checkpoint:
@@ -151,8 +153,8 @@ class Campaign:
         if simulated(quantity):
             try:
                 yield from trials(quantity, generated(quantity), self.effort.seed)
-            except NotGenerated:
-                return
+            except BROKEN as error:  # a function that is missing among them
+                self._reasons[quantity.name] = f"{type(error).__name__}: {error}"
 
     def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
         quantity = find(name)
@@ -174,7 +176,7 @@ class Campaign:
             return monte_carlo.reason(quantity)
         planned = self._simulations(quantity)
         if not planned:
-            return Outcome.failed(monte_carlo.NAME, f"{quantity.name} has no generated function")
+            return Outcome.failed(monte_carlo.NAME, self._reasons[quantity.name])
         return monte_carlo.decided((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
 
     def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
@@ -200,9 +202,14 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
 
 
 def _departures(quantity: Quantity, trial: Trial) -> dict[str, Departures]:
-    """How far the conversions depart from the function that was simulated."""
-    function, others = generated(quantity), paths_of(quantity)[1:]
-    return {path: departures(quantity, trial, function, along(path, quantity)[1]) for path in others}
+    """How far the conversions depart from the function that was simulated; one that breaks down is nowhere."""
+    function, found = generated(quantity), {}
+    for path in paths_of(quantity)[1:]:
+        try:
+            found[path] = departures(quantity, trial, function, along(path, quantity)[1])
+        except BROKEN:
+            found[path] = (math.nan,)
+    return found
 
 
 def _installed(name: str) -> bool:

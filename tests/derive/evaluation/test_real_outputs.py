@@ -159,6 +159,21 @@ def test_a_map_that_is_real_on_a_part_of_its_domain_says_where_it_is_not(output:
         require_real(its.outputs.items(), its.arguments, its.measured)
 
 
+@pytest.mark.parametrize(
+    ("output", "said"),
+    [
+        (r / b, r"output x: 1/b has no value at b = \S+, and b is -3.14159 to 3.14159"),
+        (r / sympy.sin(b / 2) ** 2, r"sin\(b/2\)\*\*\(-2\) has no value at b = "),
+        (r * sympy.tan(b), r"tan\(b\) has no value at b = -?1.5708"),
+        (r**2 / (r - 20), r"1/\(r - 20\) has no value at r = 20"),
+    ],
+)
+def test_a_pole_inside_the_domain_is_named(output: sympy.Expr, said: str):
+    its = model(outputs={"x": output})
+    with pytest.raises(ValueError, match=said):
+        require_real(its.outputs.items(), its.arguments, its.measured)
+
+
 def test_the_end_of_a_domain_at_which_a_derivative_is_infinite_is_named():
     cosine = Variable("c", "direction cosine", ONE, -1.0, 1.0)
     with pytest.raises(ValueError, match=r"asin\(c\) has no derivative at c = -1, and c is -1 to 1"):

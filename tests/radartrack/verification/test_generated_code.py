@@ -115,6 +115,22 @@ def test_machine_code_is_looked_at_where_numba_is_there(monkeypatch: pytest.Monk
     assert "fa1m" in result.stdout
 
 
+@pytest.mark.parametrize("module", ["conversions", "polar"])
+def test_code_that_breaks_down_has_failed_and_the_run_goes_on(
+    module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+):
+    def broken(*_: object, **__: object) -> None:
+        raise IndexError("no such place")
+
+    monkeypatch.chdir(tmp_path)
+    function = {"conversions": "polar_averaged", "polar": "bias_averaged"}[module]
+    monkeypatch.setattr(f"radartrack.generated.{module}.{function}", broken)
+    result = verify("polar.bias.averaged", "--draws", str(1 << 17))
+    assert result.exit_code == 1
+    assert "no such place" in result.stdout
+    assert "polar.bias.averaged, Monte Carlo: " in result.stdout
+
+
 def test_plots_that_are_filled_in_elsewhere_are_wrong(monkeypatch: pytest.MonkeyPatch):
     fault = next(f for f in faults_of("loops") if f.kind == "index")
     fault.put_in(monkeypatch)
