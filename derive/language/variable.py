@@ -61,10 +61,10 @@ class Variable(Symbol):
         variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
 
-    def below(self, high: float) -> Variable:
-        """The same symbol with a domain that ends there at the latest."""
-        kind = {"whole": self.whole, "is_correlation": self.is_correlation}
-        return type(self)(self.name, self.meaning, self.unit, self.low, min(self.high, high), **kind)
+    def below(self, high: float) -> Self:
+        """The same symbol with a domain that ends there at the latest, which is what bounds it then."""
+        end, whole, correlation = min(self.high, high), self.whole, self.is_correlation
+        return type(self)(self.name, self.meaning, self.unit, self.low, end, whole=whole, is_correlation=correlation)
 
     @property
     def logarithmic(self) -> bool:

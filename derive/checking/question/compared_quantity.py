@@ -71,10 +71,11 @@ class Reference:
 
     @property
     def symbols(self) -> tuple[Variable, ...]:
-        """All symbols, each once."""
+        """All symbols, each once: the number of scans of several quantities is as large as all of them ask."""
         found: dict[str, Variable] = {}
         for part in self.parts.values():
-            found.update({symbol.name: symbol for symbol in part.quantity.symbols})
+            for symbol in part.quantity.symbols:
+                found[symbol.name] = max(found.get(symbol.name, symbol), symbol, key=lambda one: one.low)
         return tuple(found.values())
 
     @property

@@ -48,6 +48,16 @@ def test_exit_codes_of_check(arguments: tuple[str, ...], code: int) -> None:
     assert result.exit_code == code, result.output
 
 
+@pytest.mark.parametrize(
+    ("timeout", "code"), [("inf", 0), ("1e12", 0), ("nan", 2), ("-inf", 2), ("-1", 2), ("soon", 2)]
+)
+def test_no_limit_of_time_ends_in_the_code_of_a_difference(timeout: str, code: int, tmp_path: Path) -> None:
+    assert _run("check", "polar.map[0]", "r*cos(beta)", f"--timeout={timeout}").exit_code == code
+    claims = tmp_path / "smith.toml"
+    claims.write_text(CLAIMS, encoding="utf-8")
+    assert _run("audit", str(claims), f"--timeout={timeout}").exit_code == code
+
+
 def test_check_says_what_differs_and_what_was_meant() -> None:
     output = _run("check", "polar.bias.second_order[0]", "-r*cos(beta)*sigma_beta**2", "--given", "rho=0").output
     for said in ("differs", "for example", "r = 50 km", "order σ^2", "perhaps meant", "a missing factor 1/2"):
