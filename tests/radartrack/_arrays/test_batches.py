@@ -80,7 +80,7 @@ assert child < 0 or os.waitpid(child, 0)[1] == 0
 
 
 def test_a_forked_process_has_threads_of_its_own() -> None:
-    subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], check=True, timeout=60)
+    subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], check=True)
 
 
 SIZE = 2 * batches.BLOCK + 5  # plots, in three blocks or a few more

@@ -331,7 +331,7 @@ def writers(texts: set[str]) -> set[str]:
 def test_readers_see_complete_sets_while_two_processes_replace_them(target: Path) -> None:
     seen: set[str] = set()
     with replaced_forever(target), replaced_forever(target):
-        end = time.monotonic() + 30
+        end = time.monotonic() + 600  # only a defect waits so long
         while (len(seen) < 40 or len(writers(seen)) < 2) and time.monotonic() < end:
             files = read_while_in_place(target)
             if files is not None:

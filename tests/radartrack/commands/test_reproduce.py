@@ -19,6 +19,7 @@ from radartrack.reproduction.results import Reproduction
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Result, Path]]:
+    pytest.importorskip("matplotlib")
     out = tmp_path_factory.mktemp("reproduction")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(audit, "decided", lambda papers, *_, **__: ([_verdicts(paper) for paper in papers], []))
@@ -125,6 +126,7 @@ def test_the_same_directory_takes_another_run_and_keeps_what_is_not_in_the_way(
 
 
 def test_an_unknown_paper_and_a_file_in_the_way_are_refused(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
     assert CliRunner().invoke(app, ["reproduce", "nobody"]).exit_code == 2
     (tmp_path / "file").touch()
     result = CliRunner().invoke(app, ["reproduce", "gao", "--out", str(tmp_path / "file")])
