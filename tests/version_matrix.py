@@ -49,7 +49,7 @@ def build(name: str) -> Path | None:
     except (FileNotFoundError, subprocess.CalledProcessError):
         return None
     python = folder / "bin" / "python"
-    install = [python, "-m", "pip", "install", "-qq", "--upgrade"]
+    install: list[str | Path] = [python, "-m", "pip", "install", "-qq", "--upgrade"]
     subprocess.run([*install, "pip"], check=True)
     subprocess.run([*install, *requirements(environment), "--editable", ROOT], check=True)
     return python
@@ -62,7 +62,7 @@ def outcome(name: str, told: Sequence[str]) -> str:
     if python is None:
         return f"{ENVIRONMENTS[name].python} is not there"
     subprocess.run([python, "-m", "pip", "list"], check=True)
-    tests = [python, "-m", "pytest", "-n", "auto", "--dist", "worksteal", *told]
+    tests: list[str | Path] = [python, "-m", "pytest", "-n", "auto", "--dist", "worksteal", *told]
     warned = ["--override-ini", "filterwarnings=default"] if ENVIRONMENTS[name].oldest else []  # of what is newer
     return "failed" if subprocess.run([*tests, *warned], cwd=ROOT, check=False).returncode else "passed"
 
