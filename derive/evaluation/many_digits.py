@@ -9,6 +9,7 @@ from typing import Any
 import mpmath
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.evaluation.steps import steps
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, Symbol
 
@@ -108,10 +109,7 @@ class Evaluator:
 
     def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol], digits: int = DIGITS) -> None:
         self._precision = digits + GUARD
-        self._positions: dict[Expr, int] = {symbol: i for i, symbol in enumerate(symbols)}
-        self._steps: list[tuple[Callable[..., Number], tuple[int, ...]]] = []
-        self._arity = len(symbols)
-        self._results = [self._add(entry) for entry in entries]
+        self._steps = steps(entries, symbols, _step)
         self._shape = entries.shape
 
     def __call__(
@@ -135,35 +133,29 @@ class Evaluator:
             residue = mpmath.mpf(10) ** (RESIDUE - self._precision - more_digits)
             slots: list[Number] = [mpmath.mpf(value) for value in values]
             noise = [1 + n * mpmath.mpf(10) ** (LAST - self._precision - more_digits) for n in NOISE] if noisy else [1]
-            for (operation, operands), factor in zip(self._steps, cycle(noise), strict=False):
+            for (operation, operands), factor in zip(self._steps.steps, cycle(noise), strict=False):
                 value = operation(*(slots[i] for i in operands))
                 value = value * factor if noisy and operands else value
                 slots.append(_tidied(value, residue) if isinstance(value, mpmath.mpc) else value)
-            return Tensor(self._shape, tuple(slots[i] for i in self._results))
+            return Tensor(self._shape, tuple(slots[i] for i in self._steps.results))
 
-    def _add(self, expression: Expr) -> int:
-        if expression not in self._positions:
-            step = self._step(expression)
-            self._positions[expression] = self._arity + len(self._steps)
-            self._steps.append(step)
-        return self._positions[expression]
 
-    def _step(self, expression: Expr) -> tuple[Callable[..., Number], tuple[int, ...]]:
-        if isinstance(expression, sp.Rational):
-            numerator, denominator = int(expression.p), int(expression.q)
-            return lambda: mpmath.mpf(numerator) / denominator, ()
-        if expression in _CONSTANTS:
-            return _CONSTANTS[expression], ()
-        if not (expression.is_Add or expression.is_Mul or expression.is_Pow or expression.func in _FUNCTIONS):
-            return _refusal(expression), ()
-        operands = tuple(self._add(argument) for argument in expression.args)
-        if isinstance(expression, sp.Add):
-            return lambda *terms: mpmath.fsum(terms), operands
-        if isinstance(expression, sp.Mul):
-            return _product, operands
-        if isinstance(expression, sp.Pow):
-            return _power(expression, operands)
-        return _FUNCTIONS[expression.func], operands
+def _step(expression: Expr) -> tuple[Callable[..., Number], Sequence[Expr]]:
+    """What makes a part of a formula from its own parts."""
+    if isinstance(expression, sp.Rational):
+        numerator, denominator = int(expression.p), int(expression.q)
+        return lambda: mpmath.mpf(numerator) / denominator, ()
+    if expression in _CONSTANTS:
+        return _CONSTANTS[expression], ()
+    if isinstance(expression, sp.Add):
+        return lambda *terms: mpmath.fsum(terms), expression.args
+    if isinstance(expression, sp.Mul):
+        return _product, expression.args
+    if isinstance(expression, sp.Pow):
+        return _power(expression)
+    if expression.func in _FUNCTIONS:
+        return _FUNCTIONS[expression.func], expression.args
+    return _refusal(expression), ()
 
 
 def _refusal(expression: Expr) -> Callable[[], Number]:
@@ -192,11 +184,11 @@ def _product(*factors: Number) -> Number:
     return result
 
 
-def _power(expression: Expr, operands: tuple[int, ...]) -> tuple[Callable[..., Number], tuple[int, ...]]:
+def _power(expression: Expr) -> tuple[Callable[..., Number], Sequence[Expr]]:
     if isinstance(expression.exp, sp.Integer):
         exponent = int(expression.exp)
-        return lambda base: base**exponent, operands[:1]
-    return lambda base, power: base**power, operands
+        return lambda base: base**exponent, (expression.base,)
+    return lambda base, power: base**power, expression.args
 
 
 def evaluate(expression: Expr, values: Mapping[Symbol, float], digits: int = DIGITS) -> Number:
