@@ -377,6 +377,14 @@ def test_no_file_makes_a_directory_ours_by_its_name(tmp_path: Path, name: str, c
     assert contents_of_all(tmp_path) == before
 
 
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("name", ["accuracy.json", "written.json", "notes.txt"])
+def test_a_stranger_s_only_file_is_left_alone(tmp_path: Path, name: str):
+    (tmp_path / name).write_text("{}")
+    assert regenerate("--out", tmp_path).exit_code == 2
+    assert contents_of_all(tmp_path) == {name: b"{}"}
+
+
 FILES = ("__init__.py", "accuracy.json", "polar.py", "notes.txt", "sub")
 CONTENTS = st.sampled_from([b"", b"ours, old\n", b"ours, old\r\n", b"a stranger's\n", b"\xff\0"])
 
