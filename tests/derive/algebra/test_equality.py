@@ -65,6 +65,8 @@ DIFFERENT = [
     (sqrt(x**2), x),
     (Abs(x), -x),
     (sqrt(x**2 + y**2), x + y),
+    (Abs(sqrt(cos(x))) ** 2, cos(x)),
+    (Abs(sqrt(cos(x)) + 1), sqrt(cos(x)) + 1),
     (atan2(y, x), atan2(x, y)),
     (acos(u), acos(v)),
     (exp(-(s**2)), 1 - s**2),

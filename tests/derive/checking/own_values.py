@@ -99,8 +99,7 @@ def _settled(before: Any, after: Any) -> Any:
     """What two precisions say of a value."""
     if isinstance(before, No) or isinstance(after, No):
         return after if before is after else No.UNKNOWN
-    size = max(abs(after), mpmath.mpf("1e-60"))
-    if abs(mpmath.im(after)) > max(1e-30 * size, abs(mpmath.im(before)) / 1e6):
+    if abs(mpmath.im(after)) > max(1e-30 * abs(after), abs(mpmath.im(before)) / 1e6):
         steady = abs(mpmath.im(after) - mpmath.im(before)) <= 1e-9 * abs(mpmath.im(after))
         return No.UNREAL if steady else No.UNKNOWN
     after, before = mpmath.re(after), mpmath.re(before)
