@@ -123,7 +123,7 @@ WRONG: dict[str, tuple[Callable[[], object], str]] = {
     "an endless domain": (lambda: length("r", "range", high=math.inf), "the domain of r must go from one finite"),
     "a domain of no numbers": (lambda: length("r", "range", low=math.nan), "the domain of r must go from one finite"),
     "a domain upside down": (lambda: length("r", "range", 10, 1), "the domain of r must go .*; given 10 to 1"),
-    "an empty domain": (lambda: length("r", "range", 1, 1), "the domain of r"),
+    "an empty domain": (lambda: length("r", "range", 2, 1), "the domain of r"),
     "two lines": (lambda: model(title="one\ntwo"), "the title of mine must be one line of printable text"),
     "an escape": (lambda: length("r", "range \x1b[31m"), "the meaning of r must be one line of printable text"),
     "a surrogate": (lambda: length("r", "range \ud800"), "the meaning of r must be one line"),
