@@ -113,15 +113,15 @@ class Evaluator:
         self._shape = entries.shape
 
     def __call__(
-        self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0, *, noisy: bool = False
+        self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0, *, noise: int = 0
     ) -> Tensor[Number]:
         """The entries at one point, given in the order of the symbols; floats are taken as exact.
 
         Args:
             point: the values of the symbols.
             more_digits: beyond those for which this was made.
-            noisy: whether the last digits of every intermediate value are changed: an entry that stays what it is
-                owes nothing to how they are rounded, however many are lost.
+            noise: 1 or -1 to change the last digits of every intermediate value, one way or the other: an entry that
+                stays what it is owes nothing to how they are rounded, however many are lost.
 
         Raises:
             OverflowError: for an exponential of more than a million.
@@ -132,10 +132,11 @@ class Evaluator:
         with mpmath.workdps(self._precision + more_digits):
             residue = mpmath.mpf(10) ** (RESIDUE - self._precision - more_digits)
             slots: list[Number] = [mpmath.mpf(value) for value in values]
-            noise = [1 + n * mpmath.mpf(10) ** (LAST - self._precision - more_digits) for n in NOISE] if noisy else [1]
-            for (operation, operands), factor in zip(self._steps.steps, cycle(noise), strict=False):
+            unit = noise * mpmath.mpf(10) ** (LAST - self._precision - more_digits)
+            factors = cycle([1 + n * unit for n in NOISE])
+            for (operation, operands), factor in zip(self._steps.steps, factors, strict=False):
                 value = operation(*(slots[i] for i in operands))
-                value = value * factor if noisy and operands else value
+                value = value * factor if noise and operands else value
                 slots.append(_tidied(value, residue) if isinstance(value, mpmath.mpc) else value)
             return Tensor(self._shape, tuple(slots[i] for i in self._steps.results))
 
