@@ -207,10 +207,11 @@ def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
 
     Raises:
         NotDerived: saying of which quantity, and why.
+        NotProved: a rewritten form is not proved equal to its definition.
     """
     try:
         return _done(task, quantities)
-    except (ArithmeticError, AssertionError, LookupError, RecursionError, TypeError, ValueError) as error:
+    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError) as error:
         name = task if isinstance(task, str) else ".".join(task)
         raise NotDerived(f"{name} cannot be derived: {_on_one_line(error)}") from error
 
