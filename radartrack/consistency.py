@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import convert
-from radartrack._arrays.prediction import Predicted
-from radartrack._arrays.semidefinite import ROUNDING, are_sound
-from radartrack._arrays.sensors import SENSORS, Sensor, SensorName
 from radartrack._arrays.validation import RealArray, number_between, one_of, real_arrays, whole_number
+from radartrack._conversion.prediction import Predicted
+from radartrack._conversion.semidefinite import ROUNDING, are_sound
+from radartrack._conversion.sensors import SENSORS, Sensor, SensorName
 from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
 from radartrack.simulate import noise_covariance, scatter

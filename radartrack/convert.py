@@ -15,21 +15,17 @@ Covariances are symmetric and, within 16 units in the last place of their correl
 variance below 4.5e-277, in float32 1.2e-38, is 0, and its covariances with it.
 """
 
-import math
-import reprlib
-from collections.abc import Callable, Mapping
-from typing import Any, Literal, NamedTuple, TypeAlias, get_args
+from collections.abc import Mapping
+from typing import Literal, NamedTuple, TypeAlias, get_args
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack._arrays import machine_code, semidefinite
-from radartrack._arrays.batches import BLOCK, fill
-from radartrack._arrays.one_plot import one_plot
-from radartrack._arrays.prediction import COVARIANCE, MEAN, Predicted, Prediction, prediction_arguments
-from radartrack._arrays.sensors import SENSORS, AzimuthFrom, Sensor
-from radartrack._arrays.validation import RealArray, broadcast_shape, common_shape, one_of, real_arrays
-from radartrack.generated import conversions
+from radartrack._arrays.validation import RealArray, one_of
+from radartrack._conversion.many_plots import many_plots
+from radartrack._conversion.one_plot import one_plot
+from radartrack._conversion.prediction import Prediction
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor
+from radartrack._conversion.way import Way
 
 Method: TypeAlias = Literal["linear", "second_order", "averaged", "unbiased", "posterior", "decorrelated"]
 
@@ -42,9 +38,6 @@ class Converted(NamedTuple):
 
 
 _METHODS: tuple[Method, ...] = get_args(Method)
-_NEEDS_PREDICTION = "decorrelated"
-PREDICTED_BLOCK = 16384  # plots; the average over a prediction has ten times as many intermediate results
-_AXES = {MEAN: 1, COVARIANCE: 2}  # of one plot; of what is measured it is a number
 
 
 def polar(
@@ -274,149 +267,7 @@ def _convert(
     predicted: Prediction | None,
     azimuth_from: AzimuthFrom | None = None,
 ) -> Converted:
-    one_of("method", method, _METHODS)
-    turned = sensor.is_turned(azimuth_from)
-    prediction = _predicted_arguments(method, predicted)
-    if not prediction and (found := one_plot(sensor, method, given)) is not None:
-        return Converted(*_turned(*found)) if turned else Converted(*found)
-    arrays = real_arrays({**given, **prediction})
-    try:
-        return _computed(sensor, method, arrays, turned=turned)
-    except ValueError:  # from one block; the message is about all
-        _checked(sensor, arrays)
-        raise
-
-
-def _predicted_arguments(method: Method, predicted: Prediction | None) -> Mapping[str, ArrayLike]:
-    if method == _NEEDS_PREDICTION:
-        return prediction_arguments(predicted)
-    if predicted is not None:
-        raise ValueError(f"predicted must be None for method {method!r}; got {reprlib.repr(predicted)}")
-    return {}
-
-
-def _computed(sensor: Sensor, method: Method, arrays: Mapping[str, RealArray], *, turned: bool) -> Converted:
-    """In blocks, each of which is checked while it is in the cache."""
-    size = len(sensor.coordinates)  # as many coordinates as there are measured quantities
-    axes = {name: _AXES.get(name, 0) for name in arrays}
-    shape = common_shape(array.shape[: array.ndim - axes[name]] for name, array in arrays.items())
-    count, dtype = math.prod(shape), arrays["r"].dtype
-    mean, covariance = np.empty((count, size), dtype), np.empty((count, size, size), dtype)
-    function, block = _function(sensor, method, count, dtype)
-    flat = {name: _flat(array, shape, axes[name]) for name, array in arrays.items()}
-    varying = {name: array for name, array in flat.items() if array.ndim > axes[name]}
-
-    def convert(*parts: RealArray) -> None:
-        *inputs, means, covariances = parts
-        measured, prediction = _checked(sensor, flat | dict(zip(varying, inputs, strict=True)))
-        function(*measured.values(), means, covariances)
-        if prediction is not None:
-            covariances[...] = _decorrelated(sensor, measured, prediction)
-        _make_sound(sensor, method, measured, prediction, covariances)
-        if turned:
-            means[...], covariances[...] = _turned(means, covariances)
-
-    fill(convert, [*varying.values()], [mean, covariance], block)
-    return Converted(mean.reshape(*shape, size), covariance.reshape(*shape, size, size))
-
-
-def _checked(sensor: Sensor, arrays: Mapping[str, RealArray]) -> tuple[dict[str, RealArray], Predicted | None]:
-    """What was measured, by symbol, and the prediction, if there is one.
-
-    Raises:
-        ValueError: a value is out of place, or the shapes do not broadcast.
-
-    """
-    plot = {name: arrays[name] for name in sensor.arguments}
-    measured = sensor.read(plot)
-    if MEAN not in arrays:
-        return measured, None
-    prediction = Predicted(sensor, arrays[MEAN], arrays[COVARIANCE])
-    prediction.require_valid()
-    broadcast_shape({**plot, **prediction.named()})
-    prediction.require_possible(measured)
-    return measured, prediction
-
-
-def _function(sensor: Sensor, method: Method, count: int, dtype: np.dtype[Any]) -> tuple[Callable[..., None], int]:
-    """The conversion without a prediction, and the size of its blocks; compiled where that is worth while."""
-    decorrelated = method == _NEEDS_PREDICTION
-    name = f"{sensor.module}_{'unbiased' if decorrelated else method}"
-    function, block = getattr(conversions, name), BLOCK
-    if count >= machine_code.COMPILED_FROM and dtype == np.float64 and machine_code.is_available():
-        fast = machine_code.conversion(name)
-        function, block = (function, block) if fast is None else (fast, machine_code.BLOCK)
-    return function, PREDICTED_BLOCK if decorrelated else block
-
-
-def _decorrelated(sensor: Sensor, measured: Mapping[str, RealArray], prediction: Predicted) -> RealArray:
-    word = "decorrelated_covariance"
-    parts = ((weight, sensor.evaluate(word, {**measured, **part})) for weight, part in prediction.parts())
-    weight, first = next(parts)
-    return sum((weight * covariance for weight, covariance in parts), start=weight * first)
-
-
-def _make_sound(
-    sensor: Sensor,
-    method: Method,
-    measured: Mapping[str, RealArray],
-    prediction: Predicted | None,
-    covariances: RealArray,
-) -> None:
-    """Compute those covariances again, with care, of which rounding may have made something else."""
-    values = measured if prediction is None else {**prediction.symbols(), **measured}
-    if semidefinite.are_plain(values, covariances):
-        return
-    doubtful = ~semidefinite.are_sound(covariances)
-    if doubtful.any():
-        few = {symbol: array[doubtful] if array.ndim else array for symbol, array in measured.items()}
-        part = None if prediction is None else prediction.only(doubtful)
-        covariances[doubtful] = _with_care(sensor, method, few, part, covariances[doubtful])
-
-
-def _with_care(
-    sensor: Sensor,
-    method: Method,
-    measured: Mapping[str, RealArray],
-    prediction: Predicted | None,
-    like: RealArray,
-) -> RealArray:
-    """Covariances in float64 and, where that is not enough, the nearest that are positive semidefinite."""
-    wide = {symbol: semidefinite.without_nothing(array) for symbol, array in measured.items()}
-
-    def computed(**other: RealArray) -> RealArray:
-        values, covariances = {**wide, **other}, np.empty(like.shape)
-        if prediction is None:
-            getattr(conversions, f"{sensor.module}_{method}")(*values.values(), np.empty(like.shape[:-1]), covariances)
-        else:
-            covariances[...] = _decorrelated(sensor, values, prediction)
-        return semidefinite.cast(covariances, covariances.dtype)
-
-    covariances = computed()
-    doubtful = ~semidefinite.are_sound(covariances)
-    if doubtful.any():
-        independent = computed(rho=np.zeros(()))
-        covariances[doubtful] = semidefinite.nearest(covariances[doubtful], independent[doubtful])
-    return semidefinite.cast(covariances, like.dtype)
-
-
-def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:
-    """One axis of plots before the array's own axes; none where all plots share the value."""
-    if array.ndim == axes + 1 and array.shape[:1] == shape:
-        return array
-    own = array.shape[array.ndim - axes :]
-    if array.size == math.prod(own):
-        return array.reshape(own)
-    spread = array if array.shape == (*shape, *own) else np.broadcast_to(array, (*shape, *own))
-    return spread.reshape(-1, *own)
-
-
-def _order(size: int) -> list[int]:
-    """The coordinates with x and y exchanged."""
-    return [1, 0, *range(2, size)]
-
-
-def _turned(mean: RealArray, covariance: RealArray) -> tuple[RealArray, RealArray]:
-    """With x and y exchanged, where the azimuth is counted from the other axis."""
-    order = _order(mean.shape[-1])
-    return mean[..., order], covariance[..., order, :][..., order]
+    """Check the words, then the numbers, then compute: plain numbers at once, arrays in blocks."""
+    way = Way.chosen(sensor, one_of("method", method, _METHODS), predicted, azimuth_from)
+    found = one_plot(way, given)
+    return Converted(*(many_plots(way, given) if found is None else found))

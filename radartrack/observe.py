@@ -13,7 +13,6 @@ from typing import Literal, NamedTuple, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
 from radartrack._arrays.validation import (
     RANGE_RATE as SPEED,
 )
@@ -27,6 +26,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
 from radartrack.generated import observe as formulas
 
 Order: TypeAlias = Literal["linear", "second_order"]

@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import observe
-from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
 from radartrack._arrays.validation import (
     RealArray,
     number_between,
@@ -31,6 +30,7 @@ from radartrack._arrays.validation import (
     require_within,
     whole_number,
 )
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
 
 Seed: TypeAlias = int | Sequence[int]
 

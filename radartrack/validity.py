@@ -12,8 +12,8 @@ from typing import Any, Literal, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack._arrays.sensors import SENSORS, SensorName
 from radartrack._arrays.validation import Domain, RealArray, one_of, real_arrays, require_within
+from radartrack._conversion.sensors import SENSORS, SensorName
 
 Formulas: TypeAlias = Literal["linear", "second_order"]
 

@@ -129,7 +129,7 @@ def _fill(path: str, name: str) -> Fill:
 
 
 def _plot_by_plot(loop: Fill, *arrays: Array) -> None:
-    """Each plot alone in plain numbers, into dictionaries, as `radartrack._arrays.one_plot` calls the loop."""
+    """Each plot alone in plain numbers, into dictionaries, as `radartrack._conversion.one_plot` calls the loop."""
     *inputs, means, covariances = arrays
     for plot, values in enumerate(zip(*(column.tolist() for column in inputs), strict=True)):
         mean: dict[tuple[int, ...], float] = {}

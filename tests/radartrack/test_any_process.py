@@ -25,7 +25,7 @@ from radartrack._arrays import machine_code
 
 batches._most_at_once = lambda: 4  # whatever cores this machine has
 if "numba" not in sys.argv:
-    compiled.is_available = lambda: False
+    machine_code.is_available = lambda: False
 
 def served():
     ranges, sums = np.linspace(1e3, 1e5, {MANY}), np.zeros(4)
@@ -187,7 +187,7 @@ from radartrack._arrays import machine_code
 ranges = np.linspace(1e3, 1e5, 300)
 plots = rt.convert.polar(ranges, 1.0, 5.0, 0.05, method="linear")
 assert np.allclose(plots.mean[:, 0], ranges * np.cos(1.0), rtol=1e-14)
-assert not compiled.is_available() or compiled.conversion("polar_linear") is not None
+assert not machine_code.is_available() or machine_code.conversion("polar_linear") is not None
 """
 
 

@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack._arrays import machine_code, semidefinite, sensors
+from radartrack._arrays import machine_code
+from radartrack._conversion import semidefinite, sensors
 from radartrack.convert import Converted, Method
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.evaluation.many_digits import Evaluator

@@ -16,14 +16,14 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack._arrays.semidefinite import cast, without_nothing
-from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import (
     RealArray,
     require_covariance,
     require_trailing_shape,
     require_within,
 )
+from radartrack._conversion.semidefinite import cast, without_nothing
+from radartrack._conversion.sensors import Sensor
 
 Prediction: TypeAlias = tuple[ArrayLike, ArrayLike]
 
