@@ -392,7 +392,7 @@ import os, sys
 from itertools import count
 from pathlib import Path
 from radartrack import VarianceTable
-from tests.radartrack.replacements import kill_at
+from tests.radartrack._system.replacements import kill_at
 table, target = VarianceTable.load(sys.argv[1]), Path(sys.argv[2])
 for step in count():
     child = os.fork()

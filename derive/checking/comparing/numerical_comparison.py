@@ -60,6 +60,7 @@ class Comparison:
     """Two formulas in the same symbols, ready to be evaluated."""
 
     def __init__(self, printed: Expr, derived: Expr, symbols: Sequence[Symbol]) -> None:
+        self.printed = printed
         self._symbols = symbols
         self._derived = derived
         self._evaluator = Evaluator(Tensor((2,), (printed, derived)), symbols)

@@ -69,6 +69,8 @@ WIDTHS = ["", "abc", "0", "-5", "²", "١٢", "1e3", "9" * 5000, "0x50", " 80 ",
 @pytest.mark.parametrize("name", ["COLUMNS", "LINES", "TERMINAL_WIDTH"])
 @pytest.mark.parametrize("value", WIDTHS, ids=lambda value: value[:9])
 def test_a_width_that_is_no_number_is_none(monkeypatch: pytest.MonkeyPatch, name: str, value: str) -> None:
+    for other in ("COLUMNS", "LINES", "TERMINAL_WIDTH"):
+        monkeypatch.delenv(other, raising=False)
     monkeypatch.setenv(name, value)
     terminal.prepare()
     assert name not in os.environ
