@@ -74,7 +74,7 @@ def test_every_conversion_is_looked_at_through_its_mean_and_its_covariance():
 
 
 def verify(*arguments: str) -> Result:
-    settings = ["--points", "40", "--workers", "1", "--checkpoint", os.devnull]
+    settings = ["--points", "40", "--workers", "1", "--checkpoint", str(Path.cwd() / "checkpoint.jsonl")]
     return CliRunner().invoke(app, ["verify", *arguments, *settings], env={"COLUMNS": "200"})
 
 
