@@ -424,7 +424,8 @@ def _turned(local: Floats, azimuth: Floats) -> Floats:
     x = sine * along + cosine * mixed, cosine * across
     y = cosine * along - sine * mixed, -sine * across
     entries = [a[0] * b[0] + a[1] * b[1] for a, b in ((x, x), (x, y), (y, x), (y, y))]
-    return cast(np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2), np.dtype(np.float64))
+    turned: Floats = cast(np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2), np.dtype(np.float64))
+    return turned
 
 
 def _digest(columns: Columns) -> str:

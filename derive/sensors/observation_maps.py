@@ -17,7 +17,7 @@ from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments import taylor
-from radartrack.derive.stable.common_denominator import collected_form
+from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, Unit
 

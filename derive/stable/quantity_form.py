@@ -5,12 +5,10 @@ from __future__ import annotations
 from functools import cache
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.algebra.differential_ring import NotDifferentiable
-from radartrack.derive.algebra.rational_function import NotRational, is_zero
+from radartrack.derive.algebra.equality import proved_zero
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
-from radartrack.derive.stable.common_denominator import vanishes
 from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
@@ -54,20 +52,5 @@ def _prove(form: StableForm, derived: Tensor[Expr]) -> None:
     for rewritten, expected in zip(form.proposition(), derived, strict=True):
         if rewritten == expected or with_sums_expanded(rewritten) == with_sums_expanded(expected):
             continue
-        if not _vanishes(sp.unguarded(rewritten) - expected):
+        if not proved_zero(sp.unguarded(rewritten) - expected):
             raise NotProved(f"{rewritten} is not equal to {expected}")
-
-
-def _vanishes(expression: Expr) -> bool:
-    """Whether it is zero: as a rational function, over roots, or by what SymPy can cancel; all prove it."""
-    try:
-        return is_zero(expression)
-    except NotRational:
-        return _vanishes_over_roots(expression) or sp.cancel(expression) == sp.Integer(0)
-
-
-def _vanishes_over_roots(expression: Expr) -> bool:
-    try:
-        return vanishes(expression)
-    except NotDifferentiable:
-        return False
