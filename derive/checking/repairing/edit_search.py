@@ -51,10 +51,8 @@ from radartrack.derive.formula.tree import (
 # Tuned by the campaign of slips (tests/derive/checking/repairing/test_mutants.py): slips are put into every entry of
 # the catalogue, and what each came from must be among the first suggestions, in less than two seconds.
 QUICK = 2  # points that rule out nearly every edit; at one, edits of even functions pass by chance and cost all points
-FACTORS = (
-    13  # a fit solves for their powers: with more, points run out and a fit means nothing; with fewer, the sine or
-)
-# the deviation that a long covariance misses is not among them
+FACTORS = 13  # powers that a fit solves for: with more, points run out and a fit means nothing; with fewer, the sine
+# or the deviation that a long covariance misses is not among them
 FIRST_EDITS = 150  # of two at once: each costs a whole search for the second; beyond, two seconds are over
 LIKELY = 1.2  # the cost of an edit that may be one of two
 PLAIN = 2.0  # the cost of one edit that is likelier than any two
