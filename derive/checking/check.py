@@ -25,7 +25,9 @@ from radartrack.derive.checking.conventions.other_quantity import other_quantiti
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
@@ -35,6 +37,7 @@ from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
 SUGGESTIONS = 3
@@ -47,6 +50,7 @@ def check(
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    world: World = CATALOGUE,
 ) -> Verdict:
     """Compare a printed formula with what was derived.
 
@@ -57,14 +61,23 @@ def check(
         latex: whether it is LaTeX.
         given: conditions under which to compare, `{"rho": "0"}`.
         let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
+        world: quantities, letters, definitions and conditions of a paper.
 
     Raises:
         UnknownQuantity: for a name that the catalogue does not have.
         UnknownEntry: for an entry that the quantity does not have.
         FormulaError: when the formula, a condition or a definition cannot be read.
     """
-    *_, verdict = ask(name, formula, latex=latex, given=given, let=let).answers()
+    try:
+        *_, verdict = ask(name, formula, latex=latex, given=given, let=let, world=world).answers()
+    except NoClosedForm as error:
+        return too_much(name, formula, error)
     return verdict
+
+
+def too_much(quantity: str, printed: str, error: NoClosedForm) -> Verdict:
+    """That nothing can be decided, and the part that was too much."""
+    return Verdict(Outcome.UNDECIDED, quantity, printed, "", f"cannot decide: {error}")
 
 
 def ask(
@@ -74,11 +87,24 @@ def ask(
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    world: World = CATALOGUE,
 ) -> Question:
-    """The question of `check`, whose arguments these are and which raises the same."""
-    reference = refer(name)
-    names = names_for(reference, let or {})
-    conditions = conditions_for(reference, given or {})
+    """The question of `check`, whose arguments these are.
+
+    Raises:
+        NoClosedForm: when something cannot be worked out; and what `check` raises.
+    """
+    reference = refer(name, world, {**world.let, **(let or {})})
+    names = names_for(reference, let or {}, world, ["" if latex else formula, *(given or {}).values()])
+    return asked(reference, formula, names, given or {}, world, latex=latex)
+
+
+def asked(
+    reference: Reference, formula: str, names: Names, given: Mapping[str, str], world: World, *, latex: bool = False
+) -> Question:
+    """A formula in these names compared with that; raises as `ask`."""
+    reference = reference.with_symbols(names.symbols.values())
+    conditions = conditions_for(reference, given, names, world.given)
     question = Question(reference, read_printed(formula, names, reference.shape, latex=latex), conditions)
     exact = meant(question.printed)
     if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
@@ -208,7 +234,7 @@ class Question:
         """What does not fit in the dimensions of an entry; nothing where they do."""
         try:
             check_dimension(
-                self.printed.names.dimension_of(self.printed.entries[entry]), self.reference.dimensions[entry]
+                self.printed.names.dimension_of(self.printed.entries[entry]), self.reference.dimension(entry)
             )
         except WrongDimensions as error:
             return str(error)

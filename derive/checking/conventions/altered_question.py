@@ -48,7 +48,7 @@ class Asked:
     @cached_property
     def family(self) -> list[Variable]:
         """The symbols of all quantities of the model, so that one point serves them all."""
-        modules = {part.quantity.module for part in self.reference.parts.values()}
+        modules = {part.quantity.module for part in self.reference.parts}
         family = (symbol for one in catalogue().values() if one.module in modules for symbol in one.symbols)
         known = {symbol.name: symbol for symbol in (*family, *self.reference.symbols)}
         return list(known.values())

@@ -40,13 +40,14 @@ class WrongDimensions(ValueError):
 class Dimension:
     """Powers of metre and second, and of the radian where it is known.
 
-    `free` marks a number on its own, which may stand for a value in any unit.
+    `free` marks a number on its own, which may stand for a value in any unit; `is_zero` nought, which has every unit.
     """
 
     metre: Fraction = Fraction(0)
     second: Fraction = Fraction(0)
     radian: Fraction | None = Fraction(0)
     free: bool = False
+    is_zero: bool = False
 
     @classmethod
     def of(cls, unit: Unit) -> Dimension:
@@ -54,10 +55,14 @@ class Dimension:
         return cls(unit.metre, unit.second, unit.radian)
 
     def __mul__(self, other: Dimension) -> Dimension:
+        if self.is_zero or other.is_zero:
+            return ZERO
         radian = None if self.radian is None or other.radian is None else self.radian + other.radian
         return Dimension(self.metre + other.metre, self.second + other.second, radian, self.free and other.free)
 
     def __pow__(self, exponent: Fraction | int) -> Dimension:
+        if self.is_zero and exponent:
+            return ZERO
         radian = None if self.radian is None else self.radian * exponent
         return Dimension(self.metre * exponent, self.second * exponent, radian, self.free)
 
@@ -68,7 +73,7 @@ class Dimension:
 
     def agrees(self, other: Dimension) -> bool:
         """Whether both have the same metres and seconds."""
-        return (self.metre, self.second) == (other.metre, other.second)
+        return self.is_zero or other.is_zero or (self.metre, self.second) == (other.metre, other.second)
 
     def __str__(self) -> str:
         if self.is_number:
@@ -77,6 +82,7 @@ class Dimension:
 
 
 FREE = Dimension(free=True)
+ZERO = Dimension(radian=None, free=True, is_zero=True)
 ANGLE = Dimension(radian=Fraction(1))
 _PERIODIC = {"cos", "cot", "csc", "sec", "sin", "tan"}
 _GROWING = {"cosh", "coth", "exp", "expm1", "sinh", "tanh"}
@@ -90,7 +96,9 @@ def dimensions(known: Mapping[str, Dimension]) -> Fold[Dimension]:
     """
 
     def step(tree: Tree, below: Sequence[Dimension]) -> Dimension:
-        return known[tree.name] if isinstance(tree, Name) else _dimension(tree, below)
+        if isinstance(tree, Name):
+            return known[tree.name]
+        return ZERO if _is_zero(tree) else _dimension(tree, below)
 
     return Fold(step)
 
@@ -138,9 +146,9 @@ def _product(parts: Sequence[Dimension]) -> Dimension:
 
 
 def _sum(terms: Sequence[Tree], below: Sequence[Dimension]) -> Dimension:
-    found = [(term, dimension) for term, dimension in zip(terms, below, strict=True) if not _is_zero(term)]
+    found = [(term, dimension) for term, dimension in zip(terms, below, strict=True) if not dimension.is_zero]
     if not found:
-        return FREE
+        return ZERO
     first_term, first = found[0]
     for term, dimension in found[1:]:
         if not dimension.agrees(first):

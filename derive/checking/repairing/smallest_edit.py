@@ -52,7 +52,7 @@ def suggest(
 ) -> list[Edited]:
     """The edits that make a printed formula equal to the derived one, the smallest first."""
     points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
-    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.values.items()}
+    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.numbers.items()}
     target = _values(derived, symbols, points)
     if target is None:
         return []
