@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -22,16 +22,20 @@ from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.question.compared_quantity import Reference, refer
+from radartrack.derive.checking.question.compared_quantity import Reference, refer, refer_to
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
+from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.language.model import Model
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -40,43 +44,49 @@ SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
 SUGGESTIONS = 3
 
 
-def check(
-    name: str,
+def check(  # noqa: PLR0913 - a question, and what it is asked of
+    quantity: str | Quantity,
     formula: str,
     *,
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    models: Iterable[Model] = (),
 ) -> Verdict:
     """Compare a printed formula with what was derived.
 
     Args:
-        name: a quantity of the catalogue, `polar.covariance.linear`; one entry of it,
-            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several.
+        quantity: one of the catalogue or of a model of one's own, `polar.covariance.linear`; one entry of it,
+            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several. A quantity
+            itself, in place of its name, is compared whole.
         formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
         latex: whether it is LaTeX.
         given: conditions under which to compare, `{"rho": "0"}`.
         let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
+        models: of one's own, whose quantities may be named.
 
     Raises:
-        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownQuantity: for a name that neither the catalogue nor a model has.
+        TableError: for a model with a name of the catalogue's, and two of one name.
         UnknownEntry: for an entry that the quantity does not have.
         FormulaError: when the formula, a condition or a definition cannot be read.
     """
-    *_, verdict = ask(name, formula, latex=latex, given=given, let=let).answers()
+    world = having_models(models)
+    *_, verdict = ask(quantity, formula, latex=latex, given=given, let=let, world=world).answers()
     return verdict
 
 
-def ask(
-    name: str,
+def ask(  # noqa: PLR0913 - as for `check`
+    quantity: str | Quantity,
     formula: str,
     *,
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    world: World = CATALOGUE,
 ) -> Question:
-    """The question of `check`, whose arguments these are and which raises the same."""
-    reference = refer(name)
+    """The question of `check`, whose arguments these are but for the world, and which raises the same."""
+    reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, world)
     names = names_for(reference, let or {})
     conditions = conditions_for(reference, given or {})
     question = Question(reference, read_printed(formula, names, reference.shape, latex=latex), conditions)

@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from radartrack.derive import catalogue
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.single_number import scalar_expression
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.tree import Array, Name, Tree
 from radartrack.derive.language.quantity import Quantity
@@ -21,7 +21,6 @@ from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tracks.gaussian_coverage import COVERAGE
 
 MAX_CHARACTERS = 2000
 _MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
@@ -103,20 +102,26 @@ class Reference:
         return dimensions(known)(self.tree)
 
 
-def refer(text: str) -> Reference:
+def refer_to(quantity: Quantity) -> Reference:
+    """All of one quantity, whatever it is."""
+    whole = "quantity"
+    return Reference(quantity.name, Name(whole), {whole: _part(quantity, None)})
+
+
+def refer(text: str, world: World = CATALOGUE) -> Reference:
     """Read what is meant.
 
     Raises:
-        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownQuantity: for a name that the world does not have.
         UnknownEntry: for an index that the quantity does not have, shapes that do not fit each other, or an
             expression that cannot be read.
     """
     if len(text) > MAX_CHARACTERS:
         raise UnknownEntry(f"{text[:80]!r} names no quantity: it has more than {MAX_CHARACTERS} characters")
     names = {found[0]: f"{_unused(text)}{place}" for place, found in enumerate(_mentions(text))}
-    parts = {names[found[0]]: _part(_find(found["name"]), found["index"]) for found in _mentions(text)}
+    parts = {names[found[0]]: _part(world.find(found["name"]), found["index"]) for found in _mentions(text)}
     if not parts:
-        _find(text[:80].strip())
+        world.find(text[:80].strip())
     reference = Reference(text.strip(), _combination(text, names, parts), parts)
     try:
         _ = reference.dimensions
@@ -149,11 +154,6 @@ def _with_names(message: str, names: Mapping[str, str]) -> str:
     """What is said about placeholders, said about quantities."""
     quantities = {placeholder: quantity for quantity, placeholder in names.items()}
     return _WORD.sub(lambda found: quantities.get(found[0], found[0]), message)
-
-
-def _find(name: str) -> Quantity:
-    """A quantity of the catalogue, or one that is only compared with."""
-    return COVERAGE if name == COVERAGE.name else catalogue.find(name)
 
 
 def _unused(text: str) -> str:
