@@ -29,6 +29,7 @@ Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 
 MINIMUM = 2
 SMALLEST_FALSE_ALARM = 1e-9
+_SINGULAR = "the covariance is singular: deviations must be positive, correlations below 1"
 
 
 class Consistency(NamedTuple):
@@ -93,7 +94,7 @@ def experiment(
     Raises:
         TypeError: an argument is no number, is missing, or is none of the conversion's.
         ValueError: a simulated measurement or another number lies outside what the conversion takes, a word is
-            unknown, or a covariance is singular.
+            unknown, a covariance is singular, or an average overflows.
 
     """
     chosen = one_of("sensor", sensor, SENSORS)
@@ -137,6 +138,8 @@ def _prediction(
     if covariance is None:
         return None
     matrix = real_arrays({"predicted_covariance": covariance})["predicted_covariance"]
+    if matrix.ndim != 2:
+        raise ValueError(f"predicted_covariance must be one matrix, shape (n, n); got shape {matrix.shape}")
     Predicted(sensor, centre, matrix).require_valid()
     return centre, matrix
 
@@ -173,14 +176,18 @@ def _width(false_alarm: float) -> float:
 def _summary(errors: RealArray, covariance: RealArray, width: float) -> Consistency:
     singular = ~are_sound(covariance, least_pivot=ROUNDING * float(np.finfo(covariance.dtype).eps))
     if singular.any():
-        raise ValueError("the covariance is singular: deviations must be positive, correlations below 1")
+        raise ValueError(_SINGULAR)
     # In units of the deviations, whose squares may differ by hundreds of orders.
     deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
     correlations = covariance / deviations[:, :, np.newaxis] / deviations[:, np.newaxis, :]
-    scaled = errors / deviations
-    weighted = np.linalg.solve(correlations, scaled[..., np.newaxis])[..., 0]
-    squares = (scaled * weighted).sum(axis=-1) / errors.shape[-1]
-    return Consistency(errors.mean(axis=0), _band(errors, width), float(squares.mean()), _band(squares, width))
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused below
+        scaled = errors / deviations
+        weighted = np.linalg.solve(correlations, scaled[..., np.newaxis])[..., 0]
+        squares = (scaled * weighted).sum(axis=-1) / errors.shape[-1]
+        found = Consistency(errors.mean(axis=0), _band(errors, width), float(squares.mean()), _band(squares, width))
+    if not all(np.isfinite(part).all() for part in found):
+        raise ValueError(f"{_SINGULAR}, and errors not so unequal that their squares overflow")
+    return found
 
 
 def _band(values: RealArray, width: float) -> RealArray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -22,8 +22,9 @@ from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.question.compared_quantity import Reference, refer
+from radartrack.derive.checking.question.compared_quantity import Reference, refer, refer_to
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
+from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
@@ -34,6 +35,8 @@ from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.language.model import Model
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -44,34 +47,39 @@ SUGGESTIONS = 3
 
 
 def check(
-    name: str,
+    quantity: str | Quantity,
     formula: str,
     *,
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    models: Iterable[Model] = (),
     world: World = CATALOGUE,
 ) -> Verdict:
     """Compare a printed formula with what was derived.
 
     Args:
-        name: a quantity of the catalogue, `polar.covariance.linear`; one entry of it,
-            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several.
+        quantity: one of the catalogue or of a model of one's own, `polar.covariance.linear`; one entry of it,
+            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several. A quantity
+            itself, in place of its name, is compared whole.
         formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
         latex: whether it is LaTeX.
         given: conditions under which to compare, `{"rho": "0"}`.
         let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
+        models: of one's own, whose quantities may be named.
         world: quantities, letters, definitions and conditions of a paper.
 
     Raises:
-        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownQuantity: for a name that neither the catalogue nor a model has.
+        TableError: for a model with a name of the catalogue's, and two of one name.
         UnknownEntry: for an entry that the quantity does not have.
         FormulaError: when the formula, a condition or a definition cannot be read.
     """
+    world = having_models(models, world)
     try:
-        *_, verdict = ask(name, formula, latex=latex, given=given, let=let, world=world).answers()
+        *_, verdict = ask(quantity, formula, latex=latex, given=given, let=let, world=world).answers()
     except NoClosedForm as error:
-        return too_much(name, formula, error)
+        return too_much(quantity if isinstance(quantity, str) else quantity.name, formula, error)
     return verdict
 
 
@@ -81,7 +89,7 @@ def too_much(quantity: str, printed: str, error: NoClosedForm) -> Verdict:
 
 
 def ask(
-    name: str,
+    quantity: str | Quantity,
     formula: str,
     *,
     latex: bool = False,
@@ -89,12 +97,13 @@ def ask(
     let: Mapping[str, str] | None = None,
     world: World = CATALOGUE,
 ) -> Question:
-    """The question of `check`, whose arguments these are.
+    """The question of `check`, whose arguments these are but for the models.
 
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
-    reference = refer(name, world, {**world.let, **(let or {})})
+    definitions = {**world.let, **(let or {})}
+    reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, world, definitions)
     names = names_for(reference, let or {}, world, ["" if latex else formula, *(given or {}).values()])
     return asked(reference, formula, names, given or {}, world, latex=latex)
 

@@ -55,7 +55,7 @@ def to_text(tree: Tree) -> str:
         case Array(parts):
             return f"[{_listed(parts)}]"
         case Entries(array, places):
-            return f"{_text_of_operand(array)}[{', '.join(map(_text_of_place, places))}]"
+            return f"{_text_of_operand(array)}[{', '.join(map(text_of_place, places))}]"
 
 
 def _text_of_call(tree: Call) -> str:
@@ -82,7 +82,8 @@ def _text_of_pair(pair: Tree) -> str:
     return f"{to_text(name)}: {to_text(value)}"
 
 
-def _text_of_place(place: Place) -> str:
+def text_of_place(place: Place) -> str:
+    """How entries are picked along one axis."""
     return str(place) if isinstance(place, int) else ":".join("" if end is None else str(end) for end in place)
 
 
@@ -114,7 +115,7 @@ def to_latex(tree: Tree) -> str:
         case Array(entries):
             return _latex_of_array(entries)
         case Entries(array, places):
-            return f"{_latex_of_factor(array)}_{{{', '.join(map(_text_of_place, places))}}}"
+            return f"{_latex_of_factor(array)}_{{{', '.join(map(text_of_place, places))}}}"
 
 
 def _latex_of_leaf(tree: Number | Constant | Name) -> str:

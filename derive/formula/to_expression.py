@@ -203,7 +203,7 @@ def _added(terms: Sequence[Expression]) -> Expression:
 def _multiplied(factors: Sequence[Expression]) -> Expression:
     """Scalars, and arrays in the order in which they stand."""
     scalar = sp.Mul(*(factor for factor in factors if not isinstance(factor, tuple)))
-    arrays = [factor for factor in factors if isinstance(factor, tuple)]
+    arrays: list[Expression] = [factor for factor in factors if isinstance(factor, tuple)]
     return _scaled(scalar, reduce(_times, arrays)) if arrays else scalar
 
 

@@ -114,19 +114,20 @@ class TreeBuilder(Transformer[Token, Tree]):
 
     def pair(self, parts: Sequence[Part]) -> Tree:
         """A name and a formula."""
-        name, _, value = parts
-        return Array((self.name([name]), *trees([value])), span=place(parts))
+        names = [part for part in parts if isinstance(part, Token)]
+        return Array((self.name(names[:1]), *trees(parts)), span=place(parts))
 
     def entries(self, parts: Sequence[Part]) -> Tree:
         """Entries that are picked from an array."""
-        array, *rest = parts
+        (array,) = trees(parts)
+        tokens = [part for part in parts if isinstance(part, Token)][1:-1]  # without the brackets
         groups: list[list[Token]] = [[]]
-        for one in rest[1:-1]:
+        for one in tokens:
             if one == ",":
                 groups.append([])
             else:
                 groups[-1].append(one)
-        return Entries(next(trees([array])), tuple(map(_picked, groups)), span=place(parts))
+        return Entries(array, tuple(map(_picked, groups)), span=place(parts))
 
 
 def call(function: str, arguments: Iterable[Tree], span: Span) -> Tree:

@@ -86,10 +86,11 @@ def solve(sample: Sample, after: float, degree: int, rate_weight: float, unit_of
 
     """
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):  # then nothing is resolved
-        solution, resolved = _in_floating_point(sample, after, degree, rate_weight, unit_of_time)
+        solution = _in_floating_point(sample, after, degree, rate_weight, unit_of_time)
     possible = _has_enough_times(sample, degree)
-    solution.determined[:] = possible & resolved
-    for number in np.flatnonzero(possible & ~resolved):
+    doubtful = possible & ~solution.determined
+    solution.determined[:] &= possible
+    for number in np.flatnonzero(doubtful):
         _solve_exactly(sample, int(number), after, rate_weight, solution)
     return solution
 
@@ -120,10 +121,8 @@ def _solve_exactly(sample: Sample, number: int, after: float, rate_weight: float
             all_samples[number] = one
 
 
-def _in_floating_point(
-    sample: Sample, after: float, degree: int, rate_weight: float, unit_of_time: float
-) -> tuple[Solution, Mask]:
-    """The solutions, and which of them are good."""
+def _in_floating_point(sample: Sample, after: float, degree: int, rate_weight: float, unit_of_time: float) -> Solution:
+    """The solutions; determined is what rounding left the digits of."""
     counts = sample.has_range.sum(axis=1)
     basis = _basis(sample, after, degree, rate_weight, unit_of_time)
     by_rate, by_range, resolved = _coefficients(basis, rates_first=rate_weight >= unit_of_time)
@@ -133,7 +132,7 @@ def _in_floating_point(
     share = 1 / np.maximum(counts, 1)
     covariance[:, 0, 0] += share
     range_weights[:, 0] += share[:, np.newaxis] * sample.has_range
-    return Solution(resolved, range_weights, rate_weights * rate_weight, covariance), resolved.copy()
+    return Solution(resolved, range_weights, rate_weights * rate_weight, covariance)
 
 
 def _squares(weights: RealArray) -> RealArray:

@@ -29,12 +29,14 @@ def mean(values: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
 
     Raises:
         TypeError: the values are not made of real numbers, or the confidence is none.
-        ValueError: a value is not finite, there are fewer than two trials, or the confidence is not between 0 and 1.
+        ValueError: a value is not finite, there are fewer than two trials, the confidence is not between 0 and 1, or
+            the estimate overflows.
 
     """
     read = _trials("values", values)
-    middle, half = read.mean(axis=0), _half_width(read, confidence)
-    return Estimate(middle, middle - half, middle + half)
+    with np.errstate(over="ignore", invalid="ignore"):
+        middle, half = read.mean(axis=0), _half_width(read, confidence)
+        return _finite(Estimate(middle, middle - half, middle + half))
 
 
 def root_mean(squares: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
@@ -57,12 +59,13 @@ def excess(squares: ArrayLike, reference: ArrayLike, confidence: float = CONFIDE
     read, other = _trials("squares", squares), _trials("reference", reference)
     if read.shape != other.shape:
         raise ValueError(f"squares and reference must have one shape; got {read.shape} and {other.shape}")
-    divisor = other.mean(axis=0)
-    if not (divisor > 0).all():
-        raise ValueError(f"reference must have a mean of more than 0; got {divisor.min():g}")
-    ratio = read.mean(axis=0) / divisor
-    half = _half_width(read - ratio * other, confidence) / divisor
-    return Estimate(ratio - 1, ratio - 1 - half, ratio - 1 + half)
+    with np.errstate(over="ignore", invalid="ignore"):
+        divisor = other.mean(axis=0)
+        if not (divisor > 0).all():
+            raise ValueError(f"reference must have a mean of more than 0; got {divisor.min():g}")
+        ratio = read.mean(axis=0) / divisor
+        half = _half_width(read - ratio * other, confidence) / divisor
+        return _finite(Estimate(ratio - 1, ratio - 1 - half, ratio - 1 + half))
 
 
 def root_excess(squares: ArrayLike, reference: ArrayLike, confidence: float = CONFIDENCE) -> Estimate:
@@ -81,6 +84,12 @@ def _trials(name: str, values: ArrayLike) -> RealArray:
     if read.ndim == 0 or len(read) < FEWEST_TRIALS:
         raise ValueError(f"{name} must have at least {FEWEST_TRIALS} trials, the first axis; got shape {read.shape}")
     return read
+
+
+def _finite(found: Estimate) -> Estimate:
+    for name, values in found._asdict().items():
+        require_finite(f"the {name} of the estimate", values)
+    return found
 
 
 def _half_width(values: RealArray, confidence: float) -> RealArray:

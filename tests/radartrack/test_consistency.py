@@ -4,12 +4,15 @@ The bands together miss what they should hold with probability 1e-6 at most. At 
 of 3 % of the deviations, and of the NEES of 4 %, is found with probability 0.999.
 """
 
+import contextlib
 import math
 from statistics import NormalDist
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from radartrack.consistency import Consistency, Given, experiment
 from radartrack.convert import Method
@@ -174,6 +177,13 @@ def test_the_same_seed_gives_the_same_result() -> None:
         ({"given": "prediction"}, ValueError, r"predicted_covariance must be given for .*; got None"),
         ({"predicted_covariance": np.eye(2)}, ValueError, r"and only there; got array"),
         (
+            {"given": "prediction", "predicted_covariance": np.broadcast_to(np.eye(2), (3, 2, 2))},
+            ValueError,
+            r"predicted_covariance must be one matrix, shape \(n, n\); got shape \(3, 2, 2\)",
+        ),
+        ({"seed": -1}, ValueError, "seed must be at least 0; got -1"),
+        ({"false_alarm": "0.1"}, TypeError, "false_alarm must be a real number; got '0.1'"),
+        (
             {"method": "decorrelated", "predicted_covariance": -np.eye(2)},
             ValueError,
             r"predicted covariance must be without a negative variance",
@@ -210,3 +220,20 @@ def test_a_covariance_that_is_singular_but_for_rounding_is_refused(correlation: 
     plot = {"r": 1e4, "azimuth": 0.3, "range_std": 50.0, "azimuth_std": 0.01, "correlation": correlation}
     with pytest.raises(ValueError, match="the covariance is singular"):
         experiment("polar", plot, "linear", draws=20)
+
+
+POWERS = st.integers(-100, 60).map(lambda power: 10.0**power)
+
+
+@given(
+    ranges=st.tuples(POWERS, POWERS), rates=st.tuples(POWERS, POWERS), azimuth_std=st.sampled_from([1e-9, 1e-4, 1.0])
+)
+def test_averages_of_any_scale_are_finite_or_refused(
+    ranges: tuple[float, float], rates: tuple[float, float], azimuth_std: float
+) -> None:
+    (r, range_std), (range_rate, range_rate_std) = ranges, (min(rate, 1e50) for rate in rates)
+    plot = {"r": r, "azimuth": 0.0, "range_rate": range_rate, "range_std": range_std, "azimuth_std": azimuth_std}
+    for method in ("linear", "unbiased"):
+        with contextlib.suppress(ValueError):
+            found = experiment("polar_doppler", plot | {"range_rate_std": range_rate_std}, method, draws=4)
+            assert all(np.isfinite(part).all() for part in found)

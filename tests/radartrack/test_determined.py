@@ -128,15 +128,18 @@ def test_a_kalman_filter_starts_where_the_exact_rank_is_full(f: FiniteSampleFilt
         assert np.array_equal(found.covariance, estimate.covariance[np.newaxis])
 
 
-@pytest.mark.parametrize("gap", [10.0**-n for n in range(0, 300, 23)])
+@pytest.mark.parametrize("gap", [10.0**-n for n in (0, 3, 6, 8, 10, 12, 14, 15, 16, 18, 40, 100, 150, 299)])
 @pytest.mark.parametrize("rate_std", [None, 15.0])
 def test_two_plots_however_near_determine_what_they_determine(gap: float, rate_std: float | None) -> None:
-    """Two of three times differ by as little as 1e-299 s: what determines the parabola is tiny, but there."""
+    """Two of three times differ by as little as 1e-299 s: what determines the parabola is tiny, but there.
+
+    At 1e-299 s its variance is more than a float holds.
+    """
     f = FiniteSampleFilter(10.0, 250.0, rate_std)
     times, ranges = np.array([-30.0, 0.0, gap]), np.array([1e4, 1.01e4, 1.02e4])
     rates = np.array([np.nan, np.nan, np.nan if rate_std is None else -3.0])
     arguments = (ranges,) if rate_std is None else (ranges, rates)
-    if gap > 1e-140 or rate_std is not None:
+    if gap > 1e-200 or rate_std is not None:
         assert_fits(f.estimate(*arguments, times=times), fit_of(f, times, ranges, rates), ranges, rates, 250.0, 1e-7)
     else:
         with pytest.raises(ValueError, match="must give a state and a covariance that float64 holds"):

@@ -226,6 +226,11 @@ def test_process_noise_keeps_the_kalman_filter_awake() -> None:
         ((1.0, 1.0, None, 4), ValueError, "degree must be from 0 to 3; got 4"),
         ((1.0, 1.0, None, 1.5), TypeError, "degree must be a whole number; got 1.5"),
         ((1.0, 1.0, None, 2, np.inf), ValueError, "lag must be finite"),
+        ((1.0, 1.0, None, 2, 1e13), ValueError, r"lag must be from -1e\+12 to 1e\+12; got 1e\+13"),
+        ((10**400, 1.0), ValueError, "period must be finite; got 1000"),
+        ((1e-100, 1.0), ValueError, r"range_std/period\^n must be from 1e-60 to 1e\+60 .*; got range_std 1 and period"),
+        ((1.0, 1e200), ValueError, r"range_std/period\^n must be from"),
+        ((1.0, 1.0, 1e40), ValueError, r"must be at most 1e\+12 and at least 1e-60; got 1e-80"),
         ((1e-3, 1e4, 1e-3), ValueError, r"range_std\^2/\(period rate_std\)\^2 must be at most 1e\+12"),
     ],
 )
@@ -267,6 +272,8 @@ def test_bad_observations_are_refused() -> None:
         f.estimate(ranges.astype(complex), rates)
     with pytest.raises(ValueError, match="ranges must have shape"):
         alone.estimate(3.0)
+    with pytest.raises(ValueError, match=r"times must have shape \(\.\.\., k\); got a single number"):
+        alone.estimate(ranges, times=1)
     with pytest.raises(ValueError, match="times must not decrease"):
         alone.estimate(ranges, times=[0, 1, 2, 1, 3, 4])
     with pytest.raises(ValueError, match="times must be finite"):
@@ -317,3 +324,11 @@ def test_infinities_that_cancel_are_refused(scan: int) -> None:
     for filtered in (f.estimate, f.run):
         with pytest.raises(ValueError, match="ranges must be finite, or NaN where missing; got 2 infinite of 120"):
             filtered(ranges)
+
+
+def test_numbers_of_any_type_are_kept_as_floats() -> None:
+    """In float32, 0.1 over 0.3 would have seven digits."""
+    kinds = FiniteSampleFilter(np.float32(0.5), np.float32(0.1), np.float32(0.3), np.int64(1), np.int8(-2))  # type: ignore[arg-type]
+    plain = FiniteSampleFilter(0.5, float(np.float32(0.1)), float(np.float32(0.3)), 1, -2.0)
+    assert kinds == plain
+    assert {type(getattr(kinds, name)) for name in ("period", "range_std", "rate_std", "lag")} == {float}

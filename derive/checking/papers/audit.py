@@ -10,21 +10,22 @@ from radartrack.derive.checking.check import ask
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim, problems
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 
 
-def decide(claim: Claim) -> Verdict:
-    """The verdict on one claim.
+def decide(claim: Claim, world: World = CATALOGUE) -> Verdict:
+    """The verdict on one claim, in the world of its paper.
 
     Raises:
         UnreadableClaim: naming the claim.
     """
-    *_, verdict = decisions(claim)
+    *_, verdict = decisions(claim, world)
     return verdict
 
 
-def decisions(claim: Claim) -> Iterator[Verdict]:
+def decisions(claim: Claim, world: World = CATALOGUE) -> Iterator[Verdict]:
     """The verdict on one claim, then the same with more and more said beside it.
 
     Raises:
@@ -39,10 +40,11 @@ def decisions(claim: Claim) -> Iterator[Verdict]:
         return
     try:
         if not claim.is_formula:
-            yield check_number(claim)
+            yield check_number(claim, world)
             return
         formula, latex = claim.formula or claim.latex, bool(claim.latex)
-        yield from ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let).answers()
+        asked = ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let, world=world)
+        yield from asked.answers()
     except (FormulaError, UnknownQuantity, UnknownEntry) as error:
         raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
 

@@ -10,11 +10,12 @@ from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.papers.claims_file import Along, Claim
-from radartrack.derive.checking.papers.printed_number import in_unit
+from radartrack.derive.checking.papers.rounding_to_print import in_unit
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.possible_values import check_domain
 from radartrack.derive.checking.question.single_number import scalar_expression
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.evaluation.exact_numbers import Exact, Function, NoRealValue, compared, order
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.formula.error import FormulaError
@@ -66,9 +67,9 @@ class Setting:
             symbol to what it cannot be.
     """
 
-    def __init__(self, claim: Claim) -> None:
+    def __init__(self, claim: Claim, world: World = CATALOGUE) -> None:
         self._claim = claim
-        self._reference: Reference = refer(claim.quantity)
+        self._reference: Reference = refer(claim.quantity, world)
         if self._reference.shape:
             raise FormulaError(f"{claim.quantity} has the shape {list(self._reference.shape)}: name one entry")
         self._symbols = {symbol.name: symbol for symbol in self._reference.symbols}

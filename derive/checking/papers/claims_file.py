@@ -14,8 +14,6 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
-from radartrack.derive.formula.functions import SPELLINGS
-from radartrack.derive.formula.unknown_names import CONSTANTS
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
@@ -24,7 +22,9 @@ MAX_BITS = 133  # of a whole number: 40 digits, as in a formula
 ID = re.compile(r"[A-Za-z0-9_]+(?:[.-][A-Za-z0-9_]+)*")
 NUMBER = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,2})?")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+OF_NUMBERS = {"e", "pi", "sqrt"}  # words that a number may be written with
 UNITS = ("1", "%", "m", "km", "m^2", "s", "m/s", "m/s^2", "rad", "deg", "mrad")
+DECLARED = ("paper", "doi", "symbols", "let", "model")  # what a file says for all its claims
 TRENDS = ("increasing", "decreasing", "convex", "concave")
 
 Along: TypeAlias = "tuple[str, tuple[str, ...]]"
@@ -111,7 +111,7 @@ class Claim:
 
     def _in_unit(self, number: str) -> str:
         """A number with the unit; a formula in symbols has its own."""
-        has_unit = self.unit not in {"", "1"} and not set(WORD.findall(number)) - SPELLINGS.keys() - CONSTANTS.keys()
+        has_unit = self.unit not in {"", "1"} and set(WORD.findall(number)) <= OF_NUMBERS
         return f"{number} {self.unit}" if has_unit else number
 
     @property
@@ -122,11 +122,19 @@ class Claim:
 
 @dataclass(frozen=True)
 class ClaimsFile:
-    """A paper and its claims."""
+    """A paper and its claims.
+
+    Attributes:
+        name: of the file.
+        paper: author, title, year.
+        claims: in their order.
+        declared: what the file says beside claims, models and their symbols, as data; it is read with the first claim.
+    """
 
     name: str
     paper: str
     claims: tuple[Claim, ...]
+    declared: tuple[Mapping[str, Any], ...] = ()
 
 
 def read_claims(path: Path, *, keep_unreadable: bool = False) -> ClaimsFile:
@@ -140,16 +148,38 @@ def read_claims(path: Path, *, keep_unreadable: bool = False) -> ClaimsFile:
     Raises:
         ClaimsError: when it cannot be read, naming file, claim and field.
     """
-    try:
-        data = tomllib.loads(_content(path).decode("utf-8-sig"))
-    except OSError as error:
-        raise ClaimsError(f"{path}: {error.strerror or error}") from None
-    except (ValueError, RecursionError) as error:  # a whole number of 5000 digits is a ValueError
-        raise ClaimsError(f"{path}: not TOML: {error}") from None
+    data = read_toml(path)
     try:
         return _file(data, str(path), keep_unreadable=keep_unreadable)
     except ClaimsError as error:
         raise ClaimsError(f"{path}: {error}") from None
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The data of a file, which nothing is known of yet.
+
+    Raises:
+        ClaimsError: when it cannot be read.
+    """
+    try:
+        return tomllib.loads(_content(path).decode("utf-8-sig"))
+    except OSError as error:
+        raise ClaimsError(f"{path}: {error.strerror or error}") from None
+    except (ValueError, RecursionError) as error:  # a whole number of 5000 digits is a ValueError
+        raise ClaimsError(f"{path}: not TOML: {error}") from None
+
+
+def declarations(data: Mapping[str, Any]) -> dict[str, Any]:
+    """What a file says beside its claims.
+
+    Raises:
+        ClaimsError: naming a number with too many digits.
+    """
+    declared = {field: data[field] for field in DECLARED if field in data}
+    for field, value in declared.items():
+        if _is_huge(value):
+            raise ClaimsError(f"{field}: a whole number has at most 40 digits")
+    return declared
 
 
 def _content(path: Path) -> bytes:
@@ -167,8 +197,9 @@ def shipped() -> list[Path]:
 
 
 def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> ClaimsFile:
-    if unknown := sorted(data.keys() - {"paper", "claim"}):
-        raise ClaimsError(f"{unknown[0][:80]} is no field of a claims file; allowed: paper, claim")
+    allowed = (*DECLARED, "claim")
+    if unknown := sorted(data.keys() - set(allowed)):
+        raise ClaimsError(f"{unknown[0][:80]} is no field of a claims file; allowed: {', '.join(allowed)}")
     if not isinstance(data.get("paper"), str) or not data["paper"].strip():
         raise ClaimsError("paper must be text: author, title, year")
     tables = data.get("claim")
@@ -180,7 +211,8 @@ def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> Claim
     for number, table in enumerate(tables, start=1):
         claim = _claim(table, number, claims, keep_unreadable=keep_unreadable)
         claims[claim.id] = claim
-    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()))
+    declared = (declarations(data),) if "model" in data else ()
+    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()), declared)
 
 
 def _claim(table: Mapping[str, Any], number: int, before: Mapping[str, Claim], *, keep_unreadable: bool) -> Claim:

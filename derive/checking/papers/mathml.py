@@ -12,10 +12,12 @@ from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.reporting.verdict import Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.printing import text_of_place
 from radartrack.derive.formula.tree import (
     Array,
     Call,
     Constant,
+    Entries,
     Name,
     Negation,
     Number,
@@ -77,6 +79,9 @@ def element(tree: Tree) -> str:
             return _call(function, arguments)
         case Array(entries):
             return _array(entries)
+        case Entries(array, places):
+            shown = ", ".join(map(text_of_place, places))
+            return f"<msub>{_factor(array)}<mrow><mtext>{shown}</mtext></mrow></msub>"
 
 
 def _atom(tree: Number | Constant | Name) -> str:
@@ -84,7 +89,10 @@ def _atom(tree: Number | Constant | Name) -> str:
         return f"<mn>{escape(tree.text)}</mn>"
     if isinstance(tree, Name):
         return _name(tree.name)
-    return "<mi>π</mi>" if tree.name == "pi" else '<mi mathvariant="normal">e</mi>'
+    return _CONSTANTS[tree.name]
+
+
+_CONSTANTS = {"pi": "<mi>π</mi>", "e": '<mi mathvariant="normal">e</mi>', "inf": "<mi>∞</mi>"}
 
 
 def _row(*parts: str) -> str:
@@ -137,6 +145,8 @@ def _call(function: str, arguments: tuple[Tree, ...]) -> str:
         return f"<msqrt>{element(arguments[0])}</msqrt>"
     if function == "abs":
         return _row("<mo>|</mo>", element(arguments[0]), "<mo>|</mo>")
+    if function == "transpose":
+        return f"<msup>{_factor(arguments[0])}<mi>T</mi></msup>"
     if function == "exp":
         return f'<msup><mi mathvariant="normal">e</mi>{element(arguments[0])}</msup>'
     if len(arguments) == 1:

@@ -93,6 +93,12 @@ class Reference:
         return Tensor.build(self.shape, lambda *index: self.dimension(index))
 
 
+def refer_to(quantity: Quantity) -> Reference:
+    """All of one quantity, whatever it is."""
+    whole = "quantity"
+    return _combined(quantity.name, Name(whole), {whole: _part(quantity, None)}, CATALOGUE)
+
+
 def refer(text: str, world: World = CATALOGUE, let: Mapping[str, str] = MappingProxyType({})) -> Reference:
     """Read what is meant.
 

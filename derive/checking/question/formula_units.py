@@ -40,14 +40,15 @@ class WrongDimensions(ValueError):
 class Dimension:
     """Powers of metre and second, and of the radian where it is known.
 
-    `free` marks a number on its own, which may stand for a value in any unit; `is_zero` nought, which has every unit.
+    `free` marks a number on its own, which may stand for a value in any unit; `zero` one that is nothing in any unit,
+    beside which terms of every dimension may stand.
     """
 
     metre: Fraction = Fraction(0)
     second: Fraction = Fraction(0)
     radian: Fraction | None = Fraction(0)
     free: bool = False
-    is_zero: bool = False
+    zero: bool = False
 
     @classmethod
     def of(cls, unit: Unit) -> Dimension:
@@ -55,16 +56,13 @@ class Dimension:
         return cls(unit.metre, unit.second, unit.radian)
 
     def __mul__(self, other: Dimension) -> Dimension:
-        if self.is_zero or other.is_zero:
-            return ZERO
         radian = None if self.radian is None or other.radian is None else self.radian + other.radian
-        return Dimension(self.metre + other.metre, self.second + other.second, radian, self.free and other.free)
+        free, zero = self.free and other.free, self.zero or other.zero
+        return Dimension(self.metre + other.metre, self.second + other.second, radian, free, zero)
 
     def __pow__(self, exponent: Fraction | int) -> Dimension:
-        if self.is_zero and exponent:
-            return ZERO
         radian = None if self.radian is None else self.radian * exponent
-        return Dimension(self.metre * exponent, self.second * exponent, radian, self.free)
+        return Dimension(self.metre * exponent, self.second * exponent, radian, self.free, self.zero and exponent > 0)
 
     @property
     def is_number(self) -> bool:
@@ -72,8 +70,8 @@ class Dimension:
         return not self.metre and not self.second
 
     def agrees(self, other: Dimension) -> bool:
-        """Whether both have the same metres and seconds."""
-        return self.is_zero or other.is_zero or (self.metre, self.second) == (other.metre, other.second)
+        """Whether both have the same metres and seconds, or one is nothing."""
+        return self.zero or other.zero or (self.metre, self.second) == (other.metre, other.second)
 
     def __str__(self) -> str:
         if self.is_number:
@@ -82,7 +80,7 @@ class Dimension:
 
 
 FREE = Dimension(free=True)
-ZERO = Dimension(radian=None, free=True, is_zero=True)
+NOTHING = Dimension(free=True, zero=True)
 ANGLE = Dimension(radian=Fraction(1))
 _PERIODIC = {"cos", "cot", "csc", "sec", "sin", "tan"}
 _GROWING = {"cosh", "coth", "exp", "expm1", "sinh", "tanh"}
@@ -98,7 +96,7 @@ def dimensions(known: Mapping[str, Dimension]) -> Fold[Dimension]:
     def step(tree: Tree, below: Sequence[Dimension]) -> Dimension:
         if isinstance(tree, Name):
             return known[tree.name]
-        return ZERO if _is_zero(tree) else _dimension(tree, below)
+        return NOTHING if _is_zero(tree) else _dimension(tree, below)
 
     return Fold(step)
 
@@ -146,9 +144,10 @@ def _product(parts: Sequence[Dimension]) -> Dimension:
 
 
 def _sum(terms: Sequence[Tree], below: Sequence[Dimension]) -> Dimension:
-    found = [(term, dimension) for term, dimension in zip(terms, below, strict=True) if not dimension.is_zero]
+    both = zip(terms, below, strict=True)
+    found = [(term, dimension) for term, dimension in both if not dimension.zero]
     if not found:
-        return ZERO
+        return NOTHING
     first_term, first = found[0]
     for term, dimension in found[1:]:
         if not dimension.agrees(first):
@@ -188,7 +187,7 @@ def _pair(function: str, arguments: Sequence[Tree], given: Sequence[Dimension]) 
             f"{function} takes two of one unit, {_shown(arguments[0])} has {given[0]}, "
             f"{_shown(arguments[1])} has {given[1]}"
         )
-    return given[0] if function == "hypot" else ANGLE
+    return (given[1] if given[0].zero else given[0]) if function == "hypot" else ANGLE
 
 
 def _check_argument(function: str, argument: Tree, given: Dimension) -> None:

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import UnknownQuantity, catalogue
 from radartrack.derive.checking.question.formula_entries import entries_of
-from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.meaning import Meaning, number_of_parts, shape_of
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -255,6 +255,8 @@ class Names(Mapping[str, Expression]):
             raise FormulaError(f"let {name}: {error.message}", error.source or text, error.span) from None
         except NoClosedForm as error:
             raise NoClosedForm(f"let {name}: {error}") from None
+        if value == 0:
+            return Meaning(value, lambda _: NOTHING, measure, size)
         return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size)
 
     def _without(self, name: str) -> Names:

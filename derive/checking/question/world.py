@@ -18,12 +18,14 @@ class World:
 
     Attributes:
         quantities: the paper's own, by name; they hide none of the catalogue's. Nothing is derived before it is asked.
+        unreadable: what is wrong with a model or definition that cannot be read, by the first part of its names.
         letters: the paper's symbols, by name.
         let: what other names of the paper stand for, as formulas.
         given: conditions, as formulas; each applies where a question has its symbol.
     """
 
     quantities: Mapping[str, Quantity] = field(default_factory=dict)
+    unreadable: Mapping[str, str] = field(default_factory=dict)
     letters: Mapping[str, Variable] = field(default_factory=dict)
     let: Mapping[str, str] = field(default_factory=dict)
     given: Mapping[str, str] = field(default_factory=dict)
@@ -36,6 +38,8 @@ class World:
         """
         if name in self.quantities:
             return self.quantities[name]
+        if why := self.unreadable.get(name.partition(".")[0]):
+            raise catalogue.UnknownQuantity(why)
         if name == COVERAGE.name:  # is only compared with
             return COVERAGE
         try:

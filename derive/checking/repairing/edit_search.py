@@ -14,7 +14,7 @@ from fractions import Fraction
 from operator import sub, truediv
 from typing import TypeAlias
 
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.known_parts import Pieces
 from radartrack.derive.checking.repairing.monomial_fit import Fitter, Monomial, number_tree
 from radartrack.derive.checking.repairing.print_slips import (

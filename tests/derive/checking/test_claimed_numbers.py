@@ -43,9 +43,9 @@ numbers = st.builds(Decimal, st.integers(1, 9999)).map(lambda number: number.sca
 offsets = st.sampled_from(["0", "0.5", "-0.5", "0.49999999999999999999", "-0.50000000000000000001", "1"])
 
 
-@given(numbers, st.integers(0, 3), offsets, st.sampled_from(sorted(EVERY_UNIT)))
+@given(numbers, st.integers(0, 3), offsets, st.sampled_from(sorted(EVERY_UNIT)), st.sampled_from(["", "-"]))
 def test_a_value_holds_where_it_is_rounded_half_up_or_half_to_even(
-    number: Decimal, decimals: int, offset: str, unit: str
+    number: Decimal, decimals: int, offset: str, unit: str, sign: str
 ) -> None:
     last = Decimal(1).scaleb(-decimals)
     printed = number.quantize(last, ROUND_HALF_UP)
@@ -55,7 +55,9 @@ def test_a_value_holds_where_it_is_rounded_half_up_or_half_to_even(
     exact = Decimal(derived.numerator) / Decimal(derived.denominator)
     rounded = {exact.quantize(last, how) for how in (ROUND_HALF_UP, ROUND_HALF_EVEN)}
     quantity, at = _at(unit, derived)
-    assert _holds(Claim("a", quantity, value=str(printed), unit=unit, at=at)) is (printed in rounded)
+    claim = Claim("a", f"{sign}{quantity}", value=f"{sign}{printed}", unit=unit, at=at)
+    assert _holds(claim) is (printed in rounded)
+    assert claim.printed == f"{sign}{printed} {unit}".strip()
 
 
 @given(numbers, numbers, st.sampled_from(sorted(EVERY_UNIT)), st.sampled_from(["at_most", "at_least"]))
@@ -63,7 +65,9 @@ def test_a_bound_is_in_the_unit_of_the_claim(number: Decimal, bound: Decimal, un
     quantity, at = _at(unit, Fraction(number))
     wanted = number <= bound if kind == "at_most" else number >= bound
     assert _holds(_claim(quantity, unit, at, kind, str(bound))) is wanted
-    assert _holds(_claim(quantity, unit, at, kind, str(number))) is True
+    claim = _claim(quantity, unit, at, kind, str(number))
+    assert _holds(claim)
+    assert claim.printed == f"{kind.replace('_', ' ')} {number} {unit}".strip()
 
 
 def _claim(quantity: str, unit: str, at: Mapping[str, str], kind: str, level: str) -> Claim:

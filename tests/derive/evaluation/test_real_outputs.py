@@ -17,7 +17,7 @@ from typer.testing import CliRunner, Result
 from radartrack.cli import app
 from radartrack.derive.evaluation.real_outputs import require_real
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Source
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.variable import Variable, angle, correlation, deviation, length, speed
 from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.stable.quantity_form import form_of

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation.many_digits import evaluate
 from radartrack.derive.language.model import Model
-from radartrack.derive.language.quantity import Quantity, Source
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.source import Source
 from radartrack.derive.language.variable import angle, correlation, deviation, length
 from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.stable.bernstein_polynomials import Decay

@@ -64,3 +64,9 @@ def test_an_excess_over_nothing_or_over_other_trials_is_refused() -> None:
         repeated_trials.excess(np.ones((3, 2)), np.array([[1.0, 0.0]] * 3))
     with pytest.raises(ValueError, match=r"must have one shape; got \(3,\) and \(4,\)"):
         repeated_trials.excess(np.ones(3), np.ones(4))
+
+
+@pytest.mark.parametrize("figure", FIGURES.values(), ids=FIGURES)
+def test_an_estimate_that_overflows_is_refused(figure: Any) -> None:
+    with pytest.raises(ValueError, match="of the estimate must be finite"):
+        figure(np.array([1e308, 1e308, 5e307]))

@@ -110,6 +110,17 @@ def test_a_name_that_no_formula_holds_is_not_defined(name: str, said: str) -> No
             decide(Claim("a", "polar.map[0]", **formula, let={name: "r"}))  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("zero", ["0", "0.0", "1 - 1", "x - x", "0*y"])
+@pytest.mark.parametrize(
+    "distance", ["sqrt((x - b)**2 + y**2)", "sqrt(x**2 - 2*b*x + b**2 + y**2)", "hypot(b, hypot(x - 3*b, y))"]
+)
+def test_a_name_for_zero_stands_beside_every_unit(zero: str, distance: str) -> None:
+    let = {"b": zero, "d": distance}
+    assert decide(Claim("a", "observe.polar.map[0]", formula="d", let=let)).is_equal
+    assert decide(Claim("a", "observe.polar.map[0]", formula="d + x + b", let=let)).verdict == "differs"
+    assert decide(Claim("a", "observe.polar.map[0]", formula="d**2 + b", let=let)).verdict == "wrong_dimensions"
+
+
 @pytest.mark.parametrize("name", ["x", "x_0", "R", "D_beta", "xdot", "lambda_theta", "_q"])
 def test_a_name_of_letters_digits_and_underscores_is_understood(name: str) -> None:
     claim = Claim("a", "polar.map[0]", formula=f"{name}*cos(beta)", let={name: "r"})
