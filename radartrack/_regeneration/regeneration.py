@@ -10,6 +10,7 @@ import math
 import os
 import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
@@ -174,16 +175,36 @@ def _done(task: Task, quantities: Mapping[str, Quantity]) -> Done:
     return written(quantities[task]) if isinstance(task, str) else conversion_code(quantities, *task)
 
 
+def modules_of(quantities: Mapping[str, Quantity], step: Step) -> Files:
+    """The modules of a model of a user's own, whose errors are not measured yet.
+
+    Raises:
+        NotDerived: saying of which quantity, and why.
+    """
+    functions = []
+    for name, quantity in quantities.items():
+        step(name)
+        with _refusing(name):
+            functions.append(Function(quantity, body(quantity, form_of(quantity))))
+    return _modules(functions, as_recorded(functions, []))
+
+
 def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
     """The code of one task of a model of a user's own.
 
     Raises:
         NotDerived: saying of which quantity, and why.
     """
-    try:
+    with _refusing(task if isinstance(task, str) else ".".join(task)):
         return _done(task, quantities)
+
+
+@contextmanager
+def _refusing(name: str) -> Iterator[None]:
+    """What goes wrong with a formula of a user's own, said of the quantity."""
+    try:
+        yield
     except (ArithmeticError, AssertionError, LookupError, RecursionError, TypeError, ValueError) as error:
-        name = task if isinstance(task, str) else ".".join(task)
         raise NotDerived(f"{name} cannot be derived: {_on_one_line(error)}") from error
 
 

@@ -13,7 +13,6 @@ from operator import add
 from pathlib import Path
 from typing import Any
 
-from radartrack.derive.catalogue import find
 from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.checkpoint import Checkpoint, digest_of
 from radartrack.verification.engines import Engine
@@ -23,10 +22,11 @@ from radartrack.verification.layers.identity import Identity
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
 from radartrack.verification.layers.ulp_search import Accuracy
-from radartrack.verification.outcome import FUNCTION, Layer, Outcome, examined
+from radartrack.verification.outcome import FUNCTION, Function, Layer, Outcome, examined
+from radartrack.verification.own_models import NONE, OwnModels
 from radartrack.verification.paths import along, paths_of
 from radartrack.verification.simulation.draws import CHUNK, Draws, Sums, tasks_for
-from radartrack.verification.simulation.experiments import Departures, Trial, departures, simulated, trials
+from radartrack.verification.simulation.experiments import Departures, Trial, budget, departures, simulated, trials
 from radartrack.verification.simulation.statistics import FALSE_ALARM
 from radartrack.verification.subject import NotGenerated, generated
 
@@ -79,6 +79,7 @@ class Examination:
     name: str
     layer: Layer
     path: str = FUNCTION
+    own: OwnModels = NONE
 
     @property
     def key(self) -> str:
@@ -88,7 +89,10 @@ class Examination:
     def __call__(self) -> dict[str, Any]:
         """The outcome as JSON has it."""
         try:
-            return asdict(examined(self.layer, *along(self.path, find(self.name))))
+            quantity = self.own.find(self.name)
+            function = self.own.function(quantity)
+            subject = (quantity, function) if function else along(self.path, quantity)
+            return asdict(examined(self.layer, *subject))
         except NotGenerated as error:
             return asdict(Outcome.failed(self.layer.name, str(error)))
 
@@ -101,11 +105,13 @@ class Campaign:
         names: of the quantities.
         effort: spent on each.
         checkpoint: a file to go on from, or the place for one; None for none.
+        own: models of one's own that the names may be of, with their code.
     """
 
     names: Sequence[str]
     effort: Effort
     checkpoint: Path | None = None
+    own: OwnModels = NONE
     _trials: dict[str, list[Trial]] = field(default_factory=dict)
 
     @cached_property
@@ -115,7 +121,7 @@ class Campaign:
         Raises:
             NotACheckpoint: when the file that is given holds something else.
         """
-        return Checkpoint(self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort))))
+        return Checkpoint(self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *([self.own] if self.own != NONE else [])))))
 
     def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
         """Do what is not done yet; `step` is told what has ended and how many tasks there are."""
@@ -135,12 +141,18 @@ class Campaign:
             for layer in self.effort.layers:
                 yield from self._examinations(name, layer)
         for name in self.names:
-            for trial in self._simulations(find(name)):
+            for trial in self._simulations(self._find(name)):
                 yield from tasks_for(trial.experiment, self.effort.draws)
 
     def _examinations(self, name: str, layer: Layer) -> list[Examination]:
-        paths = paths_of(find(name))
-        return [Examination(name, layer, path) for path in paths if layer in self.effort.layers_along(path)]
+        paths = paths_of(self._find(name))
+        return [Examination(name, layer, path, self.own) for path in paths if layer in self.effort.layers_along(path)]
+
+    def _find(self, name: str) -> Quantity:
+        return self.own.find(name)
+
+    def _function(self, quantity: Quantity) -> Function:
+        return self.own.function(quantity) or generated(quantity)
 
     def _simulations(self, quantity: Quantity) -> list[Trial]:
         if quantity.name not in self._trials:
@@ -150,12 +162,12 @@ class Campaign:
     def _planned(self, quantity: Quantity) -> Iterator[Trial]:
         if simulated(quantity):
             try:
-                yield from trials(quantity, generated(quantity), self.effort.seed)
+                yield from trials(quantity, self._function(quantity), self.effort.seed)
             except NotGenerated:
                 return
 
     def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
-        quantity = find(name)
+        quantity = self._find(name)
         outcomes = [self._along_all_paths(self._examinations(name, layer), done) for layer in self.effort.layers]
         outcomes.append(asdict(self._monte_carlo(quantity, done)))
         verdict = max(map(Outcome.read, outcomes), key=lambda outcome: outcome.severity).verdict
@@ -175,7 +187,8 @@ class Campaign:
         planned = self._simulations(quantity)
         if not planned:
             return Outcome.failed(monte_carlo.NAME, f"{quantity.name} has no generated function")
-        return monte_carlo.decided((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
+        results = ((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
+        return monte_carlo.decided(results, budget(quantity))
 
     def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
         total: Sums | None = None
@@ -201,7 +214,10 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
 
 def _departures(quantity: Quantity, trial: Trial) -> dict[str, Departures]:
     """How far the conversions depart from the function that was simulated."""
-    function, others = generated(quantity), paths_of(quantity)[1:]
+    others = paths_of(quantity)[1:]
+    if not others:
+        return {}
+    function = generated(quantity)
     return {path: departures(quantity, trial, function, along(path, quantity)[1]) for path in others}
 
 
