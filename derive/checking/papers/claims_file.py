@@ -24,7 +24,8 @@ NUMBER = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,2})?")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 OF_NUMBERS = {"e", "pi", "sqrt"}  # words that a number may be written with
 UNITS = ("1", "%", "m", "km", "m^2", "s", "m/s", "m/s^2", "rad", "deg", "mrad")
-DECLARED = ("paper", "doi", "symbols", "let", "model")  # what a file says for all its claims
+DECLARED = ("paper", "doi", "symbols", "let", "given", "model", "define")  # what a file says for all its claims
+WORLD = ("symbols", "let", "given", "model", "define")  # of these, what formulas can use
 TRENDS = ("increasing", "decreasing", "convex", "concave")
 
 Along: TypeAlias = "tuple[str, tuple[str, ...]]"
@@ -175,10 +176,10 @@ def declarations(data: Mapping[str, Any]) -> dict[str, Any]:
     Raises:
         ClaimsError: naming a number with too many digits.
     """
-    declared = {field: data[field] for field in DECLARED if field in data}
-    for field, value in declared.items():
+    declared = {name: data[name] for name in DECLARED if name in data}
+    for name, value in declared.items():
         if _is_huge(value):
-            raise ClaimsError(f"{field}: a whole number has at most 40 digits")
+            raise ClaimsError(f"{name}: a whole number has at most 40 digits")
     return declared
 
 
@@ -211,7 +212,7 @@ def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> Claim
     for number, table in enumerate(tables, start=1):
         claim = _claim(table, number, claims, keep_unreadable=keep_unreadable)
         claims[claim.id] = claim
-    declared = (declarations(data),) if "model" in data else ()
+    declared = (declarations(data),) if data.keys() & set(WORLD) else ()
     return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()), declared)
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 
-from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.formula_units import Dimension, WrongDefinition, WrongDimensions, dimensions
 from radartrack.derive.checking.question.names import Names, symbols_for
 from radartrack.derive.checking.question.single_number import scalar_expression
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -128,6 +128,8 @@ def refer(text: str, world: World = CATALOGUE, let: Mapping[str, str] = MappingP
     reference = _combined(text, tree, parts, world)
     try:
         _ = reference.dimensions
+    except WrongDefinition:  # is a verdict on what is asked
+        pass
     except WrongDimensions as error:
         raise UnknownEntry(f"{text}: {_with_names(str(error), names)}") from None
     return reference
@@ -154,7 +156,7 @@ def of_formula(text: str, names: Names, quantities: Sequence[Quantity] = (), *, 
 
 
 def _worked_out(text: str, quantities: Sequence[Quantity], world: World, let: Mapping[str, str]) -> Reference:
-    names = Names(symbols_for([text, *let.values()], world, quantities, of_models=True), let, world)
+    names = Names(symbols_for([text], let, world, quantities, of_models=True), let, world)
     try:
         return of_formula(text, names, quantities)
     except FormulaError as error:
@@ -164,7 +166,7 @@ def _worked_out(text: str, quantities: Sequence[Quantity], world: World, let: Ma
 def _combined(text: str, tree: Tree, parts: Mapping[str, Part], world: World) -> Reference:
     """Quantities combined entry by entry."""
     own = {symbol.name: symbol for part in parts.values() for symbol in part.quantity.symbols}
-    letters = symbols_for([], world, [part.quantity for part in parts.values()])
+    letters = symbols_for([], {}, world, [part.quantity for part in parts.values()])
 
     def entry(index: Index) -> Expr:
         known: dict[str, Expr] = {**own, **{name: part.entry(index) for name, part in parts.items()}}

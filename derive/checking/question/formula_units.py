@@ -36,6 +36,15 @@ class WrongDimensions(ValueError):
     """Terms of different dimension are added, or a function is given what it cannot take."""
 
 
+class WrongDefinition(WrongDimensions):
+    """The same inside a definition, which the message names."""
+
+
+def in_definition(what: str, error: WrongDimensions) -> WrongDefinition:
+    """The error as one of a definition, unless it is one already."""
+    return error if isinstance(error, WrongDefinition) else WrongDefinition(f"{what}: {error}")
+
+
 @dataclass(frozen=True, slots=True)
 class Dimension:
     """Powers of metre and second, and of the radian where it is known.

@@ -10,7 +10,13 @@ from types import MappingProxyType
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import UnknownQuantity, catalogue
 from radartrack.derive.checking.question.formula_entries import entries_of
-from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.formula_units import (
+    NOTHING,
+    Dimension,
+    WrongDimensions,
+    dimensions,
+    in_definition,
+)
 from radartrack.derive.checking.question.meaning import Meaning, number_of_parts, shape_of
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -68,13 +74,14 @@ class Names(Mapping[str, Expression]):
         return self.meaning(name).value
 
     def __iter__(self) -> Iterator[str]:
-        return iter({**self.symbols, **self.let, **self._known})
+        return iter({**self.symbols, **self.let, **self._known, **self._world.spoiled})
 
     def __len__(self) -> int:
-        return len({**self.symbols, **self.let, **self._known})
+        return len({**self.symbols, **self.let, **self._known, **self._world.spoiled})
 
     def __contains__(self, name: object) -> bool:
-        return name in self.symbols or name in self.let or name in self._known or name in self._mentioned
+        known = (self.symbols, self.let, self._known, self._mentioned, self._world.spoiled)
+        return any(name in names for names in known)
 
     @property
     def values(self) -> Names:  # type: ignore[override]  # what the names stand for is this mapping itself
@@ -109,6 +116,8 @@ class Names(Mapping[str, Expression]):
                     self._known[one] = self._defined(one)
             elif name in self.symbols:
                 return Meaning.of_symbol(self.symbols[name])
+            elif name in self._world.spoiled:
+                raise FormulaError(self._world.spoiled[name])
             elif "." in name:
                 self._known[name] = Meaning.of_quantity(self._world.find(name))
             else:
@@ -265,14 +274,26 @@ class Names(Mapping[str, Expression]):
 
 
 def symbols_for(
-    texts: Iterable[str], world: World, quantities: Iterable[Quantity] = (), *, of_models: bool = False
+    texts: Iterable[str],
+    let: Mapping[str, str],
+    world: World,
+    quantities: Iterable[Quantity] = (),
+    *,
+    of_models: bool = False,
 ) -> dict[str, Variable]:
     """The symbols that formulas may use, by name: the paper's letters, and those of quantities that occur in them.
 
-    Of their models, too, where that is asked for: a covariance is made of a Jacobian and deviations. A letter of the same unit is the quantity's symbol, where the paper says that it lies; a letter of another unit is
+    A letter of the same unit is the quantity's symbol, where the paper says that it lies; a letter of another unit is
     another symbol, and hides the quantity's.
+
+    Args:
+        texts: the formulas.
+        let: definitions, of which those count that the formulas need.
+        world: where quantities are found, and letters.
+        quantities: further ones that occur.
+        of_models: whether the symbols of their models count too: a covariance is made of a Jacobian and deviations.
     """
-    mentioned = {name: None for text in texts for name in QUANTITY.findall(text)}
+    mentioned = {name: None for text in _with_definitions(texts, let) for name in QUANTITY.findall(text)}
     known = [*quantities, *(found for name in mentioned if (found := _found(name, world)))]
     modules = {quantity.module for quantity in known} if of_models else set()
     family = (one for one in (*catalogue().values(), *world.quantities.values()) if one.module in modules)
@@ -283,8 +304,19 @@ def symbols_for(
 def _found(name: str, world: World) -> Quantity | None:
     try:
         return world.find(name)
-    except UnknownQuantity:
+    except (UnknownQuantity, FormulaError, NoClosedForm):  # is told where the formula is read
         return None
+
+
+def _with_definitions(texts: Iterable[str], let: Mapping[str, str]) -> list[str]:
+    """Formulas and all the definitions that they need."""
+    found = list(texts)
+    seen: set[str] = set()
+    for text in found:  # grows
+        new = set(WORD.findall(text)) & let.keys() - seen
+        seen |= new
+        found += [let[name] for name in new]
+    return found
 
 
 def _letter(letter: Variable, own: Variable | None) -> Variable:
@@ -341,7 +373,7 @@ def _dimensions_of(what: str, tree: Tree, names: Names) -> Callable[[Index], Dim
                 entries, opened = names.entries(tree)
                 known[index] = opened.dimension_of(entries[index])
             except WrongDimensions as error:
-                raise WrongDimensions(str(error) if str(error).startswith("let ") else f"{what}: {error}") from None
+                raise in_definition(what, error) from None
         return known[index]
 
     return dimension

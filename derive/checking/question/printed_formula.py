@@ -71,7 +71,7 @@ def names_for(
     """
     both = {**world.let, **let}
     quantities = [part.quantity for part in reference.parts]
-    names = Names(symbols_for([*both.values(), *texts], world, quantities), both, world)
+    names = Names(symbols_for([*let.values(), *texts], both, world, quantities), both, world)
     for name in let:
         check_name(name)
         names.meaning(name)
