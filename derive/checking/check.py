@@ -22,12 +22,19 @@ from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.question.compared_quantity import Reference, refer, refer_to
+from radartrack.derive.checking.question.compared_quantity import Reference, of_formula, refer, refer_to
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
-from radartrack.derive.checking.question.names import Names
-from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
+from radartrack.derive.checking.question.printed_formula import (
+    Printed,
+    applying,
+    conditions_for,
+    names_for,
+    read_printed,
+)
+from radartrack.derive.checking.question.sense import EXACTLY, Sense
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.repairing.smallest_edit import suggest
@@ -96,6 +103,7 @@ def ask(
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
     world: World = CATALOGUE,
+    sense: Sense = EXACTLY,
 ) -> Question:
     """The question of `check`, whose arguments these are but for the models.
 
@@ -105,20 +113,59 @@ def ask(
     definitions = {**world.let, **(let or {})}
     reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, world, definitions)
     names = names_for(reference, let or {}, world, ["" if latex else formula, *(given or {}).values()])
-    return asked(reference, formula, names, given or {}, world, latex=latex)
+    return asked(reference, formula, names, given or {}, world, latex=latex, sense=sense)
 
 
 def asked(
-    reference: Reference, formula: str, names: Names, given: Mapping[str, str], world: World, *, latex: bool = False
+    reference: Reference,
+    formula: str,
+    names: Names,
+    given: Mapping[str, str],
+    world: World,
+    *,
+    latex: bool = False,
+    sense: Sense = EXACTLY,
 ) -> Question:
     """A formula in these names compared with that; raises as `ask`."""
     reference = reference.with_symbols(names.symbols.values())
-    conditions = conditions_for(reference, given, names, world.given)
-    question = Question(reference, read_printed(formula, names, reference.shape, latex=latex), conditions)
+    printed = read_printed(formula, names, reference.shape, latex=latex)
+    both = {**applying(world.given, reference, printed), **given} if world.given else given
+    conditions = conditions_for(reference, both, names)
+    reference, printed = sense.applied(reference, printed, names) if sense != EXACTLY else (reference, printed)
+    question = Question(reference, printed, conditions, sense.words)
     exact = meant(question.printed)
     if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
         return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
     return question
+
+
+def ask_identity(
+    left: str,
+    right: str,
+    *,
+    given: Mapping[str, str] | None = None,
+    let: Mapping[str, str] | None = None,
+    world: World = CATALOGUE,
+    sense: Sense = EXACTLY,
+) -> Question:
+    """Whether two formulas of a paper are the same; what is printed is the right one, compared with the left one.
+
+    Args:
+        left, right: in the paper's letters, and with quantities by name; matrices with verbs or as nested lists.
+        given: conditions.
+        let: definitions.
+        world: the paper's.
+        sense: in which they are.
+
+    Raises:
+        FormulaError, UnknownQuantity: when something cannot be read.
+        NoClosedForm: when something cannot be worked out.
+    """
+    definitions = {**world.let, **(let or {})}
+    texts = [left, right, *(given or {}).values(), *(let or {}).values()]
+    symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
+    names = Names(symbols, definitions, world)
+    return asked(of_formula(left, names), right, names, given or {}, world, sense=sense)
 
 
 @dataclass(frozen=True)
@@ -141,11 +188,12 @@ class Rounding:
 
 @dataclass(frozen=True)
 class Question:
-    """A printed formula, what it is compared with, and under which conditions."""
+    """A printed formula, what it is compared with, under which conditions, and in which sense, in words."""
 
     reference: Reference
     printed: Printed
     conditions: Mapping[Symbol, Expr]
+    sense: str = ""
     rounding: Rounding | None = None
 
     @cached_property
@@ -181,7 +229,7 @@ class Question:
             quantity=self.reference.text,
             printed=self.printed.text,
             derived="",
-            reason=_reason(worst, findings, conditions),
+            reason=_reason(worst, findings, conditions, self.sense),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
         )
@@ -371,8 +419,8 @@ def _edit(finding: Finding, edits: Sequence[Suggestion]) -> str:
     return f": {edits[0].edit}" if edits and finding.outcome is Outcome.DIFFERS else ""
 
 
-def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:
-    when = f" when {' and '.join(conditions)}" if conditions else ""
+def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str], sense: str) -> str:
+    when = (f" when {' and '.join(conditions)}" if conditions else "") + sense
     where = f" in entry {list(worst.entry)}" if worst.entry else ""
     wrong = sum(finding.outcome in _WRONG for finding in findings)
     count = f" ({wrong} of {len(findings)} entries are wrong)" if wrong and len(findings) > 1 else ""

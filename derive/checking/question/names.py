@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
@@ -301,6 +301,24 @@ def symbols_for(
     return own | {name: _letter(letter, own.get(name)) for name, letter in world.letters.items()}
 
 
+def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[str, Variable]:
+    """The letters of formulas that mean one thing in all of the catalogue, such as r and T: no paper need declare them."""
+    words = {word for text in _with_definitions(texts, let) for word in WORD.findall(text)}
+    return {name: symbol for name, symbol in common_symbols().items() if name in words}
+
+
+@cache
+def common_symbols() -> dict[str, Variable]:
+    """The symbols of the catalogue that have one unit wherever they occur."""
+    found: dict[str, Variable] = {}
+    different: set[str] = set()
+    for quantity in catalogue().values():
+        for symbol in quantity.symbols:
+            if found.setdefault(symbol.name, symbol).unit != symbol.unit:
+                different.add(symbol.name)
+    return {name: symbol for name, symbol in found.items() if name not in different}
+
+
 def _found(name: str, world: World) -> Quantity | None:
     try:
         return world.find(name)
@@ -325,9 +343,8 @@ def _letter(letter: Variable, own: Variable | None) -> Variable:
     if own.unit != letter.unit:
         kind = {"whole": letter.whole, "is_correlation": letter.is_correlation}
         return Variable(f"{letter.name}'", letter.meaning, letter.unit, letter.low, letter.high, **kind)
-    if max(own.low, letter.low) > min(own.high, letter.high):
-        return own
-    return own.narrowed(letter.low, letter.high)
+    low, high = max(own.low, letter.low), min(own.high, letter.high)
+    return own.on(low, high) if low < high else own
 
 
 def check_name(name: str) -> None:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 from typing import Any
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, in_definition
-from radartrack.derive.checking.question.names import QUANTITY, Names, symbols_for
+from radartrack.derive.checking.question.names import QUANTITY, Names, common_symbols, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.world import ImplicitDefinition, World
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.unknown_names import unusable
@@ -109,12 +108,18 @@ def defined(table: Table, where: str, world: World) -> Quantity:
     _check_fields(table, where, ("unknown", "equations", "where"))
     text = _text(table["is"], f"{where}: is")
     listed = parameters(table, where, world)
-    symbols = {**symbols_for([text], world.let, world, of_models=True), **listed}
+    symbols = {
+        **letters_of_catalogue([text], world.let),
+        **symbols_for([text], world.let, world, of_models=True),
+        **listed,
+    }
     names = Names(symbols, world.let, world)
     try:
         trees, opened = names.entries(names.tree(text))
         expressions = trees.map(opened.read)
     except FormulaError as error:
+        if error.message.startswith("define "):  # another definition that it needs
+            raise
         raise FormulaError(f"{where}: {error.message}", error.source or text, error.span) from None
     except NoClosedForm as error:
         raise NoClosedForm(f"{where}: {error}") from None
@@ -156,18 +161,6 @@ def parameters(table: Table, where: str, world: World) -> dict[str, Variable]:
             known = world.letters.get(name) or common_symbols().get(name)
             found[name] = known or Variable(name, name, ONE, *PARAMETER)
     return found
-
-
-@cache
-def common_symbols() -> dict[str, Variable]:
-    """The symbols of the catalogue that have one unit wherever they occur."""
-    found: dict[str, Variable] = {}
-    different: set[str] = set()
-    for quantity in catalogue().values():
-        for symbol in quantity.symbols:
-            if found.setdefault(symbol.name, symbol).unit != symbol.unit:
-                different.add(symbol.name)
-    return {name: symbol for name, symbol in found.items() if name not in different}
 
 
 def _implicit(table: Table, where: str, world: World) -> ImplicitDefinition:

@@ -78,16 +78,13 @@ def names_for(
     return names
 
 
-def conditions_for(
-    reference: Reference, given: Mapping[str, str], names: Names | None = None, of_file: Mapping[str, str] = NOTHING
-) -> dict[Symbol, Expr]:
+def conditions_for(reference: Reference, given: Mapping[str, str], names: Names | None = None) -> dict[Symbol, Expr]:
     """What symbols are replaced by under the conditions.
 
     Args:
         reference: what is compared with.
-        given: the conditions of a claim.
+        given: the conditions.
         names: what their formulas may use; without them, the symbols.
-        of_file: conditions that apply where their symbols occur, and where the claim has none for them.
 
     Raises:
         FormulaError: for a condition that cannot be read, a name that is no symbol of the quantity, a value in another
@@ -95,11 +92,10 @@ def conditions_for(
     """
     symbols = {symbol.name: symbol for symbol in reference.symbols}
     known = names or Names(symbols)
-    applying = {name: value for name, value in of_file.items() if name in symbols and name not in given}
     conditions: dict[Variable, Expr] = {}
     trees: dict[Variable, Tree] = {}
-    for name, value in {**applying, **given}.items():
-        symbol = symbols.get(name) or _alias(name, known)
+    for name, value in given.items():
+        symbol = symbol_called(name, known, reference)
         if symbol is None:
             raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
         trees[symbol], conditions[symbol] = _condition(name, value, known)
@@ -107,6 +103,14 @@ def conditions_for(
     for symbol, tree in trees.items():
         _check_unit(symbol, tree, known)
     return found
+
+
+def applying(conditions: Mapping[str, str], reference: Reference, printed: Printed) -> dict[str, str]:
+    """Those conditions of a file whose symbols occur in a question."""
+    formulas = (*reference.entries, *printed.expressions)
+    occurring = {symbol.name for formula in formulas for symbol in formula.free_symbols}
+    occurring |= {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
+    return {name: value for name, value in conditions.items() if name in occurring}
 
 
 def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) -> Printed:
@@ -130,8 +134,10 @@ def printed(tree: Tree, names: Names, expected: Index) -> Printed:
     return Printed(tree, entries, entries.map(opened.read), opened)
 
 
-def _alias(name: str, names: Names) -> Variable | None:
-    """The symbol for which a name of the paper stands."""
+def symbol_called(name: str, names: Names, reference: Reference) -> Variable | None:
+    """The symbol of this name, or the one for which a name of the paper stands."""
+    if (found := next((symbol for symbol in reference.symbols if symbol.name == name), None)) is not None:
+        return found
     value = names.meaning(name).value if name in names.let else names.symbols.get(name)
     return value if isinstance(value, Variable) else None
 
