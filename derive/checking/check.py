@@ -131,7 +131,9 @@ def asked(
     printed = read_printed(formula, names, reference.shape, latex=latex)
     both = {**applying(world.given, reference, printed), **given} if world.given else given
     conditions = conditions_for(reference, both, names)
-    reference, printed = sense.applied(reference, printed, names) if sense != EXACTLY else (reference, printed)
+    reference, printed = (
+        sense.applied(reference, printed, names, conditions) if sense != EXACTLY else (reference, printed)
+    )
     question = Question(reference, printed, conditions, sense.words)
     exact = meant(question.printed)
     if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
@@ -151,7 +153,8 @@ def ask_identity(
     """Whether two formulas of a paper are the same; what is printed is the right one, compared with the left one.
 
     Args:
-        left, right: in the paper's letters, and with quantities by name; matrices with verbs or as nested lists.
+        left: in the paper's letters, and with quantities by name; matrices with verbs or as nested lists.
+        right: likewise.
         given: conditions.
         let: definitions.
         world: the paper's.

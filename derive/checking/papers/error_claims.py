@@ -34,7 +34,7 @@ def bounded(question: Question, bound: str) -> Verdict:
     most, is_relative, scale = _read(bound)
     worst = 0.0
     proved = bool(question.symbols)
-    for entry, _ in question.printed.entries.items():
+    for entry in question.printed.entries.indices:
         try:
             found = question.printed.names.dimension_of(question.printed.entries[entry])
             check_dimension(found, question.reference.dimension(entry))

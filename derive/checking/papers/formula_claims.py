@@ -9,6 +9,7 @@ from itertools import pairwise
 from radartrack.derive.checking.check import ask, ask_identity, too_much
 from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.papers.error_claims import bounded
+from radartrack.derive.checking.papers.implicit_claims import asked_of_equations, solution_verdicts
 from radartrack.derive.checking.question.sense import Sense
 from radartrack.derive.checking.question.world import World
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
@@ -26,7 +27,9 @@ def formula_verdicts(claim: Claim, world: World) -> Iterator[Verdict]:
         return
     steps = list(pairwise(claim.chain)) or [(claim.left, claim.right)]
     try:
-        if not claim.is_identity:
+        if (implicit := asked_of_equations(claim, world)) is not None:
+            yield from solution_verdicts(claim, *implicit, world)
+        elif not claim.is_identity:
             yield from ask(
                 claim.quantity,
                 claim.formula or claim.latex,

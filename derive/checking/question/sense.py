@@ -1,4 +1,4 @@
-"""In which sense a formula claims to be a quantity: exactly, up to an order in the deviations, in a limit, on a domain."""
+"""In which sense a formula claims to be a quantity: exactly, to an order in the deviations, in a limit, on a domain."""
 
 from __future__ import annotations
 
@@ -7,12 +7,13 @@ from dataclasses import dataclass, field, replace
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.question.compared_quantity import Reference
+from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.printed_formula import Printed, symbol_called
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.symbolic import Expr
+from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.derivatives import taylor
 from radartrack.derive.verbs.limit import limit
 
@@ -42,21 +43,24 @@ class Sense:
         ends = " and ".join(f"{name} from {low} to {high}" for name, (low, high) in self.within.items())
         return order + (f" where {limits}" if limits else "") + (f" for {ends}" if ends else "")
 
-    def applied(self, reference: Reference, printed: Printed, names: Names) -> tuple[Reference, Printed]:
-        """What is compared in this sense.
+    def applied(
+        self, reference: Reference, printed: Printed, names: Names, conditions: Mapping[Symbol, Expr]
+    ) -> tuple[Reference, Printed]:
+        """What is compared in this sense, under conditions.
 
         Raises:
             FormulaError: naming the field.
             NoClosedForm: when there is no such polynomial, or no such limit.
         """
-        pairs = list(zip(printed.expressions, reference.entries, strict=True))
+        both = zip(printed.expressions, reference.entries, strict=True)
+        pairs = [(under(conditions, ours), under(conditions, theirs)) for ours, theirs in both]
         if self.to_order is not None:
             pairs = _truncated(pairs, reference.symbols, self.to_order)
         for name, point in self.limit.items():
             pairs = [_limits(pair, symbol_in("limit", name, names, reference), _point(point, names)) for pair in pairs]
         symbols = _within(reference.symbols, self.within, names, reference) if self.within else reference.symbols
         ours, theirs = (Tensor(reference.shape, tuple(side)) for side in zip(*pairs, strict=True))
-        if ours == printed.expressions and theirs == reference.entries:
+        if self.to_order is None and not self.limit:
             return replace(reference, symbols=symbols), printed
         changed = replace(reference, entry=theirs.__getitem__, symbols=symbols, part=None)
         return changed, replace(printed, expressions=ours)
