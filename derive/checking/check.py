@@ -37,6 +37,7 @@ from radartrack.derive.checking.question.printed_formula import (
 from radartrack.derive.checking.question.sense import EXACTLY, Sense
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.repairing.rounded_decimals import meant
+from radartrack.derive.checking.repairing.slips_in_definitions import Repair, Slip
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
@@ -317,11 +318,24 @@ class Question:
         return replace(verdict, remarks=(*verdict.remarks, *(remark for remark in found if remark)))
 
     def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
-        edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
+        costs, edits = self._all_edits(wrong)
+        for slip in attempted(self._slips_inside, lambda _: []):
+            inside = Suggestion(slip.formula, slip.words)
+            edits = [inside, *edits] if not edits or slip.cost <= costs[0] else [*edits, inside]
         condition, convention = attempted(lambda: (self._condition, self._convention), lambda _: (None, None))
         found = condition or (convention if len(wrong) > 1 or not edits else None)
         reason = verdict.reason + (f", but {found}" if found else _edit(worst, edits))
         return replace(verdict, reason=reason, suggestions=(*verdict.suggestions, *edits))
+
+    def _all_edits(self, wrong: Sequence[Finding]) -> tuple[list[float], list[Suggestion]]:
+        """What may be edited in each of the entries that are wrong, and how unlikely the slips are."""
+        found = [one for finding in wrong[:SHOWN_ENTRIES] for one in self._suggestions(finding.entry)]
+        return [cost for cost, _ in found], [suggestion for _, suggestion in found]
+
+    def _slips_inside(self) -> list[Slip]:
+        """Slips in definitions, and inside of what is worked out, of which each explains all that is wrong."""
+        derived = self.reference.entries.map(lambda entry: under(self.conditions, entry))
+        return Repair(self.printed, self.printed.names, derived, self.symbols, self.conditions).slips()
 
     def _with_other_quantities(self, verdict: Verdict) -> Verdict:
         condition = attempted(lambda: self._condition, lambda _: None)
@@ -340,8 +354,12 @@ class Question:
     def _convention(self) -> str | None:
         return None if self._condition else convention_that_helps(self._asked)
 
-    def _suggestions(self, entry: Index) -> list[Suggestion]:
+    def _suggestions(self, entry: Index) -> list[tuple[float, Suggestion]]:
         """The smallest edits; where there is none and the print has no correlation, those without correlation."""
+        if self.sense and under(self.conditions, self.printed.names.read(self.printed.entries[entry])) != (
+            self.printed_entry(entry)
+        ):
+            return []  # compared is something else than what is printed
         found = self._edited(entry, self.conditions)
         free = [symbol for symbol in self.symbols if symbol.is_correlation]
         if found or not free or self.printed_entry(entry).free_symbols & set(free):
@@ -351,15 +369,15 @@ class Question:
         if not uncorrelated or proved_equal(*(under(uncorrelated, one) for one in pair)):
             return []  # where it is right already, every edit that changes nothing would do
         edited = self._edited(entry, uncorrelated)
-        return [replace(one, edit=one.edit + when_zero(free)) for one in edited]
+        return [(cost, replace(one, edit=one.edit + when_zero(free))) for cost, one in edited]
 
-    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
+    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[tuple[float, Suggestion]]:
         left = set[Symbol](self.reference.symbols) - conditions.keys()
         free = left.union(*(value.free_symbols for value in conditions.values()))
         symbols = [symbol for symbol in self.reference.symbols if symbol in free]
         derived = under(conditions, self.reference.entries[entry])
         found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
-        return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
+        return [(one.cost, Suggestion(one.formula, one.edit, entry, one.proved)) for one in found[:SUGGESTIONS]]
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import mpmath
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.branch_of_root import vanishes_on_a_branch
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.check import Finding, Question
 from radartrack.derive.checking.comparing.counterexample import counterexample, unreal_counterexample
@@ -36,7 +37,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.to_expression import Expression
 from radartrack.derive.formula.tree import Tree
-from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import ONE
@@ -71,8 +72,7 @@ def solution_verdicts(
     if words := solution.says_nothing:
         yield solution.verdict(Outcome.UNDECIDED, words)
         return
-    for verdict in solution.answers():
-        yield verdict
+    yield from solution.answers()
 
 
 def _read(claim: Claim, definition: ImplicitDefinition, place: int | None, world: World) -> _Solution:
@@ -136,13 +136,13 @@ class _Solution:
         """What is found of the equations, then of the conditions."""
         questions = self._questions(self._values(self.tree))
         findings = [
-            (question, question.finding(entry)) for question in questions for entry in question.printed.entries.indices
+            (question, _found(question, entry)) for question in questions for entry in question.printed.entries.indices
         ]
         question, worst = max(findings, key=lambda pair: _GRAVITY.index(pair[1].outcome))
         if worst.outcome in (Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS):
             told = worst.reason if worst.outcome is Outcome.WRONG_DIMENSIONS else "it is not satisfied"
             wrong = self.verdict(worst.outcome, f"{question.reference.text}: {told}", _example(worst, question.symbols))
-        elif (found := self._against_conditions()) is not None:
+        elif (found := self.against_conditions()) is not None:
             wrong = found
         else:
             yield self._right(worst, len(questions))
@@ -208,7 +208,7 @@ class _Solution:
         under_these = self._conditions if conditions is None else conditions
         return [_vanishing(text, _difference(text, names), names, under_these) for text in self.definition.equations]
 
-    def _against_conditions(self) -> Verdict | None:
+    def against_conditions(self) -> Verdict | None:
         """The verdict where a condition does not hold; None where all do."""
         names = self.names.knowing(self._values(self.tree))
         for text in self.definition.where:
@@ -235,10 +235,7 @@ class _Solution:
 
     def _edits(self) -> tuple[Suggestion, ...]:
         """What makes the solution satisfy everything."""
-        entries, _ = self.names.entries(self.tree)
-        kinds = self.names.dimensions
-        found = edits_that(self._is_right, self.tree, kinds)
-        del entries
+        found = edits_that(self._is_right, self.tree, self.names.dimensions)
         return tuple(Suggestion(to_text(one.tree), one.words) for one in found)
 
     def _is_right(self, tree: Tree) -> bool:
@@ -247,16 +244,13 @@ class _Solution:
             for entry in question.printed.expressions:
                 if not _vanishes_roughly(under(self._conditions, entry), question.symbols):
                     return False
-        changed = _Solution(
-            self.claim, self.definition, self.names, tree, self.chosen, self.beside, self.given, self.given_in_file
-        )
-        *_, verdict = [changed._against_conditions()]
+        changed = replace(self, tree=tree)
         proved = all(
-            proved_equal(under(self._conditions, entry), sp.Integer(0))
+            vanishes_on_a_branch(under(self._conditions, entry))
             for question in questions
             for entry in question.printed.expressions
         )
-        return proved and verdict is None
+        return proved and changed.against_conditions() is None
 
 
 _GRAVITY = (
@@ -266,6 +260,15 @@ _GRAVITY = (
     Outcome.DIFFERS,
     Outcome.WRONG_DIMENSIONS,
 )
+
+
+def _found(question: Question, entry: Index) -> Finding:
+    """What is found of an entry of an equation; points tell the sign of a root, and a proof the rest."""
+    finding = question.finding(entry)
+    on_branch = finding.outcome is Outcome.EQUAL_NUMERICALLY and attempted(
+        lambda: vanishes_on_a_branch(question.printed_entry(entry)), lambda _: False
+    )
+    return Finding(entry, Outcome.EQUAL) if on_branch else finding
 
 
 def _meaning(tree: Tree, names: Names) -> Meaning:

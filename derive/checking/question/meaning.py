@@ -9,6 +9,7 @@ from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.formula.magnitude import Measure
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression
+from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.language.variable import Variable
@@ -26,12 +27,14 @@ class Meaning:
         dimension: that of an entry; raises `WrongDimensions` where it has none.
         measure: how large it may become.
         size: how many parts it has.
+        tree: of a definition, as it is read.
     """
 
     value: Expression
     dimension: Callable[[Index], Dimension]
     measure: Measure = SYMBOL
     size: int = 1
+    tree: Tree | None = None
 
     @classmethod
     def of_symbol(cls, symbol: Variable) -> Meaning:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import cache, cached_property
 from types import MappingProxyType
 
@@ -265,8 +266,38 @@ class Names(Mapping[str, Expression]):
         except NoClosedForm as error:
             raise NoClosedForm(f"let {name}: {error}") from None
         if value == 0:
-            return Meaning(value, lambda _: NOTHING, measure, size)
-        return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size)
+            return Meaning(value, lambda _: NOTHING, measure, size, tree)
+        return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size, tree)
+
+    def definitions_in(self, tree: Tree) -> dict[str, Tree]:
+        """The definitions that a formula needs, each after those that it needs itself."""
+        found: dict[str, Tree] = {}
+        waiting = sorted(names_of(tree))
+        while waiting:
+            name = waiting[-1]
+            own = self._known[name].tree if name in self._known else None
+            below = [] if own is None else sorted(names_of(own) - found.keys() - {name})
+            missing = [one for one in below if one in self._known and self._known[one].tree is not None]
+            if missing:
+                waiting += missing
+                continue
+            if own is not None:
+                found[name] = own
+            waiting.pop()
+        return found
+
+    def redefined(self, name: str, tree: Tree) -> Names:
+        """The same names where a definition is another, and so are those that need it."""
+        changed = {name}
+        meanings = {one: found for one, found in self._known.items() if one != name}
+        order = [one for one, found in self._known.items() if found.tree is not None]
+        for one in order:  # each after those that it needs
+            own = tree if one == name else self._known[one].tree
+            if own is not None and (one == name or names_of(own) & changed):
+                changed.add(one)
+                before = Names(self.symbols, {}, self._world, {k: v for k, v in meanings.items() if k != one})
+                meanings[one] = replace(self._known[one], value=before.worked_out(own), tree=own)
+        return Names(self.symbols, self.let, self._world, meanings)
 
     def _without(self, name: str) -> Names:
         let = {one: text for one, text in self.let.items() if one != name}

@@ -30,12 +30,14 @@ class Printed:
         entries: its entries as trees.
         expressions: the entries in the quantity's symbols.
         names: what its names stand for.
+        worked_out: the names in the entries that stand for parts that are worked out.
     """
 
     tree: Tree
     entries: Tensor[Tree]
     expressions: Tensor[Expr]
     names: Names
+    worked_out: frozenset[str] = frozenset()
 
     @property
     def text(self) -> str:
@@ -131,7 +133,8 @@ def printed(tree: Tree, names: Names, expected: Index) -> Printed:
     entries, opened = names.entries(tree)
     if entries.shape != expected:
         raise FormulaError(f"the formula is {_spoken(entries.shape)}, the quantity is {_spoken(expected)}")
-    return Printed(tree, entries, entries.map(opened.read), opened)
+    parts = frozenset(opened) - frozenset(names)
+    return Printed(tree, entries, entries.map(opened.read), opened, parts)
 
 
 def symbol_called(name: str, names: Names, reference: Reference) -> Variable | None:
