@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache, cached_property
+from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
@@ -45,6 +47,7 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 QUANTITY = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 SHOWN = 40  # characters of a name that is refused
+MOST_COMPLETED = 60  # definitions of a file that another may have been meant for
 MOST_PARTS = 300_000  # of what a formula is when it is worked out
 
 
@@ -268,6 +271,14 @@ class Names(Mapping[str, Expression]):
         if value == 0:
             return Meaning(value, lambda _: NOTHING, measure, size, tree)
         return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size, tree)
+
+    def completed(self) -> Names:
+        """The same with all definitions that can be read."""
+        found = Names(self.symbols, self.let, self._world, self._known)
+        for name in islice(self.let, MOST_COMPLETED):
+            with suppress(FormulaError, NoClosedForm, UnknownQuantity):
+                found.meaning(name)
+        return found
 
     def definitions_in(self, tree: Tree) -> dict[str, Tree]:
         """The definitions that a formula needs, each after those that it needs itself."""
