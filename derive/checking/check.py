@@ -44,7 +44,7 @@ SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
 SUGGESTIONS = 3
 
 
-def check(  # noqa: PLR0913 - a question, and what it is asked of
+def check(
     quantity: str | Quantity,
     formula: str,
     *,
@@ -76,7 +76,7 @@ def check(  # noqa: PLR0913 - a question, and what it is asked of
     return verdict
 
 
-def ask(  # noqa: PLR0913 - as for `check`
+def ask(
     quantity: str | Quantity,
     formula: str,
     *,

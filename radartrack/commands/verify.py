@@ -137,11 +137,12 @@ def _declared(path: Path | None) -> OwnModels:
     if path is None:
         return NONE
     try:
-        found = OwnModels(tables_of(load_models(path)))
-        return found if found.quantities else NONE
+        declared = OwnModels(tables_of(load_models(path)))
+        _ = declared.quantities
     except (NoModel, TableError) as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None
+    return declared
 
 
 def _written(declared: OwnModels, names: Sequence[str], engine: Engine) -> OwnModels:

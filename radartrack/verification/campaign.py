@@ -121,7 +121,9 @@ class Campaign:
         Raises:
             NotACheckpoint: when the file that is given holds something else.
         """
-        return Checkpoint(self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *self.own.tables))))
+        return Checkpoint(
+            self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *self.own.tables)))
+        )
 
     def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
         """Do what is not done yet; `step` is told what has ended and how many tasks there are."""

@@ -1,4 +1,4 @@
-"""Models of one's own with the code that was written for them: data that a task takes along to whatever process does it."""
+"""Models of one's own with the code that was written for them: data that a task takes along wherever it is done."""
 
 from __future__ import annotations
 

@@ -175,10 +175,10 @@ def declarations(data: Mapping[str, Any]) -> dict[str, Any]:
     Raises:
         ClaimsError: naming a number with too many digits.
     """
-    declared = {field: data[field] for field in DECLARED if field in data}
-    for field, value in declared.items():
+    declared = {name: data[name] for name in DECLARED if name in data}
+    for name, value in declared.items():
         if _is_huge(value):
-            raise ClaimsError(f"{field}: a whole number has at most 40 digits")
+            raise ClaimsError(f"{name}: a whole number has at most 40 digits")
     return declared
 
 

@@ -24,8 +24,8 @@ from radartrack.derive.symbolic import Symbol
 from radartrack.derive.units import RADIAN
 from radartrack.verification.array_program import Program
 from radartrack.verification.domain_points import Points, coarse
-from radartrack.verification.phase import phase_rates
 from radartrack.verification.outcome import Function, Outcome
+from radartrack.verification.phase import phase_rates
 from radartrack.verification.program_compilation import compiled
 from radartrack.verification.second_derivations.definitions import ROWS, defined
 from radartrack.verification.second_derivations.power_series import Jet, jets
@@ -154,7 +154,7 @@ def _degree(model: Model) -> int:
     ring = ring_over(model.arguments)
     places = [ring.symbols.index(variable) for variable in model.measured]
     waves = (ExponentialPolynomial.read(h, ring) for h in model.map)
-    monomials = (m for wave in waves for coefficient in wave.terms.values() for m in coefficient)
+    monomials = (m for wave in waves for coefficient in wave.terms.values() for m, _ in coefficient.terms())
     return max((sum(monomial[place] for place in places) for monomial in monomials), default=0)
 
 

@@ -80,8 +80,8 @@ def _conditions(
     if not wanted.any():
         return found
     total = np.ones(int(wanted.sum()))
-    for name in some:
-        moved = some | {name: some[name] * (1 + MOVED)}
+    for name, values in some.items():
+        moved = some | {name: values * (1 + MOVED)}
 
         def elsewhere(moved: Points = moved, **_: object) -> object:
             return function(**moved)
