@@ -46,6 +46,7 @@ class Quantity:
         is_difference: whether it vanishes where it is of use, as a residual does; its errors are then
             measured against the sizes of its terms.
         model: the measurement model that it belongs to, if any.
+        unit_of_entry: the unit of each entry, where these are no products over axes.
     """
 
     name: str
@@ -62,6 +63,7 @@ class Quantity:
     common_unit: Unit = ONE
     is_difference: bool = False
     model: Model | None = field(default=None, repr=False)
+    unit_of_entry: Callable[[Index], Unit] | None = field(default=None, repr=False, compare=False)
 
     @property
     def shape(self) -> Index:
@@ -97,6 +99,8 @@ class Quantity:
 
     def unit(self, index: Index) -> Unit:
         """The unit of one entry."""
+        if self.unit_of_entry is not None:
+            return self.unit_of_entry(index)
         return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), self.common_unit)
 
 

@@ -66,6 +66,13 @@ class Variable(Symbol):
         kind = {"whole": self.whole, "is_correlation": self.is_correlation}
         return type(self)(self.name, self.meaning, self.unit, self.low, min(self.high, high), **kind)
 
+    def on(self, low: float, high: float) -> Variable:
+        """The same symbol, to the algebra too, with another domain."""
+        other: Variable = Symbol.__xnew__(type(self), self.name, **self._assumptions_orig)
+        other.__dict__.update(self.__dict__)
+        other.low, other.high = low, high
+        return other
+
     @property
     def logarithmic(self) -> bool:
         """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""

@@ -48,7 +48,7 @@ class Asked:
     @cached_property
     def family(self) -> list[Variable]:
         """The symbols of all quantities of the model, so that one point serves them all."""
-        parts = self.reference.parts.values()
+        parts = self.reference.parts
         symbols = (symbol for part in parts for one in family(part.quantity) for symbol in one.symbols)
         known = {symbol.name: symbol for symbol in (*symbols, *self.reference.symbols)}
         return list(known.values())

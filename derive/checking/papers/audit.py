@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from radartrack.derive.catalogue import UnknownQuantity
-from radartrack.derive.checking.check import ask
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim, problems
+from radartrack.derive.checking.papers.formula_claims import formula_verdicts
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -39,12 +39,10 @@ def decisions(claim: Claim, world: World = CATALOGUE) -> Iterator[Verdict]:
         yield Verdict(Outcome.UNDECIDED, claim.quantity, claim.printed, "", claim.undecided)
         return
     try:
-        if not claim.is_formula:
+        if claim.is_formula:
+            yield from formula_verdicts(claim, world)
+        else:
             yield check_number(claim, world)
-            return
-        formula, latex = claim.formula or claim.latex, bool(claim.latex)
-        asked = ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let, world=world)
-        yield from asked.answers()
     except (FormulaError, UnknownQuantity, UnknownEntry) as error:
         raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
 

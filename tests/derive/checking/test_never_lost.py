@@ -11,7 +11,7 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking import check as checking
 from radartrack.derive.checking.check import ask
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
