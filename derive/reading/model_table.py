@@ -226,7 +226,7 @@ class _ModelTable:
         meaning = f"standard deviation of the error of {of.name}"
         said = self._said().get(name, {"unit": str(of.unit)})
         fields = {"meaning": meaning, **said} if isinstance(said, Mapping) else said
-        return self._own(lambda: read_symbol(name, fields, is_deviation=True))
+        return self._own(lambda: read_symbol(name, fields, deviation_of=of))
 
     def _correlations(self, measured: Sequence[Variable]) -> dict[tuple[Variable, Variable], Variable]:
         by_name = {symbol.name: symbol for symbol in measured}
@@ -256,10 +256,11 @@ class _ModelTable:
         given = self._table.get("source", self._data.get("paper", "a model of one's own"))
         if isinstance(given, str):
             return Source(given.strip(), None, doi=self._doi() if "source" not in self._table else "")
-        fits = isinstance(given, Mapping) and "author" in given and set(given) <= set(SOURCE)
-        year = given.get("year") if fits else None
-        words = [given.get(field, "") for field in ("author", "where", "doi")] if fits else [None]
-        if not all(isinstance(word, str) for word in words) or not (year is None or type(year) is int):
+        table = given if isinstance(given, Mapping) else {}
+        year = table.get("year")
+        words = [word for field in ("author", "where", "doi") if isinstance(word := table.get(field, ""), str)]
+        fits = "author" in table and set(table) <= set(SOURCE) and len(words) == 3
+        if not fits or not (year is None or type(year) is int):
             raise self._error(
                 f"source must be text, or a table of {', '.join(SOURCE)}, the year a number; given {shown(given)}"
             )

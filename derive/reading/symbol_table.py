@@ -35,8 +35,8 @@ DEVIATIONS: Mapping[Unit, tuple[float, float]] = MappingProxyType(
         METRE_PER_SECOND: (1e-4, 1e3),
     }
 )
-"""Of the standard deviation of an error, likewise."""
-ANY_DEVIATION: tuple[float, float] = (1e-9, 1e3)
+"""Of the standard deviation of an error, likewise; in other units, from these shares of what is measured."""
+SHARES = (1e-9, 0.1)
 SHOWN = 60  # characters of what was given
 
 
@@ -44,13 +44,13 @@ class TableError(ValueError):
     """A table that says what cannot be used: it names table, field, what was given and what is allowed."""
 
 
-def read_symbol(name: str, table: object, *, is_deviation: bool = False) -> Variable:
+def read_symbol(name: str, table: object, *, deviation_of: Variable | None = None) -> Variable:
     """A symbol as `[symbols]` says it.
 
     Args:
         name: of the symbol.
         table: with `unit` and perhaps `low`, `high`, both in that unit, `meaning`, and `whole` for whole numbers.
-        is_deviation: whether it is the standard deviation of an error, which is positive.
+        deviation_of: what is measured, where it is the standard deviation of its error.
 
     Raises:
         TableError: naming the field.
@@ -68,14 +68,20 @@ def read_symbol(name: str, table: object, *, is_deviation: bool = False) -> Vari
         scale = read_unit(table["unit"])
     except ValueError as error:
         raise TableError(f"{where}.unit: {error}") from None
-    domains, otherwise = (DEVIATIONS, ANY_DEVIATION) if is_deviation else (DOMAINS, ANY)
-    low, high = domains.get(scale.unit, otherwise)
+    low, high = _domain(scale.unit, deviation_of)
     ends = [_end(table, end, default, float(scale.factor), where) for end, default in (("low", low), ("high", high))]
     meaning = table.get("meaning", name)
     try:
         return Variable(name, meaning, scale.unit, *ends, whole=_flag(table, "whole", where))
     except ValueError as error:
         raise TableError(f"{where}: {error}") from None
+
+
+def _domain(unit: Unit, deviation_of: Variable | None) -> tuple[float, float]:
+    if deviation_of is None:
+        return DOMAINS.get(unit, ANY)
+    size = max(abs(deviation_of.low), abs(deviation_of.high)) or 1.0
+    return DEVIATIONS.get(unit, (SHARES[0] * size, SHARES[1] * size))
 
 
 def _end(table: Mapping[str, Any], field: str, otherwise: float, factor: float, where: str) -> float:

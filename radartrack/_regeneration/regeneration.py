@@ -26,6 +26,7 @@ from radartrack._system.worker_processes import Workers, ended_on_failure
 from radartrack._system.written_files import Owners
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.derive.writing.conversion_functions import (
     ARRAYS,
@@ -175,20 +176,6 @@ def _done(task: Task, quantities: Mapping[str, Quantity]) -> Done:
     return written(quantities[task]) if isinstance(task, str) else conversion_code(quantities, *task)
 
 
-def modules_of(quantities: Mapping[str, Quantity], step: Step) -> Files:
-    """The modules of a model of a user's own, whose errors are not measured yet.
-
-    Raises:
-        NotDerived: saying of which quantity, and why.
-    """
-    functions = []
-    for name, quantity in quantities.items():
-        step(name)
-        with _refusing(name):
-            functions.append(Function(quantity, body(quantity, form_of(quantity))))
-    return _modules(functions, as_recorded(functions, []))
-
-
 def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
     """The code of one task of a model of a user's own.
 
@@ -204,6 +191,8 @@ def _refusing(name: str) -> Iterator[None]:
     """What goes wrong with a formula of a user's own, said of the quantity."""
     try:
         yield
+    except NotProved:
+        raise
     except (ArithmeticError, AssertionError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise NotDerived(f"{name} cannot be derived: {_on_one_line(error)}") from error
 

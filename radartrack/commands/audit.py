@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -85,7 +85,7 @@ def decided(
 
 
 def _decided(
-    claims: list[Claim], worlds: list[Files], timeout: float, *, typeset: bool
+    claims: list[Claim], worlds: Sequence[Files], timeout: float, *, typeset: bool
 ) -> tuple[list[dict[str, Any]], list[str]]:
     """A record for each claim, and what is wrong with it where it cannot be read."""
     from radartrack.derive.checking.papers.claims_file import UnreadableClaim

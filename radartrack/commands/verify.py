@@ -78,11 +78,11 @@ def verify(  # noqa: PLR0913, PLR0917 - one an option
     chosen = _chosen(names or [], declared.quantities or catalogue())
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
-    own = _written(declared, chosen)
-    work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), own)
+    work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared)
     work = _with_checkpoint(work, asked_for=checkpoint is not None)
     output_files.refuse_unwritable({"--json": json_out}, kept=[work.kept.path] if work.kept.path else ())
     try:
+        work.own = _written(declared, chosen, where)
         with _progress() as step:
             records = work.run(where, step)
     except KeyboardInterrupt:
@@ -137,35 +137,29 @@ def _declared(path: Path | None) -> OwnModels:
     if path is None:
         return NONE
     try:
-        found = OwnModels(tables_of(load_models(path)))
-        return found if found.quantities else NONE
+        declared = OwnModels(tables_of(load_models(path)))
+        _ = declared.quantities
     except (NoModel, TableError) as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None
+    return declared
 
 
-def _written(declared: OwnModels, names: Sequence[str]) -> OwnModels:
+def _written(declared: OwnModels, names: Sequence[str], engine: Engine) -> OwnModels:
     """The same with the code of these quantities.
 
     Raises:
         typer.Exit: when one cannot be derived.
     """
-    from dataclasses import replace
+    from radartrack.verification.own_models import NotWritten, written
 
-    from radartrack._regeneration import regeneration
-    from radartrack.derive.language.stable_form import NotProved
-
+    wanted = [name for name in names if name in declared.quantities]
     try:
         with _progress() as step:
-            wanted = {name: declared.quantities[name] for name in names if name in declared.quantities}
-            files = regeneration.modules_of(wanted, lambda name: step(f"{name}: deriving", len(wanted)))
-    except regeneration.NotDerived as error:
+            return written(declared, wanted, engine, step) if wanted else declared
+    except NotWritten as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None
-    except NotProved as error:
-        terminal.complain(str(error))
-        raise typer.Exit(1) from None
-    return replace(declared, modules=tuple((name.removesuffix(".py"), text) for name, text in files.items()))
 
 
 def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity]) -> list[str]:

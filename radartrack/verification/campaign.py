@@ -105,7 +105,7 @@ class Campaign:
         names: of the quantities.
         effort: spent on each.
         checkpoint: a file to go on from, or the place for one; None for none.
-        own: models of one's own that the names may be of, with their code.
+        own: models of one's own that the names may be of; their code is added before anything runs.
     """
 
     names: Sequence[str]
@@ -121,7 +121,9 @@ class Campaign:
         Raises:
             NotACheckpoint: when the file that is given holds something else.
         """
-        return Checkpoint(self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *([self.own] if self.own != NONE else [])))))
+        return Checkpoint(
+            self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *self.own.tables)))
+        )
 
     def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
         """Do what is not done yet; `step` is told what has ended and how many tasks there are."""

@@ -1,10 +1,11 @@
-"""Models of one's own with the code that was written for them: data that a task takes along to whatever process does it."""
+"""Models of one's own with the code that was written for them: data that a task takes along wherever it is done."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
@@ -16,6 +17,9 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.reading.model_table import data_of, read_models
+from radartrack.derive.stable.quantity_form import form_of
+from radartrack.derive.writing.numpy_writer import Function, body, module_text
+from radartrack.verification.engines import Engine
 
 LOADED = 4  # sets of models that a process keeps
 
@@ -52,6 +56,50 @@ class OwnModels:
 
 
 NONE = OwnModels()
+
+
+class NotWritten(ValueError):
+    """A quantity of a model has no code: what it holds cannot be rewritten, proved or written."""
+
+
+@dataclass(frozen=True)
+class Writing:
+    """A task: the statements of one quantity's function."""
+
+    own: OwnModels
+    name: str
+
+    def __call__(self) -> str:
+        """Derive and write it.
+
+        Raises:
+            NotWritten: saying of which quantity, and why.
+        """
+        quantity = self.own.find(self.name)
+        try:
+            return body(quantity, form_of(quantity))
+        except (ArithmeticError, AssertionError, LookupError, RecursionError, TypeError, ValueError) as error:
+            raise NotWritten(f"{self.name} cannot be derived: {error}") from None
+
+
+def written(own: OwnModels, names: Sequence[str], engine: Engine, step: Callable[[str, int], None]) -> OwnModels:
+    """The same models with the code of these of their quantities.
+
+    Raises:
+        NotWritten: for one that cannot be derived.
+    """
+    statements = {}
+    with closing(engine.run(enumerate(Writing(own, name) for name in names))) as results:
+        for number, text in results:
+            statements[names[number]] = text
+            step(f"{names[number]}: deriving", len(names))
+    functions = [Function(own.quantities[name], statements[name]) for name in names]
+    modules: dict[str, list[Function]] = {}
+    for function in functions:
+        modules.setdefault(function.quantity.module, []).append(function)
+    unmeasured = dict.fromkeys(names, "not measured.")
+    texts = {name: module_text(f"NumPy functions of {name}", group, unmeasured) for name, group in modules.items()}
+    return replace(own, modules=tuple(texts.items()))
 
 
 @dataclass(frozen=True)

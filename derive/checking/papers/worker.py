@@ -1,7 +1,7 @@
 """A process of its own that decides claims: it can be ended at any moment.
 
-It is told once what a file declares, as data. For each claim it writes lines of JSON: the verdict as soon as it is known, the same with more beside it, and that it
-is done.
+It is told once what a file declares, as data. For each claim it writes lines of JSON: the verdict as soon as it is
+known, the same with more beside it, and that it is done.
 
 Run as `python -m radartrack.derive.checking.papers.worker`; see `radartrack.derive.checking.papers.deadline`.
 """

@@ -66,6 +66,8 @@ class Dimensions:
         worst, title = 0.0, ""
         for change in changes(quantity):
             after = evaluated(function, quantity, change.applied(points))
+            if row_of(quantity).startswith("std"):
+                before, after = np.abs(before), np.abs(after)  # a root of a square is written without its sign
             found = relative(after, before * change.result, scale * np.abs(change.result))
             if found > worst or not title:
                 worst, title = found, change.title

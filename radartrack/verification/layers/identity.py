@@ -210,7 +210,8 @@ def _values(quantity: Quantity, numbers: list[Number]) -> tuple[Number, ...]:
 
 
 def _difference(found: Tensor[Number], expected: Tensor[Number]) -> float:
-    """The largest difference of an entry by the entry; a zero by the largest entry."""
+    """The largest difference of an entry by the entry; what is nothing but rounding, by the largest entry."""
     size = max(abs(value) for value in expected) or mpmath.mpf(1)
-    differences = [abs(first - second) / (abs(second) or size) for first, second in zip(found, expected, strict=True)]
+    scales = [abs(value) if abs(value) > AGREEMENT * size else size for value in expected]
+    differences = [abs(first - second) / s for first, second, s in zip(found, expected, scales, strict=True)]
     return max(float(mpmath.re(d)) if mpmath.isfinite(d) and mpmath.im(d) == 0 else float("inf") for d in differences)

@@ -42,7 +42,8 @@ class MonteCarlo:
         if not simulated(quantity):
             return reason(quantity)
         planned = trials(quantity, function, self.seed)
-        results = ((trial, _sums(trial.experiment, self.draws), {}) for trial in planned)
+        none: Mapping[str, Departures] = {}
+        results = ((trial, _sums(trial.experiment, self.draws), none) for trial in planned)
         return decided(results, budget(quantity))
 
 

@@ -24,8 +24,8 @@ from radartrack.derive.symbolic import Symbol
 from radartrack.derive.units import RADIAN
 from radartrack.verification.array_program import Program
 from radartrack.verification.domain_points import Points, coarse
-from radartrack.verification.phase import phase_rates
 from radartrack.verification.outcome import Function, Outcome
+from radartrack.verification.phase import phase_rates
 from radartrack.verification.program_compilation import compiled
 from radartrack.verification.second_derivations.definitions import ROWS, defined
 from radartrack.verification.second_derivations.power_series import Jet, jets
@@ -36,6 +36,7 @@ RELATIVE = 1e-9
 ORDERS = (10, 13)
 POLYNOMIAL_ORDER = 4  # exact to degree seven in what is not an angle
 BLOCK = 64
+ZERO = 2.0**-48  # of what meets in an entry; less is rounding
 MOST_NODES = 2 * 10**7  # of an average, or of an average of averages
 NESTED = {"bias.averaged", "covariance.averaged", "decorrelated.covariance"}
 Array = npt.NDArray[np.float64]
@@ -120,7 +121,8 @@ class Quadrature:
         if reason:
             return Outcome.not_applicable(NAME, reason)
         points, coarser, finer = _references(quantity, self.points, self.seed)
-        scale = scale_of(quantity, finer)
+        scale, sizes = scale_of(quantity, finer), _sizes(quantity, points)
+        scale = np.where(scale > ZERO * sizes, scale, sizes)
         unsettled = relative(coarser, finer, scale)
         if row_of(quantity) == "unbiased.estimate":
             found = _mean_of_estimate(quantity, function, points)
@@ -152,7 +154,7 @@ def _degree(model: Model) -> int:
     ring = ring_over(model.arguments)
     places = [ring.symbols.index(variable) for variable in model.measured]
     waves = (ExponentialPolynomial.read(h, ring) for h in model.map)
-    monomials = (m for wave in waves for coefficient in wave.terms.values() for m in coefficient)
+    monomials = (m for wave in waves for coefficient in wave.terms.values() for m, _ in coefficient.terms())
     return max((sum(monomial[place] for place in places) for monomial in monomials), default=0)
 
 
@@ -201,6 +203,13 @@ def _mean_of_estimate(quantity: Quantity, function: Function, points: Points) ->
         rule = Integrals(model, {name: float(value) for name, value in at.items()}, ORDERS[1]).rule(model.covariance)
         means.append([rule.average(Field(_component(quantity, function, a))).at(at) for a in range(*quantity.shape)])
     return np.array(means)
+
+
+def _sizes(quantity: Quantity, points: Points) -> Array:
+    """How large the numbers are that an entry is the difference of: a bias may vanish, and its rounding does not."""
+    model = _model(quantity)
+    sizes = np.abs(_map(model)(**{symbol.name: points[symbol.name] for symbol in model.arguments}))
+    return sizes if len(quantity.shape) == 1 else sizes[..., :, np.newaxis] * sizes[..., np.newaxis, :]
 
 
 def _component(quantity: Quantity, function: Function, a: int) -> Callable[[Point], Array]:

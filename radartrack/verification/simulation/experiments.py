@@ -187,7 +187,7 @@ def _trial(quantity: Quantity, function: Function, point: dict[str, float], key:
     scale, sizes = _scale(quantity, value), _sizes(recipe, starts, control, whole)
     expected = [float(target[place] / factor - known[place]) for place in places]
     rounding = [ROUNDING * math.prod(sizes[a] for a in place) for place in places]
-    relative = [float(scale[place]) for place in places]
+    relative = [float(scale[place]) or math.prod(float(sizes[a]) for a in place) for place in places]
     experiment = Experiment(
         key,
         point,
