@@ -26,7 +26,8 @@ def vanishes_on_a_branch(expression: Expr, depth: int = MOST_ROOTS) -> bool:
     above, _ = sp.fraction(sp.together(expression.xreplace(changes)))
     if not above.is_polynomial(symbol):
         return False
-    u, v = sp.Integer(0), sp.Integer(0)
+    u: Expr = sp.Integer(0)
+    v: Expr = sp.Integer(0)
     for (degree,), coefficient in sp.Poly(above, symbol).terms():
         part = coefficient * root ** (degree // 2)
         u, v = (u, v + part) if degree % 2 else (u + part, v)

@@ -344,7 +344,7 @@ def symbols_for(
 
 
 def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[str, Variable]:
-    """The letters of formulas that mean one thing in all of the catalogue, such as r and T: no paper need declare them."""
+    """The letters of formulas that mean one thing in all of the catalogue, such as r: no paper need declare them."""
     words = {word for text in _with_definitions(texts, let) for word in WORD.findall(text)}
     return {name: symbol for name, symbol in common_symbols().items() if name in words}
 
@@ -383,8 +383,7 @@ def _letter(letter: Variable, own: Variable | None) -> Variable:
     if own is None:
         return letter
     if own.unit != letter.unit:
-        kind = {"whole": letter.whole, "is_correlation": letter.is_correlation}
-        return Variable(f"{letter.name}'", letter.meaning, letter.unit, letter.low, letter.high, **kind)
+        return Variable(f"{letter.name}'", letter.meaning, letter.unit, letter.low, letter.high, whole=letter.whole)
     low, high = max(own.low, letter.low), min(own.high, letter.high)
     return own.on(low, high) if low < high else own
 

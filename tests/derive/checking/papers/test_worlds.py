@@ -1,7 +1,7 @@
-"""Papers with a sensor, a motion or a filter of their own: three right claims each, confirmed by other means, three wrong.
+"""Papers with a sensor, a motion or a filter of their own: three right claims each and three wrong ones.
 
-What is right was not found by this engine: it comes from numerical derivatives, exponentials and integrals of mpmath, and
-from recursions that are run until they settle.
+What is right was not found by this engine: it comes from numerical derivatives, exponentials and integrals of mpmath,
+and from recursions that are run until they settle.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def partial(function: Callable[..., Any], point: Point, *by: str) -> Any:
     value = function(point)
     if not isinstance(value, list):
         return gradient(function)
-    return [gradient(lambda at, i=i: function(at)[i]) for i in range(len(value))]  # type: ignore[misc]
+    return [gradient(lambda at, i=i: function(at)[i]) for i in range(len(value))]
 
 
 def bistatic(p: Point) -> Any:
@@ -71,8 +71,7 @@ def bistatic(p: Point) -> Any:
 
 
 def rate(p: Point) -> Any:
-    distance = lambda t: sqrt(sum((p[i] + t * p[f"v{i}"]) ** 2 for i in "xyz"))  # noqa: E731
-    return diff(distance, 0)
+    return diff(lambda t: sqrt(sum((p[i] + t * p[f"v{i}"]) ** 2 for i in "xyz")), 0)
 
 
 def legs(p: Point) -> tuple[Any, Any]:
@@ -89,11 +88,12 @@ def rates(p: Point) -> Any:
 
 def turned(p: Point) -> list[Any]:
     """The state after a turn, from the velocity that turns, integrated."""
-    velocity = lambda t: (  # noqa: E731
-        p["vx"] * cos(p["omega"] * t) - p["vy"] * sin(p["omega"] * t),
-        p["vx"] * sin(p["omega"] * t) + p["vy"] * cos(p["omega"] * t),
-    )
-    path = [mpmath.quad(lambda t, i=i: velocity(t)[i], [0, p["T"]]) for i in (0, 1)]  # type: ignore[misc]
+
+    def velocity(t: Any) -> tuple[Any, Any]:
+        c, s = cos(p["omega"] * t), sin(p["omega"] * t)
+        return p["vx"] * c - p["vy"] * s, p["vx"] * s + p["vy"] * c
+
+    path = [mpmath.quad(lambda t, i=i: velocity(t)[i], [0, p["T"]]) for i in (0, 1)]
     end = velocity(p["T"])
     return [p["x"] + path[0], end[0], p["y"] + path[1], end[1], p["omega"]]
 
@@ -147,7 +147,10 @@ def normal_radius(p: Point) -> Any:
 
 def fused(p: Point) -> Any:
     """The variance of the best unbiased combination of two tracks, by its definition."""
-    variance = lambda k: (1 - k) ** 2 * p["p"] + k**2 * p["q"] + 2 * k * (1 - k) * p["c"]  # noqa: E731
+
+    def variance(k: Any) -> Any:
+        return (1 - k) ** 2 * p["p"] + k**2 * p["q"] + 2 * k * (1 - k) * p["c"]
+
     best = mpmath.findroot(lambda k: diff(variance, k), 0.5)
     return variance(best)
 
