@@ -9,6 +9,7 @@ from functools import cache
 from radartrack.derive.finite_sample import filter_quantities
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments import taylor_quantities
+from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.motion import plane_motion, polynomial_motion
 from radartrack.derive.sensors import converted_measurements, observation_maps
 from radartrack.derive.tracks import deviation_from_line, fusion_weights, least_squares_line, line_over_time
@@ -52,3 +53,11 @@ def find(name: str) -> Quantity:
         hint = f"; did you mean {' or '.join(close)}?" if close else "; `radartrack list` shows all names"
         raise UnknownQuantity(f"no quantity is called {name!r}{hint}")
     return known[name]
+
+
+def family(quantity: Quantity) -> list[Quantity]:
+    """The quantities whose names begin alike: of the catalogue, or of the model of one's own that it belongs to."""
+    known = catalogue()
+    if quantity.model is not None and known.get(quantity.name) != quantity:
+        return quantities_of(quantity.model)
+    return [other for other in known.values() if other.module == quantity.module]

@@ -424,8 +424,7 @@ def _turned(local: Floats, azimuth: Floats) -> Floats:
     x = sine * along + cosine * mixed, cosine * across
     y = cosine * along - sine * mixed, -sine * across
     entries = [a[0] * b[0] + a[1] * b[1] for a, b in ((x, x), (x, y), (y, x), (y, y))]
-    turned: Floats = cast(np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2), np.dtype(np.float64))
-    return turned
+    return cast(np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2), np.dtype(np.float64))
 
 
 def _digest(columns: Columns) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -22,68 +22,154 @@ from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.question.compared_quantity import Reference, refer
+from radartrack.derive.checking.question.compared_quantity import Reference, of_formula, refer, refer_to
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
+from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
-from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
+from radartrack.derive.checking.question.printed_formula import (
+    Printed,
+    applying,
+    conditions_for,
+    names_for,
+    read_printed,
+)
+from radartrack.derive.checking.question.sense import EXACTLY, Sense
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.repairing.rounded_decimals import meant
+from radartrack.derive.checking.repairing.slips_in_definitions import Repair, Slip
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.language.model import Model
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
 SUGGESTIONS = 3
 
 
 def check(
-    name: str,
+    quantity: str | Quantity,
     formula: str,
     *,
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    models: Iterable[Model] = (),
+    world: World = CATALOGUE,
 ) -> Verdict:
     """Compare a printed formula with what was derived.
 
     Args:
-        name: a quantity of the catalogue, `polar.covariance.linear`; one entry of it,
-            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several.
+        quantity: one of the catalogue or of a model of one's own, `polar.covariance.linear`; one entry of it,
+            `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several. A quantity
+            itself, in place of its name, is compared whole.
         formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
         latex: whether it is LaTeX.
         given: conditions under which to compare, `{"rho": "0"}`.
         let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
+        models: of one's own, whose quantities may be named.
+        world: quantities, letters, definitions and conditions of a paper.
 
     Raises:
-        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownQuantity: for a name that neither the catalogue nor a model has.
+        TableError: for a model with a name of the catalogue's, and two of one name.
         UnknownEntry: for an entry that the quantity does not have.
         FormulaError: when the formula, a condition or a definition cannot be read.
     """
-    *_, verdict = ask(name, formula, latex=latex, given=given, let=let).answers()
+    world = having_models(models, world)
+    try:
+        *_, verdict = ask(quantity, formula, latex=latex, given=given, let=let, world=world).answers()
+    except NoClosedForm as error:
+        return too_much(quantity if isinstance(quantity, str) else quantity.name, formula, error)
     return verdict
 
 
+def too_much(quantity: str, printed: str, error: NoClosedForm) -> Verdict:
+    """That nothing can be decided, and the part that was too much."""
+    return Verdict(Outcome.UNDECIDED, quantity, printed, "", f"cannot decide: {error}")
+
+
 def ask(
-    name: str,
+    quantity: str | Quantity,
     formula: str,
     *,
     latex: bool = False,
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
+    world: World = CATALOGUE,
+    sense: Sense = EXACTLY,
 ) -> Question:
-    """The question of `check`, whose arguments these are and which raises the same."""
-    reference = refer(name)
-    names = names_for(reference, let or {})
-    conditions = conditions_for(reference, given or {})
-    question = Question(reference, read_printed(formula, names, reference.shape, latex=latex), conditions)
+    """The question of `check`, whose arguments these are but for the models.
+
+    Raises:
+        NoClosedForm: when something cannot be worked out; and what `check` raises.
+    """
+    definitions = {**world.let, **(let or {})}
+    reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, world, definitions)
+    names = names_for(reference, let or {}, world, ["" if latex else formula, *(given or {}).values()])
+    return asked(reference, formula, names, given or {}, world, latex=latex, sense=sense)
+
+
+def asked(
+    reference: Reference,
+    formula: str,
+    names: Names,
+    given: Mapping[str, str],
+    world: World,
+    *,
+    latex: bool = False,
+    sense: Sense = EXACTLY,
+) -> Question:
+    """A formula in these names compared with that; raises as `ask`."""
+    reference = reference.with_symbols(names.symbols.values())
+    printed = read_printed(formula, names, reference.shape, latex=latex)
+    both = {**applying(world.given, reference, printed), **given} if world.given else given
+    conditions = conditions_for(reference, both, names)
+    reference, printed = (
+        sense.applied(reference, printed, names, conditions) if sense != EXACTLY else (reference, printed)
+    )
+    question = Question(reference, printed, conditions, sense.words)
     exact = meant(question.printed)
     if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
         return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
     return question
+
+
+def ask_identity(
+    left: str,
+    right: str,
+    *,
+    given: Mapping[str, str] | None = None,
+    let: Mapping[str, str] | None = None,
+    world: World = CATALOGUE,
+    sense: Sense = EXACTLY,
+) -> Question:
+    """Whether two formulas of a paper are the same; what is printed is the right one, compared with the left one.
+
+    Args:
+        left: in the paper's letters, and with quantities by name; matrices with verbs or as nested lists.
+        right: likewise.
+        given: conditions.
+        let: definitions.
+        world: the paper's.
+        sense: in which they are.
+
+    Raises:
+        FormulaError, UnknownQuantity: when something cannot be read.
+        NoClosedForm: when something cannot be worked out.
+    """
+    definitions = {**world.let, **(let or {})}
+    texts = [left, right, *(given or {}).values(), *(let or {}).values()]
+    symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
+    names = Names(symbols, definitions, world)
+    return asked(of_formula(left, names), right, names, given or {}, world, sense=sense)
 
 
 @dataclass(frozen=True)
@@ -106,11 +192,12 @@ class Rounding:
 
 @dataclass(frozen=True)
 class Question:
-    """A printed formula, what it is compared with, and under which conditions."""
+    """A printed formula, what it is compared with, under which conditions, and in which sense, in words."""
 
     reference: Reference
     printed: Printed
     conditions: Mapping[Symbol, Expr]
+    sense: str = ""
     rounding: Rounding | None = None
 
     @cached_property
@@ -146,7 +233,7 @@ class Question:
             quantity=self.reference.text,
             printed=self.printed.text,
             derived="",
-            reason=_reason(worst, findings, conditions),
+            reason=_reason(worst, findings, conditions, self.sense),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
         )
@@ -208,7 +295,7 @@ class Question:
         """What does not fit in the dimensions of an entry; nothing where they do."""
         try:
             check_dimension(
-                self.printed.names.dimension_of(self.printed.entries[entry]), self.reference.dimensions[entry]
+                self.printed.names.dimension_of(self.printed.entries[entry]), self.reference.dimension(entry)
             )
         except WrongDimensions as error:
             return str(error)
@@ -231,11 +318,25 @@ class Question:
         return replace(verdict, remarks=(*verdict.remarks, *(remark for remark in found if remark)))
 
     def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
-        edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
+        costs, edits = self._all_edits(wrong)
+        for slip in attempted(self._slips_inside, lambda _: []):
+            inside = Suggestion(slip.formula, slip.words)
+            is_first = not edits or slip.cost < costs[0] or (slip.cost == costs[0] and slip.places > 1)
+            edits = [inside, *edits] if is_first else [*edits, inside]
         condition, convention = attempted(lambda: (self._condition, self._convention), lambda _: (None, None))
         found = condition or (convention if len(wrong) > 1 or not edits else None)
         reason = verdict.reason + (f", but {found}" if found else _edit(worst, edits))
         return replace(verdict, reason=reason, suggestions=(*verdict.suggestions, *edits))
+
+    def _all_edits(self, wrong: Sequence[Finding]) -> tuple[list[float], list[Suggestion]]:
+        """What may be edited in each of the entries that are wrong, and how unlikely the slips are."""
+        found = [one for finding in wrong[:SHOWN_ENTRIES] for one in self._suggestions(finding.entry)]
+        return [cost for cost, _ in found], [suggestion for _, suggestion in found]
+
+    def _slips_inside(self) -> list[Slip]:
+        """Slips in definitions, and inside of what is worked out, of which each explains all that is wrong."""
+        derived = self.reference.entries.map(lambda entry: under(self.conditions, entry))
+        return Repair(self.printed, self.printed.names, derived, self.symbols, self.conditions).slips()
 
     def _with_other_quantities(self, verdict: Verdict) -> Verdict:
         condition = attempted(lambda: self._condition, lambda _: None)
@@ -254,8 +355,12 @@ class Question:
     def _convention(self) -> str | None:
         return None if self._condition else convention_that_helps(self._asked)
 
-    def _suggestions(self, entry: Index) -> list[Suggestion]:
+    def _suggestions(self, entry: Index) -> list[tuple[float, Suggestion]]:
         """The smallest edits; where there is none and the print has no correlation, those without correlation."""
+        if self.sense and under(self.conditions, self.printed.names.read(self.printed.entries[entry])) != (
+            self.printed_entry(entry)
+        ):
+            return []  # compared is something else than what is printed
         found = self._edited(entry, self.conditions)
         free = [symbol for symbol in self.symbols if symbol.is_correlation]
         if found or not free or self.printed_entry(entry).free_symbols & set(free):
@@ -265,15 +370,20 @@ class Question:
         if not uncorrelated or proved_equal(*(under(uncorrelated, one) for one in pair)):
             return []  # where it is right already, every edit that changes nothing would do
         edited = self._edited(entry, uncorrelated)
-        return [replace(one, edit=one.edit + when_zero(free)) for one in edited]
+        return [(cost, replace(one, edit=one.edit + when_zero(free))) for cost, one in edited]
 
-    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
+    @cached_property
+    def _all_names(self) -> Names:
+        """Those that are printed, and what else may have been meant."""
+        return self.printed.names.completed()
+
+    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[tuple[float, Suggestion]]:
         left = set[Symbol](self.reference.symbols) - conditions.keys()
         free = left.union(*(value.free_symbols for value in conditions.values()))
         symbols = [symbol for symbol in self.reference.symbols if symbol in free]
         derived = under(conditions, self.reference.entries[entry])
-        found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
-        return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
+        found = suggest(self.printed.entries[entry], self._all_names, derived, symbols, conditions)
+        return [(one.cost, Suggestion(one.formula, one.edit, entry, one.proved)) for one in found[:SUGGESTIONS]]
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)
@@ -336,8 +446,8 @@ def _edit(finding: Finding, edits: Sequence[Suggestion]) -> str:
     return f": {edits[0].edit}" if edits and finding.outcome is Outcome.DIFFERS else ""
 
 
-def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:
-    when = f" when {' and '.join(conditions)}" if conditions else ""
+def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str], sense: str) -> str:
+    when = (f" when {' and '.join(conditions)}" if conditions else "") + sense
     where = f" in entry {list(worst.entry)}" if worst.entry else ""
     wrong = sum(finding.outcome in _WRONG for finding in findings)
     count = f" ({wrong} of {len(findings)} entries are wrong)" if wrong and len(findings) > 1 else ""

@@ -8,7 +8,7 @@ moderate size.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
@@ -91,13 +91,21 @@ _SYMBOL = Measure(degree=1, digits=0, value=None, has_logarithm=False)
 _INFINITY = Measure(degree=0, digits=1, value=None, has_logarithm=False, is_infinite=True)
 
 
-def magnitudes() -> Fold[Measure]:
+def magnitudes(names: Mapping[str, Measure] = MappingProxyType({})) -> Fold[Measure]:
     """Measures formulas; what two of them share is measured once.
+
+    Args:
+        names: what is known of names that are defined; the others are symbols.
 
     What it returns refuses exponents, degrees and numbers that are too large, and numbers that are not real: it
     raises `FormulaError`, naming the limit.
     """
-    return Fold(_measure)
+
+    def step(tree: Tree, parts: Sequence[Measure]) -> Measure:
+        known = names.get(tree.name) if isinstance(tree, Name) else None
+        return known or _measure(tree, parts)
+
+    return Fold(step)
 
 
 def _measure(tree: Tree, parts: Sequence[Measure]) -> Measure:

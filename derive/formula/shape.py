@@ -5,6 +5,7 @@ A product of arrays is the matrix product; a vector before a row, which is a vec
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TypeAlias
@@ -44,11 +45,16 @@ def shape(tree: Tree, names: Mapping[str, Shape] = NO_SHAPES) -> Shape:
     Raises:
         FormulaError: where an array stands that has no meaning there, or its rows are of different lengths.
     """
+    return shapes(defaultdict(tuple, names))(tree)
 
-    def step(node: Tree, shapes: Sequence[Shape]) -> Shape:
-        return names.get(node.name, ()) if isinstance(node, Name) else _shape(node, shapes)
 
-    return Fold(step)(tree)
+def shapes(names: Mapping[str, Shape]) -> Fold[Shape]:
+    """Finds the shapes of formulas in names of known shape; what it returns raises as `shape` does."""
+
+    def step(node: Tree, below: Sequence[Shape]) -> Shape:
+        return names[node.name] if isinstance(node, Name) else _shape(node, below)
+
+    return Fold(step)
 
 
 def product_shape(first: Shape, second: Shape) -> Shape | None:

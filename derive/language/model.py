@@ -25,7 +25,8 @@ class Model:
         name: the first part of the names of its quantities.
         title: one line in the field's words.
         measured: θ, the measured quantities.
-        deviations: the standard deviations of their errors, in the same order.
+        deviations: the standard deviations of their errors, in the same order; none where there are no errors, as in a
+            motion x' = f(x).
         correlations: pairs of measured quantities with correlated errors, and the symbol of the correlation.
         outputs: name and expression of each coordinate; a float in one means the shortest decimal that stands for it.
         units: the unit of each coordinate.
@@ -73,9 +74,9 @@ class Model:
         for what, given in (("measured", self.measured), ("outputs", self.outputs)):
             if not given:
                 raise ValueError(f"{what} must name at least one quantity; given {given!r}")
-        if len(self.deviations) != len(self.measured):
+        if len(self.deviations) not in {0, len(self.measured)}:
             raise ValueError(
-                f"deviations must be one for each measured quantity: given {len(self.deviations)}, "
+                f"deviations must be one for each measured quantity, or none: given {len(self.deviations)}, "
                 f"measured {len(self.measured)}"
             )
         if len(self.units) != len(self.outputs):
@@ -89,7 +90,9 @@ class Model:
 
     def _require_errors(self) -> None:
         """Deviations and correlations of the right units and signs."""
-        for of, sigma in zip(self.measured, self.deviations, strict=True):
+        if self.correlations and not self.deviations:
+            raise ValueError("correlations are those of errors, and without deviations there are no errors")
+        for of, sigma in zip(self.measured, self.deviations, strict=False):
             if sigma.unit != of.unit or sigma.low < 0:
                 raise ValueError(
                     f"the deviation of {of.name} must have its unit, {of.unit}, and no negative values; "

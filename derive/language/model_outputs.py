@@ -90,7 +90,16 @@ def _unit(expression: Expr) -> Unit | None:
     if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Rational):
         base = _unit(expression.base)
         return base and base ** Fraction(int(expression.exp.p), int(expression.exp.q))
+    for argument in expression.args:
+        _require_number(expression, argument)
     return None if expression.is_number else ONE
+
+
+def _require_number(function: Expr, argument: Expr) -> None:
+    """Refuse the logarithm of a length; what a quotient is taken of, as atan2 does, has a unit of its own."""
+    unit = None if isinstance(function, sp.atan2 | sp.Pow) else _unit(argument)
+    if unit not in {None, ONE}:
+        raise ValueError(f"{shown(argument)} in {unit} cannot be inside of {shown(function)}")
 
 
 def _common(terms: Expr) -> Unit | None:

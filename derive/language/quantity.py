@@ -8,6 +8,7 @@ from enum import Enum
 from functools import cached_property, reduce
 from operator import mul
 
+from radartrack.derive.language.model import Model
 from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Index, Tensor
@@ -44,6 +45,8 @@ class Quantity:
         common_unit: a factor of the unit of every entry; the unit of a scalar.
         is_difference: whether it vanishes where it is of use, as a residual does; its errors are then
             measured against the sizes of its terms.
+        model: the measurement model that it belongs to, if any.
+        unit_of_entry: the unit of each entry, where these are no products over axes.
     """
 
     name: str
@@ -59,6 +62,8 @@ class Quantity:
     measured_against: str = ""
     common_unit: Unit = ONE
     is_difference: bool = False
+    model: Model | None = field(default=None, repr=False)
+    unit_of_entry: Callable[[Index], Unit] | None = field(default=None, repr=False, compare=False)
 
     @property
     def shape(self) -> Index:
@@ -94,6 +99,8 @@ class Quantity:
 
     def unit(self, index: Index) -> Unit:
         """The unit of one entry."""
+        if self.unit_of_entry is not None:
+            return self.unit_of_entry(index)
         return reduce(mul, (axis[i] for axis, i in zip(self.axes, index, strict=True)), self.common_unit)
 
 

@@ -34,6 +34,11 @@ class Tensor(Generic[Entry]):
         """Pairs of index and entry."""
         return zip(indices(self.shape), self.entries, strict=True)
 
+    @property
+    def indices(self) -> list[Index]:
+        """All indices, in the order of the entries."""
+        return list(indices(self.shape))
+
     def parts(self) -> list[Tensor[Entry]]:
         """The tensors of one rank less along the first axis."""
         size, *inner = self.shape

@@ -66,6 +66,14 @@ class Variable(Symbol):
         end, whole, correlation = min(self.high, high), self.whole, self.is_correlation
         return type(self)(self.name, self.meaning, self.unit, self.low, end, whole=whole, is_correlation=correlation)
 
+    def on(self, low: float, high: float) -> Variable:
+        """The same symbol, to the algebra too, with another domain."""
+        sign = "positive" if self.is_positive else "nonnegative" if self.is_nonnegative else "real"
+        other: Variable = Symbol.__xnew__(type(self), self.name, **{sign: True})
+        other.__dict__.update(self.__dict__)
+        other.low, other.high = low, high
+        return other
+
     @property
     def logarithmic(self) -> bool:
         """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""

@@ -305,20 +305,28 @@ SQUARES = {
 
 
 def quantities_of(model: Model) -> list[Quantity]:
-    """Every quantity of a model; nothing is derived before it is asked for.
+    """Every quantity of a model, the same ones each time; nothing is derived before it is asked for.
 
+    A model without errors has its map and the derivatives of that.
     A map without closed forms has the second- and fourth-order series of each word in their place, and the latter
     completed to a sum of squares for each covariance of a conversion.
     """
+    return list(_quantities(model))
+
+
+@cache
+def _quantities(model: Model) -> tuple[Quantity, ...]:
     shared = Conversion(model)
+    if not model.deviations:
+        return tuple(_quantity(shared, row, row.derive) for row in EXPANSION if row.conditioning is Conditioning.NONE)
     expansion = [_quantity(shared, row, row.derive) for row in EXPANSION]
     expansion += _deviations(shared)
     if is_square(model):
         expansion += [_validity(shared, formulas) for formulas in NEGLECTED]
     if shared.closed is not None:
-        return [*expansion, *(_quantity(shared, row, _exactly(row)) for row in WORDS)]
+        return (*expansion, *(_quantity(shared, row, _exactly(row)) for row in WORDS))
     series = [_to_order(shared, row, order) for row in WORDS for order in ORDERS]
-    return [*expansion, *series, *(_semidefinite(shared, row) for row in WORDS if row.name in SQUARES)]
+    return (*expansion, *series, *(_semidefinite(shared, row) for row in WORDS if row.name in SQUARES))
 
 
 def word_to_order(model: Model, name: str, order: int) -> Tensor[Expr]:
@@ -346,6 +354,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         word="sqrt((J K J')_aa)",
         derivation=lambda: _coordinate_deviations(shared).expanded(),
         rewriting=lambda: _coordinate_deviations(shared),
+        model=shared.model,
     )
     position = Quantity(
         name=f"{shared.model.name}.std.position",
@@ -358,6 +367,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         word="sqrt(tr(J K J')/n)",
         derivation=lambda: _position_deviation(shared).expanded(),
         rewriting=lambda: _position_deviation(shared),
+        model=shared.model,
     )
     return [each, position] if len(set(units)) == 1 else [each]
 
@@ -393,6 +403,7 @@ def _validity(shared: Conversion, formulas: str) -> Quantity:
         word=f"sqrt(E[(J^-1 (w.d)^{NEGLECTED[formulas]} h)_i^2])/({factorial(NEGLECTED[formulas])} sigma_i)",
         derivation=lambda: validity(model, formulas),
         rewriting=lambda: validity_form(model, formulas),
+        model=model,
     )
 
 
@@ -430,4 +441,5 @@ def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:
         source=row.source if row.name != "map" else shared.model.source,
         word=row.word,
         derivation=lambda: derive(shared),
+        model=shared.model,
     )

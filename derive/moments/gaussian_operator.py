@@ -64,8 +64,10 @@ class GaussianOperator:
         return ExponentialPolynomial(ring, {exponent + growth * sp.QQ_I(sp.QQ(1, 2), 0): shifted})
 
     def _slope(self, exponent: PolyElement, variable: Symbol) -> PolyElement:
-        slope = exponent.diff(exponent.ring(variable))
-        if not slope.is_ground:
+        """How fast an exponent grows with a variable: a number, or a polynomial in what is no variable, as T in ωT."""
+        ring = exponent.ring
+        slope = exponent.diff(ring(variable))
+        if any(slope.diff(ring(other)) for other in self.variables):
             raise NotExponentialPolynomial(f"the exponent {exponent.as_expr()} is not linear in {variable}")
         return slope
 

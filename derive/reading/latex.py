@@ -2,13 +2,14 @@ r"""Reads a formula in LaTeX, as papers print it: `\frac{1}{2}\sigma_\beta^2 r\c
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from itertools import pairwise
 
 from lark import Lark, Token, UnexpectedToken
 
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -25,7 +26,7 @@ from radartrack.derive.reading.latex_hints import hint
 from radartrack.derive.reading.latex_tokens import WORDS, tokens
 
 
-def read_latex(text: str, names: Collection[str]) -> Tree:
+def read_latex(text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
     r"""Read a formula in these symbols; what print leaves ambiguous is refused.
 
     A symbol is named by its letters: \sigma_{\beta} is sigma_beta, \dot{r} is rdot, \mathrm{abc} is abc.
@@ -40,7 +41,7 @@ def read_latex(text: str, names: Collection[str]) -> Tree:
     allowed = check_names(names)
     check_characters(text, allowed, latex=True)
     try:
-        return finished(_parse(tokens(text, allowed), len(text)))
+        return finished(_parse(tokens(text, allowed), len(text)), shapes=shapes)
     except FormulaError as error:
         raise error.within(text) from None
 

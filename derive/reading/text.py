@@ -20,7 +20,7 @@ from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished,
 from radartrack.derive.reading.text_hints import hint
 
 _BRACKETS = {"(": ")", "[": "]", "{": "}"}
-_OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*)")
+_OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)*)")
 
 
 def read_text(text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
@@ -105,4 +105,7 @@ def _resolved(node: Tree, names: Collection[str]) -> Tree:
         return node
     if constant := constants(names).get(node.name):
         return Constant(constant, span=node.span)
+    if "." in node.name and not any("." in name for name in names):  # names of quantities are not read here
+        at = (node.span or (0, 0))[0] + node.name.index(".")
+        raise FormulaError(hint(node.name, ".", ""), span=(at, at + 1))
     raise FormulaError(unknown_name(node.name, names), span=node.span)

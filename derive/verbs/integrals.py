@@ -16,6 +16,7 @@ from radartrack.derive.algebra.exponential_polynomial import (
     split,
 )
 from radartrack.derive.symbolic import Expr, PolyElement, Symbol
+from radartrack.derive.verbs.constants import Constants
 from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
 from radartrack.derive.verbs.partial_fractions import PartialFraction, partial_fractions
 
@@ -30,7 +31,9 @@ def integrated(function: Expr, variable: Symbol, low: Expr, high: Expr) -> Expr:
             rational function whose denominator has factors of degree one and two.
     """
     symbol = sp.Symbol(f"{{{variable.name}}}", real=True)  # the domain of the paper's letter does not hold here
-    antiderivative = _antiderivative(function.xreplace({variable: symbol}), symbol)
+    constants = Constants([symbol])
+    hidden = constants.hidden(sp.expand(function.xreplace({variable: symbol})))
+    antiderivative = constants.shown(_antiderivative(hidden, symbol))
     return antiderivative.xreplace({symbol: high}) - antiderivative.xreplace({symbol: low})
 
 

@@ -10,6 +10,7 @@ import math
 import os
 import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
@@ -24,9 +25,8 @@ from radartrack._system.directory_swap import replace_directory, replace_file
 from radartrack._system.worker_processes import Workers, ended_on_failure
 from radartrack._system.written_files import Owners
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.evaluation.real_outputs import require_real
-from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.derive.writing.conversion_functions import (
     ARRAYS,
@@ -133,34 +133,8 @@ def may_be_written(directory: Path) -> bool:
     return found.recorded or not found.others or _is_of_checkout(directory)
 
 
-class NoModel(ValueError):
-    """A file does not define a model."""
-
-
 class NotDerived(ValueError):
     """A quantity has no code: what it holds cannot be rewritten, proved, written or measured."""
-
-
-def load_model(path: Path) -> Model:
-    """The `MODEL` of a user's own Python file, which is run.
-
-    Raises:
-        NoModel: when the file is missing, fails to run, or defines no model.
-    """
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    if spec is None or not path.is_file():
-        raise NoModel(f"--model must be a Python file; {path} is none")
-    try:
-        model = getattr(_executed(spec), "MODEL", None)
-    except (Exception, SystemExit) as error:
-        raise NoModel(f"{path} does not run: {type(error).__name__}: {_on_one_line(error)}") from error
-    if not isinstance(model, Model):
-        raise NoModel(f"{path} must define MODEL = radartrack.derive.Model(...); MODEL is {_on_one_line(repr(model))}")
-    try:
-        require_real(model.outputs.items(), model.arguments, model.measured)
-    except ValueError as error:
-        raise NoModel(f"{path}: {error}") from error
-    return model
 
 
 def _on_one_line(said: object) -> str:
@@ -209,10 +183,18 @@ def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
         NotDerived: saying of which quantity, and why.
         NotProved: a rewritten form is not proved equal to its definition.
     """
-    try:
+    with _refusing(task if isinstance(task, str) else ".".join(task)):
         return _done(task, quantities)
-    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError) as error:
-        name = task if isinstance(task, str) else ".".join(task)
+
+
+@contextmanager
+def _refusing(name: str) -> Iterator[None]:
+    """What goes wrong with a formula of a user's own, said of the quantity."""
+    try:
+        yield
+    except NotProved:
+        raise
+    except (ArithmeticError, AssertionError, LookupError, RecursionError, TypeError, ValueError) as error:
         raise NotDerived(f"{name} cannot be derived: {_on_one_line(error)}") from error
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -12,10 +12,12 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.model_file import ModelFile, declared
 from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile
+    from radartrack.derive.checking.papers.deadline import Files
 
 PROCESSES = 2
 
@@ -29,6 +31,7 @@ def audit(
     timeout: Annotated[
         float, typer.Option(help="Seconds after which a claim is given up.", min=0.1, callback=seconds)
     ] = 20.0,
+    model: ModelFile = None,
 ) -> None:
     """Check every formula and number of a paper; a verdict that is not `equal` is no failure of the command.
 
@@ -37,13 +40,15 @@ def audit(
     from radartrack._reports import audit_page, audit_table
     from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims, shipped
 
-    output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, kept=files or ())
+    kept = [*(files or ()), *([model] if model else ())]
+    output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, kept=kept)
+    beside = declared(model)
     try:
         papers = [read_claims(path, keep_unreadable=True) for path in files or shipped()]
     except ClaimsError as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None
-    audits, problems = decided(papers, timeout, typeset=html_out is not None)
+    audits, problems = decided(papers, timeout, beside, typeset=html_out is not None)
     try:
         if json_out is not None:
             output_files.write(json_out, output_files.json_text({"papers": audits}))
@@ -59,24 +64,36 @@ def audit(
         raise typer.Exit(2)
 
 
-def decided(papers: list[ClaimsFile], timeout: float, *, typeset: bool) -> tuple[list[dict[str, Any]], list[str]]:
-    """The verdicts on each paper, and what is wrong with claims that cannot be read."""
+def decided(
+    papers: list[ClaimsFile], timeout: float, beside: Files = (), *, typeset: bool
+) -> tuple[list[dict[str, Any]], list[str]]:
+    """The verdicts on each paper, and what is wrong with claims that cannot be read.
+
+    Args:
+        papers: whose claims are decided.
+        timeout: seconds for each claim.
+        beside: what is declared for all papers, beside what each declares itself.
+        typeset: whether the verdicts hold formulas as MathML.
+    """
     claims = [claim for paper in papers for claim in paper.claims]
-    records, errors = _decided(claims, timeout, typeset=typeset)
+    worlds = [world for paper in papers for world in [(*paper.declared, *beside)] for _ in paper.claims]
+    records, errors = _decided(claims, worlds, timeout, typeset=typeset)
     rest = iter(records)
     audits = [{"paper": p.paper, "file": p.name, "claims": [next(rest) for _ in p.claims]} for p in papers]
     places = [f"{paper.name}: " for paper in papers for _ in paper.claims]
     return audits, [place + error for place, error in zip(places, errors, strict=True) if error]
 
 
-def _decided(claims: list[Claim], timeout: float, *, typeset: bool) -> tuple[list[dict[str, Any]], list[str]]:
+def _decided(
+    claims: list[Claim], worlds: Sequence[Files], timeout: float, *, typeset: bool
+) -> tuple[list[dict[str, Any]], list[str]]:
     """A record for each claim, and what is wrong with it where it cannot be read."""
     from radartrack.derive.checking.papers.claims_file import UnreadableClaim
     from radartrack.derive.checking.papers.deadline import decide_all, undecided
 
     processes = max(1, min(PROCESSES, os.cpu_count() or 1))
     with _progress(len(claims)) as step:
-        answers = decide_all(claims, timeout, processes, step, typeset=typeset)
+        answers = decide_all(claims, timeout, processes, step, worlds=worlds, typeset=typeset)
     errors = [str(answer) if isinstance(answer, UnreadableClaim) else "" for answer in answers]
     records = [
         undecided(claim, str(answer)) if isinstance(answer, UnreadableClaim) else answer

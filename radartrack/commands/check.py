@@ -8,6 +8,7 @@ import typer
 from rich.text import Text
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.model_file import ModelFile, declared
 from radartrack.commands.seconds import seconds
 
 EXIT = {"equal": 0, "equal_numerically": 0, "differs": 1, "wrong_dimensions": 1, "undecided": 3}
@@ -25,6 +26,7 @@ def check(
     timeout: Annotated[
         float, typer.Option(help="Seconds after which the check is given up.", min=0.1, callback=seconds)
     ] = 20.0,
+    model: ModelFile = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the verdict as JSON.")] = False,
 ) -> None:
     """Say whether a printed formula is right, where it is wrong, and what was probably meant.
@@ -42,9 +44,10 @@ def check(
         given=_pairs(given or [], "--given"),
         let=_pairs(let or [], "--let"),
     )
+    files = declared(model)
     try:
         with Decider(timeout) as decider:
-            record = decider.decide(claim)
+            record = decider.decide(claim, files)
     except UnreadableClaim as error:
         terminal.complain(str(error).removeprefix("claim 'formula': "))
         raise typer.Exit(2) from None

@@ -10,16 +10,16 @@ from rich.markup import escape
 from rich.table import Table
 
 from radartrack._system import terminal
+from radartrack.commands.model_file import ModelFile, all_quantities
 
 
 def list_quantities(
     pattern: Annotated[str, typer.Argument(help="Part of a name, or a pattern such as 'polar.*.linear'.")] = "*",
+    model: ModelFile = None,
 ) -> None:
     """List the quantities whose name holds PATTERN."""
-    from radartrack.derive.catalogue import catalogue
-
     wanted = pattern if any(sign in pattern for sign in "*?[") else f"*{pattern}*"
-    found = [quantity for quantity in catalogue().values() if fnmatchcase(quantity.name, wanted)]
+    found = [quantity for quantity in all_quantities(model).values() if fnmatchcase(quantity.name, wanted)]
     if not found:
         terminal.complain(f"No quantity's name holds {pattern!r}.")
         raise typer.Exit(1)

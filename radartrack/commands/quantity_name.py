@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 import typer
 
-from radartrack.derive.catalogue import UnknownQuantity, find
+from radartrack.derive.catalogue import UnknownQuantity
+from radartrack.derive.checking.question.world import CATALOGUE
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 
 PATTERN = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?")
 
 
-def read(text: str) -> tuple[Quantity, Index | None]:
+def read(text: str, own: Iterable[Quantity] = ()) -> tuple[Quantity, Index | None]:
     """The quantity, and the entry that is meant; None for the whole.
+
+    Args:
+        text: as it was typed.
+        own: quantities beside those of the catalogue.
 
     Raises:
         typer.BadParameter: when there is no such quantity or no such entry.
@@ -23,7 +29,7 @@ def read(text: str) -> tuple[Quantity, Index | None]:
     if match is None:
         raise typer.BadParameter(f"{text!r} is no name of a quantity; write polar.map or polar.map[0]")
     try:
-        quantity = find(match["name"])
+        quantity = CATALOGUE.having(own).find(match["name"])
     except UnknownQuantity as error:
         raise typer.BadParameter(str(error)) from None
     if match["index"] is None:

@@ -12,6 +12,7 @@ import typer
 from rich.progress import MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.model_file import ModelFile, own_quantities
 
 if TYPE_CHECKING:
     from radartrack.derive.language.quantity import Quantity
@@ -20,9 +21,12 @@ if TYPE_CHECKING:
 def regenerate(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; print how the disk differs.")] = False,
     out: Annotated[Path | None, typer.Option(help="Write here instead of the checkout's generated/.")] = None,
-    model: Annotated[Path | None, typer.Option(help="Python file of your own that defines MODEL; wants --out.")] = None,
+    model: ModelFile = None,
 ) -> None:
-    """Derive everything and write generated/ and the formula book; with --check, exit 1 where they differ from that."""
+    """Derive everything and write generated/ and the formula book; with --check, exit 1 where they differ from that.
+
+    With --model, what is derived is your models alone, and it wants --out.
+    """
     from radartrack._regeneration import regeneration
     from radartrack.derive.language.stable_form import NotProved
 
@@ -104,16 +108,9 @@ def _tell_kept(names: Iterable[str]) -> None:
 
 
 def _quantities(model: Path | None) -> Mapping[str, Quantity]:
-    from radartrack._regeneration import regeneration
     from radartrack.derive.catalogue import catalogue
-    from radartrack.derive.moments.conversion_quantities import quantities_of
 
-    if model is None:
-        return catalogue()
-    try:
-        return {quantity.name: quantity for quantity in quantities_of(regeneration.load_model(model))}
-    except regeneration.NoModel as error:
-        return _refuse(str(error))
+    return catalogue() if model is None else own_quantities(model)
 
 
 def _refuse(reason: str) -> NoReturn:

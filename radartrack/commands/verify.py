@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from difflib import get_close_matches
 from enum import StrEnum
 from importlib.util import find_spec
 from pathlib import Path
@@ -20,10 +21,13 @@ from rich.progress import (
 )
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.model_file import ModelFile, NoModel, load_models
 
 if TYPE_CHECKING:
+    from radartrack.derive.language.quantity import Quantity
     from radartrack.verification.campaign import Campaign
     from radartrack.verification.engines import Engine
+    from radartrack.verification.own_models import OwnModels
 
 CHECKPOINT = "radartrack-verify.jsonl"
 PLAIN_WIDTH = 140  # in a file or a pipe
@@ -54,24 +58,31 @@ def verify(  # noqa: PLR0913, PLR0917 - one an option
         Path | None,
         typer.Option(help="Kept while a run is not complete; the same run goes on from it.", show_default=CHECKPOINT),
     ] = None,
+    model: ModelFile = None,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the record here.")] = None,
 ) -> None:
     """Measure every layer of verification and show the worst function first.
+
+    With --model, what is verified is the quantities of your models, whose code is derived first.
 
     Exit 1 when a layer fails, 2 for names that fit nothing or what cannot be written, 130 when interrupted.
     """
     from dataclasses import replace
 
+    from radartrack.derive.catalogue import catalogue
     from radartrack.verification.campaign import FULL, QUICK, Campaign, report
     from radartrack.verification.engines import Unreachable
 
-    chosen = _chosen(names or [])
+    where = _engine(engine, scheduler, workers)
+    declared = _declared(model)
+    chosen = _chosen(names or [], declared.quantities or catalogue())
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
-    where = _engine(engine, scheduler, workers)
-    work = _with_checkpoint(Campaign(chosen, effort, checkpoint or Path(CHECKPOINT)), asked_for=checkpoint is not None)
+    work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared)
+    work = _with_checkpoint(work, asked_for=checkpoint is not None)
     output_files.refuse_unwritable({"--json": json_out}, kept=[work.kept.path] if work.kept.path else ())
     try:
+        work.own = _written(declared, chosen, where)
         with _progress() as step:
             records = work.run(where, step)
     except KeyboardInterrupt:
@@ -97,6 +108,8 @@ def _with_checkpoint(work: Campaign, *, asked_for: bool) -> Campaign:
     Raises:
         typer.Exit: when the place that was asked for is not for a checkpoint.
     """
+    from dataclasses import replace
+
     from radartrack.verification.checkpoint import NotACheckpoint
 
     try:
@@ -109,22 +122,56 @@ def _with_checkpoint(work: Campaign, *, asked_for: bool) -> Campaign:
         terminal.complain(f"--checkpoint must be a file for this run alone; {problem}")
         raise typer.Exit(2)
     terminal.complain(f"No checkpoint is kept; {problem}")
-    return type(work)(work.names, work.effort)
+    return replace(work, checkpoint=None)
 
 
-def _chosen(patterns: Sequence[str]) -> list[str]:
+def _declared(path: Path | None) -> OwnModels:
+    """The models of a file, without code.
+
+    Raises:
+        typer.Exit: when there is none in it.
+    """
+    from radartrack.derive.reading.symbol_table import TableError
+    from radartrack.verification.own_models import NONE, OwnModels, tables_of
+
+    if path is None:
+        return NONE
+    try:
+        declared = OwnModels(tables_of(load_models(path)))
+        _ = declared.quantities
+    except (NoModel, TableError) as error:
+        terminal.complain(str(error))
+        raise typer.Exit(2) from None
+    return declared
+
+
+def _written(declared: OwnModels, names: Sequence[str], engine: Engine) -> OwnModels:
+    """The same with the code of these quantities.
+
+    Raises:
+        typer.Exit: when one cannot be derived.
+    """
+    from radartrack.verification.own_models import NotWritten, written
+
+    wanted = [name for name in names if name in declared.quantities]
+    try:
+        with _progress() as step:
+            return written(declared, wanted, engine, step) if wanted else declared
+    except NotWritten as error:
+        terminal.complain(str(error))
+        raise typer.Exit(2) from None
+
+
+def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity]) -> list[str]:
     """Names that are one of the patterns, or hold one."""
-    from radartrack.derive.catalogue import catalogue, find
-
-    known = list(catalogue())
+    known = list(quantities)
     found: dict[str, None] = {}
     for pattern in patterns:
         fitting = [pattern] if pattern in known else [name for name in known if pattern in name]
         if not fitting:
-            try:
-                find(pattern)
-            except KeyError as error:
-                raise typer.BadParameter(str(error)) from None
+            close = get_close_matches(pattern, known, n=3, cutoff=0.5)
+            hint = f"did you mean {' or '.join(close)}?" if close else "`radartrack list` shows all names"
+            raise typer.BadParameter(f"no quantity is called {pattern!r}; {hint}")
         found |= dict.fromkeys(fitting)
     return list(found) if patterns else known
 

@@ -14,7 +14,6 @@ from operator import add
 from pathlib import Path
 from typing import Any
 
-from radartrack.derive.catalogue import find
 from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.checkpoint import Checkpoint, digest_of
 from radartrack.verification.engines import Engine
@@ -24,10 +23,11 @@ from radartrack.verification.layers.identity import Identity
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
 from radartrack.verification.layers.ulp_search import Accuracy
-from radartrack.verification.outcome import BROKEN, FUNCTION, Layer, Outcome, examined
+from radartrack.verification.outcome import BROKEN, FUNCTION, Function, Layer, Outcome, examined
+from radartrack.verification.own_models import NONE, OwnModels
 from radartrack.verification.paths import along, paths_of
 from radartrack.verification.simulation.draws import CHUNK, Draws, Sums, tasks_for
-from radartrack.verification.simulation.experiments import Departures, Trial, departures, simulated, trials
+from radartrack.verification.simulation.experiments import Departures, Trial, budget, departures, simulated, trials
 from radartrack.verification.simulation.statistics import FALSE_ALARM
 from radartrack.verification.subject import NotGenerated, generated
 
@@ -80,6 +80,7 @@ class Examination:
     name: str
     layer: Layer
     path: str = FUNCTION
+    own: OwnModels = NONE
 
     @property
     def key(self) -> str:
@@ -89,7 +90,10 @@ class Examination:
     def __call__(self) -> dict[str, Any]:
         """The outcome as JSON has it."""
         try:
-            return asdict(examined(self.layer, *along(self.path, find(self.name))))
+            quantity = self.own.find(self.name)
+            function = self.own.function(quantity)
+            subject = (quantity, function) if function else along(self.path, quantity)
+            return asdict(examined(self.layer, *subject))
         except NotGenerated as error:
             return asdict(Outcome.failed(self.layer.name, str(error)))
 
@@ -102,11 +106,13 @@ class Campaign:
         names: of the quantities.
         effort: spent on each.
         checkpoint: a file to go on from, or the place for one; None for none.
+        own: models of one's own that the names may be of; their code is added before anything runs.
     """
 
     names: Sequence[str]
     effort: Effort
     checkpoint: Path | None = None
+    own: OwnModels = NONE
     _trials: dict[str, list[Trial]] = field(default_factory=dict)
     _reasons: dict[str, str] = field(default_factory=dict)
 
@@ -117,7 +123,9 @@ class Campaign:
         Raises:
             NotACheckpoint: when the file that is given holds something else.
         """
-        return Checkpoint(self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort))))
+        return Checkpoint(
+            self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *self.own.tables)))
+        )
 
     def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
         """Do what is not done yet; `step` is told what has ended and how many tasks there are."""
@@ -137,12 +145,18 @@ class Campaign:
             for layer in self.effort.layers:
                 yield from self._examinations(name, layer)
         for name in self.names:
-            for trial in self._simulations(find(name)):
+            for trial in self._simulations(self._find(name)):
                 yield from tasks_for(trial.experiment, self.effort.draws)
 
     def _examinations(self, name: str, layer: Layer) -> list[Examination]:
-        paths = paths_of(find(name))
-        return [Examination(name, layer, path) for path in paths if layer in self.effort.layers_along(path)]
+        paths = paths_of(self._find(name))
+        return [Examination(name, layer, path, self.own) for path in paths if layer in self.effort.layers_along(path)]
+
+    def _find(self, name: str) -> Quantity:
+        return self.own.find(name)
+
+    def _function(self, quantity: Quantity) -> Function:
+        return self.own.function(quantity) or generated(quantity)
 
     def _simulations(self, quantity: Quantity) -> list[Trial]:
         if quantity.name not in self._trials:
@@ -152,12 +166,12 @@ class Campaign:
     def _planned(self, quantity: Quantity) -> Iterator[Trial]:
         if simulated(quantity):
             try:
-                yield from trials(quantity, generated(quantity), self.effort.seed)
+                yield from trials(quantity, self._function(quantity), self.effort.seed)
             except BROKEN as error:  # a function that is missing among them
                 self._reasons[quantity.name] = f"{type(error).__name__}: {error}"
 
     def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
-        quantity = find(name)
+        quantity = self._find(name)
         outcomes = [self._along_all_paths(self._examinations(name, layer), done) for layer in self.effort.layers]
         outcomes.append(asdict(self._monte_carlo(quantity, done)))
         verdict = max(map(Outcome.read, outcomes), key=lambda outcome: outcome.severity).verdict
@@ -177,7 +191,8 @@ class Campaign:
         planned = self._simulations(quantity)
         if not planned:
             return Outcome.failed(monte_carlo.NAME, self._reasons[quantity.name])
-        return monte_carlo.decided((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
+        results = ((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
+        return monte_carlo.decided(results, budget(quantity))
 
     def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
         total: Sums | None = None
@@ -203,10 +218,10 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
 
 def _departures(quantity: Quantity, trial: Trial) -> dict[str, Departures]:
     """How far the conversions depart from the function that was simulated; one that breaks down is nowhere."""
-    function, found = generated(quantity), {}
-    for path in paths_of(quantity)[1:]:
+    others, found = paths_of(quantity)[1:], {}
+    for path in others:
         try:
-            found[path] = departures(quantity, trial, function, along(path, quantity)[1])
+            found[path] = departures(quantity, trial, generated(quantity), along(path, quantity)[1])
         except BROKEN:
             found[path] = (math.nan,)
     return found

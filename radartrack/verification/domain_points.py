@@ -7,9 +7,11 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from radartrack.derive.language.model import predicted
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.units import ONE, RADIAN
+from radartrack.verification.phase import calmed
 
 Points = dict[str, npt.NDArray[np.float64]]
 SMALLEST_SHARE = 1e-24  # of the largest value, for what may be zero
@@ -74,9 +76,16 @@ def coarse(quantity: Quantity, count: int, seed: int = 0) -> Points:
     points: Points = {}
     for symbol in quantity.symbols:
         highest = points.get(symbol.at_most.name) if symbol.at_most is not None else None
-        drawn = _coarse(symbol, generator.random(count), generator.random(count), highest)
+        size = generator.random(count), generator.random(count)
+        drawn = _coarse(symbol, *size, highest, is_deviation=is_deviation(quantity, symbol))
         points[symbol.name] = np.floor(drawn) if symbol.whole else drawn
-    return points
+    return calmed(quantity.model, points) if quantity.model is not None else points
+
+
+def is_deviation(quantity: Quantity, symbol: Variable) -> bool:
+    """Whether a symbol is the standard deviation of an error, whatever a model of one's own calls it."""
+    own = quantity.model.deviations if quantity.model is not None else ()
+    return "sigma_" in symbol.name or symbol in {*own, *map(predicted, own)}
 
 
 def _coarse(
@@ -84,13 +93,14 @@ def _coarse(
     uniform: npt.NDArray[np.float64],
     other: npt.NDArray[np.float64],
     highest: npt.NDArray[np.float64] | None,
+    *,
+    is_deviation: bool,
 ) -> npt.NDArray[np.float64]:
     sign = np.where(other < 0.5, -1.0, 1.0)
     if highest is not None:
         return np.minimum(symbol.low + (highest - symbol.low + symbol.whole) * uniform, highest)
     if symbol.is_correlation:
         return sign * (0.1 + 0.8 * uniform)
-    is_deviation = "sigma_" in symbol.name
     if symbol.unit == RADIAN:
         return 0.1 + 0.5 * uniform if is_deviation else symbol.low + (symbol.high - symbol.low) * uniform
     if is_deviation and symbol.unit == ONE:
@@ -103,4 +113,6 @@ def _coarse(
         return symbol.low * np.power(min(1e3, symbol.high / symbol.low), 2 / 3 + uniform / 3)
     if symbol.low == 0:
         return min(10.0, symbol.high) * uniform
-    return sign * symbol.high * (0.1 + 0.4 * uniform)
+    if symbol.high <= 0:
+        return symbol.low + (symbol.high - symbol.low) * uniform
+    return np.asarray(np.where(sign < 0, symbol.low, symbol.high) * (0.1 + 0.4 * uniform))

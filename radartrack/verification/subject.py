@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
-from radartrack.derive.sensors import models
+from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.verification.domain_points import Points
 from radartrack.verification.outcome import Function
 
@@ -36,7 +36,13 @@ def generated(quantity: Quantity) -> Function:
 
 def model_of(quantity: Quantity) -> Model | None:
     """The measurement model that a quantity belongs to, if any."""
-    return models().get(quantity.module)
+    return quantity.model
+
+
+@cache
+def quantity_of(model: Model, row: str) -> Quantity:
+    """A quantity of a model by its name without the first part."""
+    return next(quantity for quantity in quantities_of(model) if row_of(quantity) == row)
 
 
 def row_of(quantity: Quantity) -> str:

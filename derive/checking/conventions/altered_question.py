@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.catalogue import family
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.formula_units import Dimension
@@ -48,9 +48,9 @@ class Asked:
     @cached_property
     def family(self) -> list[Variable]:
         """The symbols of all quantities of the model, so that one point serves them all."""
-        modules = {part.quantity.module for part in self.reference.parts.values()}
-        family = (symbol for one in catalogue().values() if one.module in modules for symbol in one.symbols)
-        known = {symbol.name: symbol for symbol in (*family, *self.reference.symbols)}
+        parts = self.reference.parts
+        symbols = (symbol for part in parts for one in family(part.quantity) for symbol in one.symbols)
+        known = {symbol.name: symbol for symbol in (*symbols, *self.reference.symbols)}
         return list(known.values())
 
     @cached_property

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from difflib import SequenceMatcher
 from functools import lru_cache
 
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.catalogue import family
 from radartrack.derive.checking.conventions.altered_question import (
     Asked,
     Point,
@@ -79,12 +79,8 @@ def _values(quantity: Quantity, point: Point) -> dict[Index, Number] | None:
 
 def _candidates(quantity: Quantity) -> list[Quantity]:
     """Quantities of the same model and rank, the most similar names first; the quantity itself leads."""
-    family = [
-        other
-        for other in catalogue().values()
-        if other.module == quantity.module and len(other.shape) == len(quantity.shape)
-    ]
-    return sorted(family, key=lambda other: -SequenceMatcher(None, other.name, quantity.name).ratio())
+    alike = [other for other in dict.fromkeys([quantity, *family(quantity)]) if len(other.shape) == len(quantity.shape)]
+    return sorted(alike, key=lambda other: -SequenceMatcher(None, other.name, quantity.name).ratio())
 
 
 def _slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:

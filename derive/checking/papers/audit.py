@@ -6,25 +6,26 @@ from collections.abc import Iterator
 from typing import Any
 
 from radartrack.derive.catalogue import UnknownQuantity
-from radartrack.derive.checking.check import ask
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim, problems
+from radartrack.derive.checking.papers.formula_claims import formula_verdicts
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 
 
-def decide(claim: Claim) -> Verdict:
-    """The verdict on one claim.
+def decide(claim: Claim, world: World = CATALOGUE) -> Verdict:
+    """The verdict on one claim, in the world of its paper.
 
     Raises:
         UnreadableClaim: naming the claim.
     """
-    *_, verdict = decisions(claim)
+    *_, verdict = decisions(claim, world)
     return verdict
 
 
-def decisions(claim: Claim) -> Iterator[Verdict]:
+def decisions(claim: Claim, world: World = CATALOGUE) -> Iterator[Verdict]:
     """The verdict on one claim, then the same with more and more said beside it.
 
     Raises:
@@ -38,11 +39,10 @@ def decisions(claim: Claim) -> Iterator[Verdict]:
         yield Verdict(Outcome.UNDECIDED, claim.quantity, claim.printed, "", claim.undecided)
         return
     try:
-        if not claim.is_formula:
-            yield check_number(claim)
-            return
-        formula, latex = claim.formula or claim.latex, bool(claim.latex)
-        yield from ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let).answers()
+        if claim.is_formula:
+            yield from formula_verdicts(claim, world)
+        else:
+            yield check_number(claim, world)
     except (FormulaError, UnknownQuantity, UnknownEntry) as error:
         raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
 

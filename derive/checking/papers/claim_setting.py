@@ -13,29 +13,17 @@ from radartrack.derive.checking.papers.claims_file import Along, Claim
 from radartrack.derive.checking.papers.rounding_to_print import in_unit
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.possible_values import check_domain
 from radartrack.derive.checking.question.single_number import scalar_expression
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.evaluation.exact_numbers import Exact, Function, NoRealValue, compared, order
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
+from radartrack.derive.reading.unit_text import Scale, read_unit
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND, Unit
-
-UNITS: Mapping[str, tuple[Unit, Expr]] = {
-    "1": (ONE, sp.Integer(1)),
-    "%": (ONE, sp.Rational(1, 100)),
-    "m": (METRE, sp.Integer(1)),
-    "km": (METRE, sp.Integer(1000)),
-    "m^2": (METRE**2, sp.Integer(1)),
-    "s": (SECOND, sp.Integer(1)),
-    "m/s": (METRE_PER_SECOND, sp.Integer(1)),
-    "m/s^2": (METRE_PER_SECOND / SECOND, sp.Integer(1)),
-    "rad": (RADIAN, sp.Integer(1)),
-    "deg": (RADIAN, sp.pi / 180),
-    "mrad": (RADIAN, sp.Rational(1, 1000)),
-}
 
 Values: TypeAlias = Mapping[Variable, Expr]
 
@@ -66,19 +54,20 @@ class Setting:
             symbol to what it cannot be.
     """
 
-    def __init__(self, claim: Claim) -> None:
+    def __init__(self, claim: Claim, world: World = CATALOGUE) -> None:
         self._claim = claim
-        self._reference: Reference = refer(claim.quantity)
+        self._names = Names({}, world.let, world)
+        self._reference: Reference = refer(claim.quantity, world, world.let)
         if self._reference.shape:
             raise FormulaError(f"{claim.quantity} has the shape {list(self._reference.shape)}: name one entry")
         self._symbols = {symbol.name: symbol for symbol in self._reference.symbols}
         self._expression = self._reference.entries.entries[0]
         self._check_names()
-        self._fixed: Values = {self._symbols[name]: _number(text, f"at.{name}") for name, text in claim.at.items()}
+        self._fixed: Values = {self._symbols[name]: self._closed(text, f"at.{name}") for name, text in claim.at.items()}
         check_domain(self._fixed, "at")
         self._dimension: Dimension = self._reference.dimensions.entries[0]
         self._function = Function(self._expression, tuple(self._symbols.values()))
-        self.unit = UNITS[claim.unit or "1"][1]
+        self.unit = _scale(claim.unit or "1").factor
         self._candidates: list[Place] | None = None  # for the maximum
 
     def _check_names(self) -> None:
@@ -100,7 +89,7 @@ class Setting:
         unit = self._claim.unit
         if not unit or self._dimension.free:
             return
-        given = Dimension.of(UNITS[unit][0])
+        given = Dimension.of(_scale(unit).unit)
         fits = self._dimension.agrees(given)
         if fits and given.is_number and unit != "1" and self._dimension.radian is not None:
             fits = (given.radian == 1) == (self._dimension.radian == 1)  # one in rad may stand without a unit
@@ -129,7 +118,7 @@ class Setting:
         symbol = self._symbols[name]
         found = []
         for text in texts:
-            value = _number(text, name)
+            value = self._closed(text, name)
             check_domain({**self._fixed, symbol: value}, f"the values of {name}")
             found.append(Place({symbol: value}, f"{name} = {text}", value))
         found.sort(key=cmp_to_key(lambda one, other: order(one.position, other.position)))
@@ -163,9 +152,16 @@ class Setting:
     def attained(self, over: Along, text: str) -> Expr:
         """Where the maximum is said to be."""
         symbol = self._symbols[over[0]]
-        value = _number(text, "attained_at")
+        value = self._closed(text, "attained_at")
         check_domain({**self._fixed, symbol: value}, "attained_at")
         return value
+
+    def _closed(self, text: str, where: str) -> Expr:
+        """A formula without symbols, which may use the definitions of the paper."""
+        try:
+            return self._names.read(self._names.tree(text))
+        except FormulaError as error:
+            raise FormulaError(f"{where}: {error.message}", error.source or text, error.span) from None
 
     def level(self, text: str) -> Callable[[Place], Exact]:
         """A number in the claim's unit, or a formula in the quantity's symbols, in SI at each point.
@@ -213,9 +209,8 @@ class Setting:
         return number
 
 
-def _number(text: str, where: str) -> Expr:
-    """A formula without symbols."""
+def _scale(unit: str) -> Scale:
     try:
-        return scalar_expression(read_text(text, set()), {})
-    except FormulaError as error:
-        raise FormulaError(f"{where}: {error.message}", error.source or text, error.span) from None
+        return read_unit(unit)
+    except ValueError as error:
+        raise FormulaError(f"unit: {error}") from None

@@ -18,12 +18,18 @@ from radartrack.derive.checking.papers.printed_number import PrintedNumber
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
 MAX_WHOLE = 10_000  # values of a range
+MOST_STEPS = 40  # of a chain
 MAX_BITS = 133  # of a whole number: 40 digits, as in a formula
 ID = re.compile(r"[A-Za-z0-9_]+(?:[.-][A-Za-z0-9_]+)*")
 NUMBER = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,2})?")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 OF_NUMBERS = {"e", "pi", "sqrt"}  # words that a number may be written with
-UNITS = ("1", "%", "m", "km", "m^2", "s", "m/s", "m/s^2", "rad", "deg", "mrad")
+UNITS = ("1", "%", "dB", "m", "km", "s", "ms", "Hz", "kHz", "rad", "mrad", "deg")
+OF_UNIT = re.compile(r"[^\W\d_]+")
+HIGHEST_ORDER = 12  # in the deviations
+BOUND = re.compile(rf"(?P<number>{NUMBER.pattern})\s*(?P<unit>.*)")
+DECLARED = ("paper", "doi", "symbols", "let", "given", "model", "define")  # what a file says for all its claims
+WORLD = ("symbols", "let", "given", "model", "define")  # of these, what formulas can use
 TRENDS = ("increasing", "decreasing", "convex", "concave")
 
 Along: TypeAlias = "tuple[str, tuple[str, ...]]"
@@ -46,6 +52,13 @@ class Claim:
         quantity: what the formula or number claims to be: a quantity, an entry, or an expression over several.
         formula: as typed.
         latex: the formula in LaTeX instead.
+        left: one side of an identity of the paper's own, without a quantity.
+        right: the other side.
+        chain: formulas of which each is said to equal the one before it.
+        to_order: the order in the standard deviations up to which a formula is said to be right.
+        limit: where symbols go, for a formula that is right in the limit.
+        within: from where to where symbols lie.
+        error_at_most: how much the formula differs at most there, as a number with a unit.
         value: a printed number instead, with its digits; or the number at a maximum.
         unit: of the number; without one it is in SI units.
         significant: how many of its digits count, where the last ones are zeros that round.
@@ -70,6 +83,13 @@ class Claim:
     quantity: str = ""
     formula: str = ""
     latex: str = ""
+    left: str = ""
+    right: str = ""
+    chain: tuple[str, ...] = ()
+    to_order: int | None = None
+    limit: Mapping[str, str] = field(default_factory=dict)
+    within: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    error_at_most: str = ""
     value: str = ""
     unit: str = ""
     significant: int | None = None
@@ -91,8 +111,13 @@ class Claim:
 
     @property
     def is_formula(self) -> bool:
-        """Whether a formula is compared, not a number."""
-        return bool(self.formula or self.latex)
+        """Whether formulas are compared, not numbers."""
+        return bool(self.formula or self.latex or self.is_identity)
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether formulas are compared with each other, not with a quantity."""
+        return bool(self.left or self.right or self.chain)
 
     @property
     def printed(self) -> str:
@@ -100,7 +125,7 @@ class Claim:
         bounds = (("at_most", "at most"), ("at_least", "at least"), ("crosses", "crosses"))
         said = [f"{words} {self._in_unit(getattr(self, name))}" for name, words in bounds if getattr(self, name)]
         parts = [
-            self.formula or self.latex,
+            self.formula or self.latex or self.right or " = ".join(self.chain),
             self._in_unit(self.value) if self.value else "",
             f"at {self.maximum_over[0]} = {self.attained_at}" if self.attained_at and self.maximum_over else "",
             self.trend,
@@ -121,11 +146,19 @@ class Claim:
 
 @dataclass(frozen=True)
 class ClaimsFile:
-    """A paper and its claims."""
+    """A paper and its claims.
+
+    Attributes:
+        name: of the file.
+        paper: author, title, year.
+        claims: in their order.
+        declared: what the file says beside claims, models and their symbols, as data; it is read with the first claim.
+    """
 
     name: str
     paper: str
     claims: tuple[Claim, ...]
+    declared: tuple[Mapping[str, Any], ...] = ()
 
 
 def read_claims(path: Path, *, keep_unreadable: bool = False) -> ClaimsFile:
@@ -139,16 +172,38 @@ def read_claims(path: Path, *, keep_unreadable: bool = False) -> ClaimsFile:
     Raises:
         ClaimsError: when it cannot be read, naming file, claim and field.
     """
-    try:
-        data = tomllib.loads(_content(path).decode("utf-8-sig"))
-    except OSError as error:
-        raise ClaimsError(f"{path}: {error.strerror or error}") from None
-    except (ValueError, RecursionError) as error:  # a whole number of 5000 digits is a ValueError
-        raise ClaimsError(f"{path}: not TOML: {error}") from None
+    data = read_toml(path)
     try:
         return _file(data, str(path), keep_unreadable=keep_unreadable)
     except ClaimsError as error:
         raise ClaimsError(f"{path}: {error}") from None
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The data of a file, which nothing is known of yet.
+
+    Raises:
+        ClaimsError: when it cannot be read.
+    """
+    try:
+        return tomllib.loads(_content(path).decode("utf-8-sig"))
+    except OSError as error:
+        raise ClaimsError(f"{path}: {error.strerror or error}") from None
+    except (ValueError, RecursionError) as error:  # a whole number of 5000 digits is a ValueError
+        raise ClaimsError(f"{path}: not TOML: {error}") from None
+
+
+def declarations(data: Mapping[str, Any]) -> dict[str, Any]:
+    """What a file says beside its claims.
+
+    Raises:
+        ClaimsError: naming a number with too many digits.
+    """
+    declared = {name: data[name] for name in DECLARED if name in data}
+    for name, value in declared.items():
+        if _is_huge(value):
+            raise ClaimsError(f"{name}: a whole number has at most 40 digits")
+    return declared
 
 
 def _content(path: Path) -> bytes:
@@ -166,8 +221,9 @@ def shipped() -> list[Path]:
 
 
 def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> ClaimsFile:
-    if unknown := sorted(data.keys() - {"paper", "claim"}):
-        raise ClaimsError(f"{unknown[0][:80]} is no field of a claims file; allowed: paper, claim")
+    allowed = (*DECLARED, "claim")
+    if unknown := sorted(data.keys() - set(allowed)):
+        raise ClaimsError(f"{unknown[0][:80]} is no field of a claims file; allowed: {', '.join(allowed)}")
     if not isinstance(data.get("paper"), str) or not data["paper"].strip():
         raise ClaimsError("paper must be text: author, title, year")
     tables = data.get("claim")
@@ -179,7 +235,8 @@ def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> Claim
     for number, table in enumerate(tables, start=1):
         claim = _claim(table, number, claims, keep_unreadable=keep_unreadable)
         claims[claim.id] = claim
-    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()))
+    declared = (declarations(data),) if data.keys() & set(WORLD) else ()
+    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()), declared)
 
 
 def _claim(table: Mapping[str, Any], number: int, before: Mapping[str, Claim], *, keep_unreadable: bool) -> Claim:
@@ -229,16 +286,21 @@ def _is_huge(value: object) -> bool:
 def problems(claim: Claim) -> Iterator[str]:
     """What does not fit together in a claim."""
     if claim.undecided:
-        if claim.is_formula or claim.value:
-            yield "undecided excludes formula, latex and value"
+        if claim.value:
+            yield "undecided excludes value"
         return
-    if not claim.quantity:
+    if claim.is_identity and claim.quantity:
+        yield "left, right and chain need no quantity: they are compared with each other"
+    if bool(claim.left) != bool(claim.right):
+        yield "left and right belong together"
+    if not claim.quantity and not claim.is_identity:
         yield "quantity is missing: a catalogue name, one entry of it, or an expression over several"
     kinds = _kinds(claim)
     if len(kinds) != 1:
         given = " and ".join(kinds) or "none, or an empty one"
         yield f"exactly one of {', '.join(_KINDS)} is needed, given {given}"
     yield from _misplaced(claim)
+    yield from _misplaced_senses(claim)
     yield from _contradictory(claim)
 
 
@@ -262,6 +324,14 @@ def _misplaced(claim: Claim) -> Iterator[str]:
         yield "given and let belong to formulas; numbers have at"
 
 
+def _misplaced_senses(claim: Claim) -> Iterator[str]:
+    """In which sense a formula is meant, where there is none."""
+    if not claim.is_formula and (claim.to_order is not None or claim.limit or claim.within or claim.error_at_most):
+        yield "to_order, limit, within and error_at_most belong to formulas"
+    if claim.error_at_most and (claim.to_order is not None or claim.limit or claim.chain):
+        yield "error_at_most excludes to_order, limit and chain"
+
+
 def _contradictory(claim: Claim) -> Iterator[str]:
     """Fields that set one thing twice, or say how a number rounds against its digits."""
     symbols = [*claim.at, *(one[0] for one in (claim.along, claim.maximum_over) if one)]
@@ -271,7 +341,9 @@ def _contradictory(claim: Claim) -> Iterator[str]:
         yield f"significant = {claim.significant} leaves digits of {claim.value} that are not zero"
 
 
-_KINDS = ("formula", "latex", "value", "attained_at", "trend", "crosses", "at_most", "at_least", "undecided")
+_KINDS = (
+    "formula", "latex", "left", "chain", "value", "attained_at", "trend", "crosses", "at_most", "at_least", "undecided",
+)  # fmt: skip
 
 
 def _kinds(claim: Claim) -> list[str]:
@@ -305,6 +377,47 @@ def _one_of(allowed: tuple[str, ...]) -> Callable[[object, str], str]:
         return str(value)
 
     return read
+
+
+def _unit(value: object, where: str) -> str:
+    if not isinstance(value, str) or not value or set(OF_UNIT.findall(value)) - set(UNITS):
+        raise ClaimsError(
+            f"{where} must be one of {', '.join(UNITS)}, or a product of their powers such as m/s^2; "
+            f"given {_shown(value)}"
+        )
+    return value
+
+
+def _chain(value: object, where: str) -> tuple[str, ...]:
+    if not isinstance(value, list) or not 2 <= len(value) <= MOST_STEPS:
+        raise ClaimsError(f"{where} must be a list of 2 to {MOST_STEPS} formulas, given {_shown(value)}")
+    return tuple(_text(one, where) for one in value)
+
+
+def _order(value: object, where: str) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value <= HIGHEST_ORDER:
+        raise ClaimsError(f"{where} must be a whole number from 0 to {HIGHEST_ORDER}, given {_shown(value)}")
+    return value
+
+
+def _within(value: object, where: str) -> dict[str, tuple[str, str]]:
+    fits = (
+        isinstance(value, dict) and value and all(isinstance(ends, list) and len(ends) == 2 for ends in value.values())
+    )
+    if not fits or not isinstance(value, dict):
+        raise ClaimsError(
+            f'{where} must be from where to where, such as {{ r = ["1e3", "1e5"] }}; given {_shown(value)}'
+        )
+    return {name: (_formula(low, where), _formula(high, where)) for name, (low, high) in value.items()}
+
+
+def _bound(value: object, where: str) -> str:
+    found = BOUND.fullmatch(value.strip()) if isinstance(value, str) else None
+    if found is None:
+        raise ClaimsError(f'{where} must be a number and a unit, such as "1 %" or "5 m"; given {_shown(value)}')
+    if found["unit"]:
+        _unit(found["unit"], where)
+    return str(value).strip()
 
 
 def _positive(value: object, where: str) -> int:
@@ -357,8 +470,15 @@ _FIELDS: Mapping[str, Callable[[object, str], Any]] = {
     "quantity": _text,
     "formula": _text,
     "latex": _text,
+    "left": _text,
+    "right": _text,
+    "chain": _chain,
+    "to_order": _order,
+    "limit": _formulas,
+    "within": _within,
+    "error_at_most": _bound,
     "value": _number,
-    "unit": _one_of(UNITS),
+    "unit": _unit,
     "significant": _positive,
     "at": _formulas,
     "given": _formulas,

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import asdict, dataclass
@@ -28,8 +28,10 @@ EXPLANATION = 10.0  # seconds, of those that are left, for what is said beside a
 
 UNFINISHED = "what else is said beside a verdict was not found in time"
 DONE = {"done": True}  # what a child writes last
+CATALOGUE = 0  # the number of the world of claims that declare nothing
 
 Record = dict[str, Any]
+Files = Sequence[Mapping[str, Any]]  # what files declare beside claims: models, symbols and definitions, as data
 
 
 @dataclass(frozen=True)
@@ -66,14 +68,18 @@ class Decider:
     ) -> None:
         self._end()
 
-    def decide(self, claim: Claim) -> Record:
+    def decide(self, claim: Claim, files: Files = ()) -> Record:
         """The record of a claim, with what was found beside the verdict in time; undecided when there is no verdict.
+
+        Args:
+            claim: what is decided.
+            files: what it may use beside the catalogue. A child reads what is the same object only once.
 
         Raises:
             UnreadableClaim: when the claim cannot be read.
         """
         child = self._child = self._child or _Child()
-        answer = child.ask({"claim": asdict(claim), "typeset": self._typeset}, self._timeout)
+        answer = child.ask({"claim": asdict(claim), "typeset": self._typeset}, self._timeout, files)
         late = ""
         if not answer.complete:
             late = (
@@ -93,23 +99,33 @@ class Decider:
 
 
 def decide_all(
-    claims: Iterable[Claim],
+    claims: Sequence[Claim],
     timeout: float,
     processes: int,
     step: Callable[[], None],
     *,
+    worlds: Sequence[Files] | None = None,
     typeset: bool = False,
 ) -> list[Record | UnreadableClaim]:
-    """The records of many claims, in their order; `step` is called after each."""
+    """The records of many claims, in their order; `step` is called after each.
+
+    Args:
+        claims: what is decided.
+        timeout: seconds for each.
+        processes: how many decide.
+        step: called after each.
+        worlds: what the file of each claim declares, if any does.
+        typeset: whether records hold the formulas as MathML too.
+    """
     free: queue.SimpleQueue[Decider] = queue.SimpleQueue()
     deciders = [Decider(timeout, typeset=typeset) for _ in range(processes)]
     for decider in deciders:
         free.put(decider)
 
-    def decided(claim: Claim) -> Record | UnreadableClaim:
+    def decided(claim: Claim, files: Files) -> Record | UnreadableClaim:
         decider = free.get()
         try:
-            return decider.decide(claim)
+            return decider.decide(claim, files)
         except UnreadableClaim as error:
             return error
         finally:
@@ -119,7 +135,7 @@ def decide_all(
     try:
         with ThreadPoolExecutor(processes) as pool:
             try:
-                return list(pool.map(decided, claims))
+                return list(pool.map(decided, claims, worlds or [()] * len(claims)))
             except BaseException:
                 for decider in deciders:  # what is being decided is not waited for
                     decider.__exit__(None, None, None)
@@ -167,19 +183,19 @@ class _Child:
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
         self._ready = False
+        self._worlds: dict[int, tuple[Files, int]] = {}  # by identity; what is known by it is kept for as long
 
     @property
     def has_ended(self) -> bool:
         """Whether it ended by itself."""
         return self._process.poll() is not None
 
-    def ask(self, request: Record, timeout: float) -> Answer:
+    def ask(self, request: Record, timeout: float, files: Files) -> Answer:
         """The last that is said in time."""
         known: Record = {}
         try:
             self._ready = self._ready or bool(self._answers.get(timeout=START))
-            self._requests.write(json.dumps(request) + "\n")
-            self._requests.flush()
+            self._send(request | {"world": self._declared(files)})
             until = time.monotonic() + timeout
             while line := self._answers.get(timeout=_left(until)):
                 answer = json.loads(line)
@@ -190,6 +206,19 @@ class _Child:
         except (OSError, queue.Empty):
             pass
         return Answer(known, complete=False)
+
+    def _declared(self, files: Files) -> int:
+        """The number by which the child knows what these files declare."""
+        if not files:
+            return CATALOGUE
+        if id(files) not in self._worlds:
+            self._worlds[id(files)] = files, len(self._worlds) + 1
+            self._send({"world": self._worlds[id(files)][1], "files": list(files)})
+        return self._worlds[id(files)][1]
+
+    def _send(self, request: Record) -> None:
+        self._requests.write(json.dumps(request, default=str) + "\n")  # TOML has dates, which nothing asks for
+        self._requests.flush()
 
     def end(self) -> None:
         """End the process, whatever it does."""

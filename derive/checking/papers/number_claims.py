@@ -12,6 +12,7 @@ from radartrack.derive.checking.papers.claims_file import Along, Claim
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
 from radartrack.derive.checking.papers.rounding_to_print import rounded, shown, shown_apart
 from radartrack.derive.checking.question.formula_units import WrongDimensions
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
 from radartrack.derive.evaluation.exact_numbers import Exact, NoRealValue, Undecidable, compared, order, sign_of
 from radartrack.derive.evaluation.many_digits import Number
@@ -33,14 +34,14 @@ class Answer:
     holds: bool = field(kw_only=True)
 
 
-def check_number(claim: Claim) -> Verdict:
+def check_number(claim: Claim, world: World = CATALOGUE) -> Verdict:
     """Decide a claim about a number.
 
     Raises:
         UnknownQuantity, UnknownEntry, FormulaError: when the claim names what there is not, cannot be read, or sets
             a symbol to what it cannot be.
     """
-    setting = Setting(claim)
+    setting = Setting(claim, world)
     try:
         setting.check_unit()
         answer = _answer(claim, setting)

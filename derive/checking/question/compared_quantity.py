@@ -7,25 +7,30 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from types import MappingProxyType
 
-from radartrack.derive import catalogue
-from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.formula_units import Dimension, WrongDefinition, WrongDimensions, dimensions
+from radartrack.derive.checking.question.names import Names, symbols_for
 from radartrack.derive.checking.question.single_number import scalar_expression
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.tree import Array, Name, Tree
+from radartrack.derive.formula.functions import VERBS
+from radartrack.derive.formula.tree import Array, Name, Product, Tree
+from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.formula.tree import parts as tree_parts
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.tracks.gaussian_coverage import COVERAGE
 
 MAX_CHARACTERS = 2000
-_MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
+_MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
 _WORD = re.compile(r"\w+")
+_WORKED_OUT = re.compile(rf"\.T\b|@|\[\s*\[|;|(?<![\w.])(?:{'|'.join(VERBS)})\s*\(")
 _POSITION = re.compile(r"\s*(\d{1,3}|:)\s*")
 
 
@@ -52,78 +57,149 @@ class Part:
 
 @dataclass(frozen=True)
 class Reference:
-    """One or more quantities, combined.
+    """What is compared with: one quantity, several that are combined, or a formula of the paper's own.
 
     Attributes:
         text: as it was asked for.
-        tree: the combination, over placeholders.
-        parts: what each placeholder stands for.
+        shape: the shape that a printed formula must have.
+        symbols: all that may occur, each once.
+        parts: the quantities in it.
+        entry: the derived formula of an entry, exact.
+        dimension: that of an entry; raises `WrongDimensions` where it has none.
+        part: the part, when there is one and nothing is done with it.
     """
 
     text: str
-    tree: Tree
-    parts: Mapping[str, Part]
+    shape: Index
+    symbols: tuple[Variable, ...]
+    parts: tuple[Part, ...]
+    entry: Callable[[Index], Expr]
+    dimension: Callable[[Index], Dimension]
+    part: Part | None = None
 
-    @property
-    def part(self) -> Part | None:
-        """The part, when there is one and nothing is done with it."""
-        return self.parts.get(self.tree.name) if isinstance(self.tree, Name) else None
-
-    @property
-    def symbols(self) -> tuple[Variable, ...]:
-        """All symbols, each once: the number of scans of several quantities is as large as all of them ask."""
-        found: dict[str, Variable] = {}
-        for part in self.parts.values():
-            for symbol in part.quantity.symbols:
-                found[symbol.name] = max(found.get(symbol.name, symbol), symbol, key=lambda one: one.low)
-        return tuple(found.values())
-
-    @property
-    def shape(self) -> Index:
-        """The shape that a printed formula must have."""
-        return max((part.shape for part in self.parts.values()), key=len)
+    def with_symbols(self, symbols: Iterable[Variable]) -> Reference:
+        """The same, where more symbols may occur."""
+        known = {symbol.name: symbol for symbol in (*self.symbols, *symbols)}
+        return replace(self, symbols=tuple(known.values()))
 
     @cached_property
     def entries(self) -> Tensor[Expr]:
         """The derived formulas, exact."""
-        return Tensor.build(self.shape, lambda *index: self._entry(index))
+        return Tensor.build(self.shape, lambda *index: self.entry(index))
 
     @cached_property
     def dimensions(self) -> Tensor[Dimension]:
         """The dimension of each entry."""
-        return Tensor.build(self.shape, lambda *index: self._dimension(index))
-
-    def _entry(self, index: Index) -> Expr:
-        known: dict[str, Expr] = {symbol.name: symbol for symbol in self.symbols}
-        known |= {name: part.entry(index) for name, part in self.parts.items()}
-        return scalar_expression(self.tree, known)
-
-    def _dimension(self, index: Index) -> Dimension:
-        known = {symbol.name: Dimension.of(symbol.unit) for symbol in self.symbols}
-        known |= {name: part.dimension(index) for name, part in self.parts.items()}
-        return dimensions(known)(self.tree)
+        return Tensor.build(self.shape, lambda *index: self.dimension(index))
 
 
-def refer(text: str) -> Reference:
+def refer_to(quantity: Quantity) -> Reference:
+    """All of one quantity, whatever it is."""
+    whole = "quantity"
+    return _combined(quantity.name, Name(whole), {whole: _part(quantity, None)}, CATALOGUE)
+
+
+def refer(text: str, world: World = CATALOGUE, let: Mapping[str, str] = MappingProxyType({})) -> Reference:
     """Read what is meant.
 
+    Args:
+        text: a quantity, an entry, or an expression over several, in which matrices are multiplied as matrices.
+        world: where quantities are found by name, and letters.
+        let: definitions that an expression with verbs may use.
+
     Raises:
-        UnknownQuantity: for a name that the catalogue does not have.
+        UnknownQuantity: for a name that there is not.
         UnknownEntry: for an index that the quantity does not have, shapes that do not fit each other, or an
             expression that cannot be read.
+        NoClosedForm: when an expression cannot be worked out.
     """
     if len(text) > MAX_CHARACTERS:
         raise UnknownEntry(f"{text[:80]!r} names no quantity: it has more than {MAX_CHARACTERS} characters")
     names = {found[0]: f"{_unused(text)}{place}" for place, found in enumerate(_mentions(text))}
-    parts = {names[found[0]]: _part(_find(found["name"]), found["index"]) for found in _mentions(text)}
-    if not parts:
-        _find(text[:80].strip())
-    reference = Reference(text.strip(), _combination(text, names, parts), parts)
+    quantities = {found[0]: world.find(found["name"]) for found in _mentions(text)}
+    if not quantities:
+        world.find(text[:80].strip())
+    if _WORKED_OUT.search(text):
+        return _worked_out(text, list(quantities.values()), world, let)
+    parts = {names[found[0]]: _part(quantities[found[0]], found["index"]) for found in _mentions(text)}
+    tree = _combination(text, names, parts)
+    if _multiplies_arrays(tree, parts):
+        return _worked_out(text, list(quantities.values()), world, let)
+    reference = _combined(text, tree, parts, world)
     try:
         _ = reference.dimensions
+    except WrongDefinition:  # is a verdict on what is asked
+        pass
     except WrongDimensions as error:
         raise UnknownEntry(f"{text}: {_with_names(str(error), names)}") from None
     return reference
+
+
+def of_formula(text: str, names: Names, quantities: Sequence[Quantity] = (), *, latex: bool = False) -> Reference:
+    """A formula of the paper's own as what another one is compared with.
+
+    Raises:
+        FormulaError, UnknownQuantity: when it cannot be read.
+        NoClosedForm: when it cannot be worked out.
+    """
+    tree = names.tree(text, latex=latex)
+    trees, opened = names.entries(tree)
+    entries = trees.map(opened.read)
+    return Reference(
+        text.strip(),
+        trees.shape,
+        tuple(dict.fromkeys(names.symbols.values())),
+        tuple(_part(quantity, None) for quantity in quantities),
+        entries.__getitem__,
+        lambda index: opened.dimension_of(trees[index]),
+    )
+
+
+def _worked_out(text: str, quantities: Sequence[Quantity], world: World, let: Mapping[str, str]) -> Reference:
+    names = Names(symbols_for([text], let, world, quantities, of_models=True), let, world)
+    try:
+        return of_formula(text, names, quantities)
+    except FormulaError as error:
+        raise UnknownEntry(f"{text}: {error.message}") from None
+
+
+def _combined(text: str, tree: Tree, parts: Mapping[str, Part], world: World) -> Reference:
+    """Quantities combined entry by entry."""
+    own = _as_large_as_all_ask(symbol for part in parts.values() for symbol in part.quantity.symbols)
+    letters = symbols_for([], {}, world, [part.quantity for part in parts.values()])
+
+    def entry(index: Index) -> Expr:
+        known: dict[str, Expr] = {**own, **{name: part.entry(index) for name, part in parts.items()}}
+        return scalar_expression(tree, known)
+
+    def dimension(index: Index) -> Dimension:
+        known = {symbol.name: Dimension.of(symbol.unit) for symbol in own.values()}
+        return dimensions(known | {name: part.dimension(index) for name, part in parts.items()})(tree)
+
+    return Reference(
+        text.strip(),
+        max((part.shape for part in parts.values()), key=len),
+        tuple({symbol.name: symbol for symbol in (*own.values(), *letters.values())}.values()),
+        tuple(parts.values()),
+        entry,
+        dimension,
+        parts.get(tree.name) if isinstance(tree, Name) else None,
+    )
+
+
+def _as_large_as_all_ask(symbols: Iterable[Variable]) -> dict[str, Variable]:
+    """Each symbol once: the number of scans of several quantities is as large as all of them ask."""
+    found: dict[str, Variable] = {}
+    for symbol in symbols:
+        found[symbol.name] = max(found.get(symbol.name, symbol), symbol, key=lambda one: one.low)
+    return found
+
+
+def _multiplies_arrays(tree: Tree, parts: Mapping[str, Part]) -> bool:
+    """Whether two arrays stand in one product."""
+    arrays = {name for name, part in parts.items() if part.shape}
+    products = (node for node in tree_parts(tree) if isinstance(node, Product))
+    return any(sum(bool(names_of(factor) & arrays) for factor in product.factors) > 1 for product in products)
 
 
 def _mentions(text: str) -> list[re.Match[str]]:
@@ -150,11 +226,6 @@ def _with_names(message: str, names: Mapping[str, str]) -> str:
     """What is said about placeholders, said about quantities."""
     quantities = {placeholder: quantity for quantity, placeholder in names.items()}
     return _WORD.sub(lambda found: quantities.get(found[0], found[0]), message)
-
-
-def _find(name: str) -> Quantity:
-    """A quantity of the catalogue, or one that is only compared with."""
-    return COVERAGE if name == COVERAGE.name else catalogue.find(name)
 
 
 def _unused(text: str) -> str:

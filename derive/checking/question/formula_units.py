@@ -36,6 +36,15 @@ class WrongDimensions(ValueError):
     """Terms of different dimension are added, or a function is given what it cannot take."""
 
 
+class WrongDefinition(WrongDimensions):
+    """The same inside a definition, which the message names."""
+
+
+def in_definition(what: str, error: WrongDimensions) -> WrongDefinition:
+    """The error as one of a definition, unless it is one already."""
+    return error if isinstance(error, WrongDefinition) else WrongDefinition(f"{what}: {error}")
+
+
 @dataclass(frozen=True, slots=True)
 class Dimension:
     """Powers of metre and second, and of the radian where it is known.
@@ -94,7 +103,9 @@ def dimensions(known: Mapping[str, Dimension]) -> Fold[Dimension]:
     """
 
     def step(tree: Tree, below: Sequence[Dimension]) -> Dimension:
-        return known[tree.name] if isinstance(tree, Name) else _dimension(tree, below)
+        if isinstance(tree, Name):
+            return known[tree.name]
+        return NOTHING if _is_zero(tree) else _dimension(tree, below)
 
     return Fold(step)
 
@@ -143,9 +154,9 @@ def _product(parts: Sequence[Dimension]) -> Dimension:
 
 def _sum(terms: Sequence[Tree], below: Sequence[Dimension]) -> Dimension:
     both = zip(terms, below, strict=True)
-    found = [(term, dimension) for term, dimension in both if not (dimension.zero or _is_zero(term))]
+    found = [(term, dimension) for term, dimension in both if not dimension.zero]
     if not found:
-        return FREE
+        return NOTHING
     first_term, first = found[0]
     for term, dimension in found[1:]:
         if not dimension.agrees(first):

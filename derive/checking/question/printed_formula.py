@@ -2,64 +2,23 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
-from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
-from radartrack.derive.checking.question.single_number import only_scalar
+from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
+from radartrack.derive.checking.question.names import Names, check_name, symbols_for
+from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fold import Fold
-from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.shape import shape
-from radartrack.derive.formula.to_expression import Reader
-from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Sum, Tree
-from radartrack.derive.formula.unknown_names import unusable
+from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.latex import read_latex
-from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr, Symbol
 
-NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-SHOWN = 40  # characters of a name that is refused
-
-
-@dataclass(frozen=True)
-class Names:
-    """The names that a formula may use.
-
-    Attributes:
-        values: what each stands for in the quantity's symbols.
-        dimensions: and its dimension, where it has one.
-    """
-
-    values: Mapping[str, Expr]
-    dimensions: Mapping[str, Dimension]
-
-    def read(self, tree: Tree) -> Expr:
-        """A scalar tree in the quantity's symbols."""
-        return only_scalar(self._reader(tree), tree)
-
-    def dimension_of(self, tree: Tree) -> Dimension:
-        """The dimension of a scalar tree.
-
-        Raises:
-            WrongDimensions: when it has none.
-        """
-        return self._dimension_of(tree)
-
-    @cached_property
-    def _reader(self) -> Reader:
-        return Reader(self.values)
-
-    @cached_property
-    def _dimension_of(self) -> Fold[Dimension]:
-        return dimensions(self.dimensions)
+NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -71,12 +30,14 @@ class Printed:
         entries: its entries as trees.
         expressions: the entries in the quantity's symbols.
         names: what its names stand for.
+        worked_out: the names in the entries that stand for parts that are worked out.
     """
 
     tree: Tree
     entries: Tensor[Tree]
     expressions: Tensor[Expr]
     names: Names
+    worked_out: frozenset[str] = frozenset()
 
     @property
     def text(self) -> str:
@@ -95,45 +56,63 @@ class Printed:
             return None
 
 
-def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
-    """The quantity's symbols, and the paper's own names for expressions in them.
+def names_for(
+    reference: Reference, let: Mapping[str, str], world: World = CATALOGUE, texts: Iterable[str] = ()
+) -> Names:
+    """The symbols that a formula may use, and the paper's names: definitions of a claim, and those of its file.
+
+    Args:
+        reference: what is compared with.
+        let: the definitions of the claim.
+        world: the paper's.
+        texts: formulas that are read in these names.
 
     Raises:
-        FormulaError: for a definition that cannot be read, or a name that is already taken or is none.
+        FormulaError: for a definition of the claim that cannot be read, or a name that is none.
+        NoClosedForm: for one that cannot be worked out.
     """
-    values: dict[str, Expr] = {symbol.name: symbol for symbol in reference.symbols}
-    dimensions = {symbol.name: Dimension.of(symbol.unit) for symbol in reference.symbols}
-    for name, definition in let.items():
-        _check_name(name)
-        if name in values:
-            raise FormulaError(f"let {name}: {name} is already a symbol of {reference.text}")
-        if why := unusable(name):
-            raise FormulaError(f"let {name}: {why}")
-        known = Names(dict(values), dict(dimensions))
-        tree, values[name] = _definition("let", name, definition, known)
-        dimensions[name] = _dimension(f"let {name}", tree, known) if values[name] != 0 else NOTHING
-    return Names(values, dimensions)
+    both = {**world.let, **let}
+    quantities = [part.quantity for part in reference.parts]
+    names = Names(symbols_for([*let.values(), *texts], both, world, quantities), both, world)
+    for name in let:
+        check_name(name)
+        names.meaning(name)
+    return names
 
 
-def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbol, Expr]:
+def conditions_for(reference: Reference, given: Mapping[str, str], names: Names | None = None) -> dict[Symbol, Expr]:
     """What symbols are replaced by under the conditions.
+
+    Args:
+        reference: what is compared with.
+        given: the conditions.
+        names: what their formulas may use; without them, the symbols.
 
     Raises:
         FormulaError: for a condition that cannot be read, a name that is no symbol of the quantity, a value in another
             unit, and where `resolved` raises it.
     """
     symbols = {symbol.name: symbol for symbol in reference.symbols}
-    known = Names(symbols, {name: Dimension.of(symbol.unit) for name, symbol in symbols.items()})
+    known = names or Names(symbols)
     conditions: dict[Variable, Expr] = {}
-    trees: dict[str, Tree] = {}
+    trees: dict[Variable, Tree] = {}
     for name, value in given.items():
-        if name not in symbols:
+        symbol = symbol_called(name, known, reference)
+        if symbol is None:
             raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
-        trees[name], conditions[symbols[name]] = _definition("given", name, value, known)
+        trees[symbol], conditions[symbol] = _condition(name, value, known)
     found = resolved(conditions)
-    for name, tree in trees.items():
-        _check_unit(name, tree, known)
+    for symbol, tree in trees.items():
+        _check_unit(symbol, tree, known)
     return found
+
+
+def applying(conditions: Mapping[str, str], reference: Reference, printed: Printed) -> dict[str, str]:
+    """Those conditions of a file whose symbols occur in a question."""
+    formulas = (*reference.entries, *printed.expressions)
+    occurring = {symbol.name for formula in formulas for symbol in formula.free_symbols}
+    occurring |= {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
+    return {name: value for name, value in conditions.items() if name in occurring}
 
 
 def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) -> Printed:
@@ -141,75 +120,49 @@ def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) ->
 
     Raises:
         FormulaError: when it cannot be read, or has another shape.
+        NoClosedForm: when it cannot be worked out.
     """
-    tree = (read_latex if latex else read_text)(formula, names.values)
-    found = shape(tree)
-    if found != expected:
-        raise FormulaError(f"the formula is {_spoken(found)}, the quantity is {_spoken(expected)}")
-    entries = Tensor.build(expected, lambda *index: entry_of(tree, index))
     try:
-        return Printed(tree, entries, entries.map(names.read), names)
+        return printed(names.tree(formula, latex=latex), names, expected)
     except FormulaError as error:
         raise error.within(formula) from None
 
 
-def entry_of(tree: Tree, index: Index) -> Tree:
-    """One entry of a formula of arrays, factors and terms distributed to it."""
-    if not index:
-        return tree
-    match tree:
-        case Array(entries):
-            return entry_of(entries[index[0]], index[1:])
-        case Sum(terms):
-            return Sum(tuple(entry_of(term, index) for term in terms))
-        case Negation(operand):
-            return Negation(entry_of(operand, index))
-        case Quotient(numerator, denominator):
-            return Quotient(entry_of(numerator, index), denominator)
-        case Product(factors):
-            return _factors(factors, index)
-        case _:
-            return tree
+def printed(tree: Tree, names: Names, expected: Index) -> Printed:
+    """A formula that was read; raises as `read_printed`."""
+    entries, opened = names.entries(tree)
+    if entries.shape != expected:
+        raise FormulaError(f"the formula is {_spoken(entries.shape)}, the quantity is {_spoken(expected)}")
+    parts = frozenset(opened) - frozenset(names)
+    return Printed(tree, entries, entries.map(opened.read), opened, parts)
 
 
-def _factors(factors: tuple[Tree, ...], index: Index) -> Tree:
-    chosen = tuple(entry_of(factor, index) if shape(factor) else factor for factor in factors)
-    kept = tuple(factor for factor in chosen if factor != Number("1")) or (Number("1"),)
-    flat = tuple(part for factor in kept for part in (factor.factors if isinstance(factor, Product) else (factor,)))
-    return flat[0] if len(flat) == 1 else Product(flat)
+def symbol_called(name: str, names: Names, reference: Reference) -> Variable | None:
+    """The symbol of this name, or the one for which a name of the paper stands."""
+    if (found := next((symbol for symbol in reference.symbols if symbol.name == name), None)) is not None:
+        return found
+    value = names.meaning(name).value if name in names.let else names.symbols.get(name)
+    return value if isinstance(value, Variable) else None
 
 
-def _definition(kind: str, name: str, text: str, known: Names) -> tuple[Tree, Expr]:
+def _condition(name: str, text: str, known: Names) -> tuple[Tree, Expr]:
     try:
-        tree = read_text(text, known.values)
+        tree = known.tree(text)
         return tree, known.read(tree)
     except FormulaError as error:
-        raise FormulaError(f"{kind} {name}: {error.message}", error.source or text, error.span) from None
+        raise FormulaError(f"given {name}: {error.message}", error.source or text, error.span) from None
 
 
-def _dimension(what: str, tree: Tree, known: Names) -> Dimension:
-    try:
-        return known.dimension_of(tree)
-    except WrongDimensions as error:
-        raise FormulaError(f"{what}: it has no dimension: {error}") from None
-
-
-def _check_unit(name: str, tree: Tree, known: Names) -> None:
+def _check_unit(symbol: Variable, tree: Tree, known: Names) -> None:
     """Refuse a condition that sets a symbol to what has another unit."""
-    found, own = _dimension(f"given {name}", tree, known), known.dimensions[name]
+    entries, opened = known.entries(tree)
+    try:
+        found = opened.dimension_of(entries[()])
+    except WrongDimensions as error:
+        raise FormulaError(f"given {symbol}: it has no dimension: {error}") from None
+    own = Dimension.of(symbol.unit)
     if not found.free and not found.agrees(own):
-        raise FormulaError(f"given {name}: {to_text(tree)} has {found}, {name} has {own}; both need one unit")
-
-
-def _check_name(name: str) -> None:
-    """Refuse what no formula is read to contain."""
-    if name in SPELLINGS:
-        raise FormulaError(f"let {name}: {name} is a function; define another name")
-    if not NAME.fullmatch(name):
-        raise FormulaError(
-            f"let {name[:SHOWN]}: a name is letters, digits and _, and begins with no digit; "
-            r"\dot{x} is defined as xdot, \sigma_\theta as sigma_theta, and g(x) cannot be defined"
-        )
+        raise FormulaError(f"given {symbol}: {to_text(tree)} has {found}, {symbol} has {own}; both need one unit")
 
 
 def _spoken(one: Index) -> str:

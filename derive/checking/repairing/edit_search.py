@@ -14,7 +14,7 @@ from fractions import Fraction
 from operator import sub, truediv
 from typing import TypeAlias
 
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.known_parts import Pieces
 from radartrack.derive.checking.repairing.monomial_fit import Fitter, Monomial, number_tree
 from radartrack.derive.checking.repairing.print_slips import (
@@ -114,8 +114,9 @@ class Search:
         self._screen = screen
         self._quick = screen.first(min(QUICK, screen.size))
         self._target = target
-        self._kinds = {name: names.dimensions[name] for name in screen.names}
-        symbols = [name for name in screen.names if names.values[name].is_Symbol]
+        dimensions, numbers = names.dimensions, names.numbers
+        self._kinds = {name: dimensions[name] for name in screen.names}
+        symbols = [name for name in screen.names if numbers[name].is_Symbol]
         self._fitter = Fitter(self._factors(symbols, (printed, *derived)), screen.size)
         self._pieces = Pieces((*derived, printed), screen)
         self._derived = derived

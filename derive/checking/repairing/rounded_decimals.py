@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 
-from radartrack.derive.checking.question.printed_formula import Printed, entry_of
+from radartrack.derive.checking.question.printed_formula import Printed
+from radartrack.derive.checking.question.printed_formula import printed as printed_of
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Call, Constant, Number, Product, Tree, parts
-from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 FEWEST = 5  # significant digits; fewer are near to too many simple numbers
 MOST = 15  # significant digits of a floating-point number, whose last ones may be rounding
@@ -38,13 +39,12 @@ def meant(printed: Printed) -> Meant | None:
     if not decimals:
         return None
     tree = rebuild(printed.tree, lambda node: decimals.get(node, node) if isinstance(node, Number) else node)
-    entries = Tensor.build(printed.entries.shape, lambda *index: entry_of(tree, index))
     try:
-        expressions = entries.map(printed.names.read)
-    except FormulaError:
+        exact = printed_of(tree, printed.names, printed.entries.shape)
+    except (FormulaError, NoClosedForm):
         return None
     said = " and ".join(f"{to_text(node)} is taken as {to_text(simple)}" for node, simple in decimals.items())
-    return Meant(replace(printed, tree=tree, entries=entries, expressions=expressions), said)
+    return Meant(exact, said)
 
 
 def _simple(number: Number) -> Tree | None:

@@ -10,7 +10,7 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.question.conditions import under
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
@@ -52,7 +52,7 @@ def suggest(
 ) -> list[Edited]:
     """The edits that make a printed formula equal to the derived one, the smallest first."""
     points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
-    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.values.items()}
+    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.numbers.items()}
     target = _values(derived, symbols, points)
     if target is None:
         return []

@@ -30,6 +30,7 @@ NAME = "dimensions"
 TOLERANCE = 1e-9
 POINTS = 16
 METRES, SECONDS = 4.0, 16.0
+GOLDEN = (math.sqrt(5) - 1) / 2
 Signs = npt.NDArray[np.float64]
 
 
@@ -65,6 +66,8 @@ class Dimensions:
         worst, title = 0.0, ""
         for change in changes(quantity):
             after = evaluated(function, quantity, change.applied(points))
+            if row_of(quantity).startswith("std"):
+                before, after = np.abs(before), np.abs(after)  # a root of a square is written without its sign
             found = relative(after, before * change.result, scale * np.abs(change.result))
             if found > worst or not title:
                 worst, title = found, change.title
@@ -78,12 +81,13 @@ def changes(quantity: Quantity) -> Iterator[Change]:
     model = model_of(quantity)
     if model is None:
         return
-    for angle in (v for v in model.measured if v.unit == RADIAN and v in quantity.symbols):
+    for angle in (v for v in model.measured if v in quantity.symbols and _is_periodic(model, v)):
         yield Change(f"{angle.name} a full turn further", {angle.name: (1.0, math.tau)}, np.ones(quantity.shape))
     if row_of(quantity).startswith("validity"):
         return
-    for variable, deviation in zip(model.measured, model.deviations, strict=True):
+    for variable, deviation in zip(model.measured, model.deviations, strict=False):
         yield _opposite_deviation(quantity, model, variable, deviation)
+    for variable in model.measured:
         mirrored = _mirrored(quantity, model, variable)
         if mirrored is not None:
             yield mirrored
@@ -126,11 +130,30 @@ def _mirrored(quantity: Quantity, model: Model, variable: Variable) -> Change | 
 
 
 @cache
+def _is_periodic(model: Model, variable: Variable) -> bool:
+    """Whether the variable is an angle that the map knows up to full turns; an arc r·beta is longer after each."""
+    if variable.unit != RADIAN:
+        return False
+    program, point = compiled(model.map, model.arguments), _somewhere(model)
+    before, after = (program(**point | {variable.name: point[variable.name] + turn}) for turn in (0.0, math.tau))
+    return bool(_same(after, before).all())
+
+
+def _same(first: Signs, second: Signs) -> npt.NDArray[np.bool_]:
+    return np.isclose(first, second, rtol=TOLERANCE, atol=0.0)
+
+
+def _somewhere(model: Model) -> dict[str, np.float64]:
+    """A point of the model's domain, off its ends and its middle."""
+    shares = ((symbol, 0.3 + 0.4 * math.modf(n * GOLDEN)[0]) for n, symbol in enumerate(model.arguments, start=1))
+    return {symbol.name: np.float64(symbol.low + (symbol.high - symbol.low) * share) for symbol, share in shares}
+
+
+@cache
 def _parities(model: Model, variable: Variable) -> Signs | None:
     """For each coordinate 1 where it is even in the variable, -1 where it is odd; None where one is neither."""
-    program = compiled(model.map, model.arguments)
-    point = {symbol.name: np.float64(0.3 + 0.1 * n) for n, symbol in enumerate(model.arguments)}
+    program, point = compiled(model.map, model.arguments), _somewhere(model)
     plus = program(**point)
     minus = program(**{**point, variable.name: -point[variable.name]})
-    signs = np.where(np.isclose(minus, plus), 1.0, np.where(np.isclose(minus, -plus), -1.0, 0.0))
+    signs = np.where(_same(minus, plus), 1.0, np.where(_same(minus, -plus), -1.0, 0.0))
     return None if (signs == 0).any() else signs

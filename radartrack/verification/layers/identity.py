@@ -61,12 +61,13 @@ class Identity:
 
 
 def _proof(quantity: Quantity) -> Outcome:
-    generating = _generating(quantity.module)
+    model = _model(quantity)
+    generating = _generating(model)
     try:
         found = [generating.read(entry) for entry in quantity.expression]
     except NotExponentialPolynomial as error:
         return Outcome.failed(NAME, f"not polynomial × trigonometric: {error}")
-    second = _second(quantity.module, row_of(quantity))
+    second = _second(model, row_of(quantity))
     wrong = [
         str(list(index))
         for index, first, other in zip(indices(quantity.shape), found, second, strict=True)
@@ -76,14 +77,20 @@ def _proof(quantity: Quantity) -> Outcome:
     return Outcome.measured(NAME, float(len(wrong)), 0.0, f"{said} derivatives of the moment generating function")
 
 
+def _model(quantity: Quantity) -> Model:
+    model = model_of(quantity)
+    if model is None:
+        raise LookupError(f"{quantity.name} belongs to no measurement model")
+    return model
+
+
 @cache
-def _generating(name: str) -> GeneratingFunction:
-    model = next(q for q in (model_of(q) for q in catalogue().values() if q.module == name) if q is not None)
+def _generating(model: Model) -> GeneratingFunction:
     return GeneratingFunction(model)
 
 
 @cache
-def _second(model: str, row: str) -> Tensor[ExponentialPolynomial]:
+def _second(model: Model, row: str) -> Tensor[ExponentialPolynomial]:
     return defined(row, _generating(model))
 
 
@@ -97,7 +104,12 @@ def _method(quantity: Quantity) -> str:
     if quantity.module == "observe":
         _, _, kind = row.rpartition(".")
         return "the conversion undoes it" if kind == "map" else "power series of the map"
-    return f"observe.{quantity.module}.map undoes it" if row == "map" else "direct power series of the map"
+    return f"observe.{quantity.module}.map undoes it" if _is_undone(quantity) else "direct power series of the map"
+
+
+def _is_undone(quantity: Quantity) -> bool:
+    """Whether it is a map that another one takes back."""
+    return row_of(quantity) == "map" and f"observe.{quantity.module}.map" in catalogue()
 
 
 def _largest_difference(quantity: Quantity, seed: int) -> float:
@@ -133,7 +145,7 @@ def _reference(quantity: Quantity, point: Mapping[str, float]) -> Tensor[Number]
         found = least_squares(row, point)
     elif quantity.module == "observe":
         found = _observed(quantity, at)
-    elif model is not None and row == "map":
+    elif model is not None and _is_undone(quantity):
         found = Tensor((len(model.measured),), tuple(at[variable] for variable in model.measured))
     else:
         found = direct(row, model, _complete(model, at)) if model is not None else None
@@ -166,7 +178,7 @@ def _composed(quantity: Quantity, point: Mapping[str, float], found: Tensor[Numb
     name, _, kind = row.rpartition(".")
     if quantity.module == "observe" and kind == "map":
         return _position(name, found, point)
-    if model is not None and row == "map":
+    if model is not None and _is_undone(quantity):
         return _measured(model, found, point)
     return found
 
@@ -198,7 +210,8 @@ def _values(quantity: Quantity, numbers: list[Number]) -> tuple[Number, ...]:
 
 
 def _difference(found: Tensor[Number], expected: Tensor[Number]) -> float:
-    """The largest difference of an entry by the entry; a zero by the largest entry."""
+    """The largest difference of an entry by the entry; what is nothing but rounding, by the largest entry."""
     size = max(abs(value) for value in expected) or mpmath.mpf(1)
-    differences = [abs(first - second) / (abs(second) or size) for first, second in zip(found, expected, strict=True)]
+    scales = [abs(value) if abs(value) > AGREEMENT * size else size for value in expected]
+    differences = [abs(first - second) / s for first, second, s in zip(found, expected, scales, strict=True)]
     return max(float(mpmath.re(d)) if mpmath.isfinite(d) and mpmath.im(d) == 0 else float("inf") for d in differences)

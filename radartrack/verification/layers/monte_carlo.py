@@ -11,7 +11,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.layers.quadrature import not_applicable
 from radartrack.verification.outcome import FUNCTION, Function, Outcome
 from radartrack.verification.simulation.draws import Experiment, Sums, simulate
-from radartrack.verification.simulation.experiments import Departures, Trial, simulated, tests_of_catalogue, trials
+from radartrack.verification.simulation.experiments import Departures, Trial, budget, simulated, trials
 from radartrack.verification.simulation.statistics import (
     FALSE_ALARM,
     MOST_CORRECTION,
@@ -42,7 +42,9 @@ class MonteCarlo:
         if not simulated(quantity):
             return reason(quantity)
         planned = trials(quantity, function, self.seed)
-        return decided((trial, _sums(trial.experiment, self.draws), {}) for trial in planned)
+        none: Mapping[str, Departures] = {}
+        results = ((trial, _sums(trial.experiment, self.draws), none) for trial in planned)
+        return decided(results, budget(quantity))
 
 
 def reason(quantity: Quantity) -> Outcome:
@@ -97,8 +99,13 @@ def comparisons(trial: Trial, sums: Sums) -> list[Comparison]:
     ]
 
 
-def decided(results: Iterable[tuple[Trial, Sums | ValueError, Mapping[str, Departures]]]) -> Outcome:
-    """All points of one quantity together; where conversions depart from the function, the means move as far."""
+def decided(results: Iterable[tuple[Trial, Sums | ValueError, Mapping[str, Departures]]], tests: int) -> Outcome:
+    """All points of one quantity together; where conversions depart from the function, the means move as far.
+
+    Args:
+        results: each trial, what was drawn, and how far each conversion departs.
+        tests: how many means share their false alarms with these.
+    """
     found: list[Comparison] = []
     for trial, sums, departures in results:
         if isinstance(sums, ValueError) or not trial.finite:
@@ -109,7 +116,7 @@ def decided(results: Iterable[tuple[Trial, Sums | ValueError, Mapping[str, Depar
             if not all(map(math.isfinite, moved)):
                 return Outcome.failed(NAME, f"{path}: the conversion gave what is no number")
             found += map(partial(_moved, path), by_function, moved)
-    return _outcome(found)
+    return _outcome(found, tests)
 
 
 def _moved(path: str, comparison: Comparison, by: float) -> Comparison:
@@ -118,8 +125,7 @@ def _moved(path: str, comparison: Comparison, by: float) -> Comparison:
     return replace(comparison, mean=mean, path=path)
 
 
-def _outcome(found: list[Comparison]) -> Outcome:
-    tests = tests_of_catalogue()
+def _outcome(found: list[Comparison], tests: int) -> Outcome:
     limit = threshold(tests)
     smallest = min(c.p for c in found)
     worst = max(found, key=lambda c: c.z)

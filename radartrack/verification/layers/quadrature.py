@@ -9,32 +9,36 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from math import prod
 from typing import Any
 
 import mpmath
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial, ring_over
 from radartrack.derive.language.model import Covariance, Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Tensor
-from radartrack.derive.sensors import models
 from radartrack.derive.symbolic import Symbol
 from radartrack.derive.units import RADIAN
 from radartrack.verification.array_program import Program
 from radartrack.verification.domain_points import Points, coarse
 from radartrack.verification.outcome import Function, Outcome
+from radartrack.verification.phase import phase_rates
 from radartrack.verification.program_compilation import compiled
 from radartrack.verification.second_derivations.definitions import ROWS, defined
 from radartrack.verification.second_derivations.power_series import Jet, jets
-from radartrack.verification.subject import evaluated, model_of, relative, row_of, scale_of
+from radartrack.verification.subject import evaluated, model_of, quantity_of, relative, row_of, scale_of
 
 NAME = "quadrature"
 RELATIVE = 1e-9
 ORDERS = (10, 13)
 POLYNOMIAL_ORDER = 4  # exact to degree seven in what is not an angle
 BLOCK = 64
+ZERO = 2.0**-48  # of what meets in an entry; less is rounding
+MOST_NODES = 2 * 10**7  # of an average, or of an average of averages
+NESTED = {"bias.averaged", "covariance.averaged", "decorrelated.covariance"}
 Array = npt.NDArray[np.float64]
 Point = Mapping[str, Array]
 TAYLOR = {
@@ -117,7 +121,8 @@ class Quadrature:
         if reason:
             return Outcome.not_applicable(NAME, reason)
         points, coarser, finer = _references(quantity, self.points, self.seed)
-        scale = scale_of(quantity, finer)
+        scale, sizes = scale_of(quantity, finer), _sizes(quantity, points)
+        scale = np.where(scale > ZERO * sizes, scale, sizes)
         unsettled = relative(coarser, finer, scale)
         if row_of(quantity) == "unbiased.estimate":
             found = _mean_of_estimate(quantity, function, points)
@@ -128,11 +133,38 @@ class Quadrature:
         return Outcome.measured(NAME, figure, RELATIVE, detail)
 
 
+def nodes(model: Model, order: int, degree: int | None = None) -> list[int]:
+    """How many along each measured quantity: many where the map is a wave or an exponential, else as its degree asks.
+
+    Args:
+        model: whose map is averaged.
+        order: along waves.
+        degree: of the Taylor polynomial that stands for the map; None for the map itself.
+    """
+    if degree is not None:
+        return [degree + 1] * len(model.measured)
+    rates = phase_rates(model)
+    few = max(POLYNOMIAL_ORDER, _degree(model) + 1)
+    return [order if variable.unit == RADIAN or variable in rates else few for variable in model.measured]
+
+
+@cache
+def _degree(model: Model) -> int:
+    """The highest total degree of the measured quantities beside waves."""
+    ring = ring_over(model.arguments)
+    places = [ring.symbols.index(variable) for variable in model.measured]
+    waves = (ExponentialPolynomial.read(h, ring) for h in model.map)
+    monomials = (m for wave in waves for coefficient in wave.terms.values() for m, _ in coefficient.terms())
+    return max((sum(monomial[place] for place in places) for monomial in monomials), default=0)
+
+
 def not_applicable(quantity: Quantity) -> str:
     """Why there is nothing to integrate; empty where there is."""
     model, row = model_of(quantity), row_of(quantity)
     if model is None or row in {"map", "jacobian", "hessian"}:
         return "its definition is no expectation over measurement errors"
+    if row in ROWS and prod(nodes(model, ORDERS[1])) ** (2 if row in NESTED else 1) > MOST_NODES:
+        return "an average with more nodes than can be summed; the proof and simulated errors decide it"
     if row in ROWS or row in TAYLOR:
         return ""
     if row.startswith("std"):
@@ -152,7 +184,7 @@ def _references(quantity: Quantity, count: int, seed: int) -> tuple[Points, Arra
 
 
 def _by_definition(quantity: Quantity, point: Mapping[str, float], order: int) -> Array:
-    model, row = models()[quantity.module], row_of(quantity)
+    model, row = _model(quantity), row_of(quantity)
     word, degree = TAYLOR.get(row, (row, None))
     of = Integrals(model, dict(point), order, degree)
     at = {name: np.asarray(value, dtype=np.float64) for name, value in point.items()}
@@ -164,13 +196,20 @@ def _by_definition(quantity: Quantity, point: Mapping[str, float], order: int) -
 def _mean_of_estimate(quantity: Quantity, function: Function, points: Points) -> Array:
     """E[u(θ + w)], which must be h(θ)."""
     count = len(next(iter(points.values())))
-    model = models()[quantity.module]
+    model = _model(quantity)
     means = []
     for n in range(count):
         at = {name: np.asarray(values[n]) for name, values in points.items()}
         rule = Integrals(model, {name: float(value) for name, value in at.items()}, ORDERS[1]).rule(model.covariance)
         means.append([rule.average(Field(_component(quantity, function, a))).at(at) for a in range(*quantity.shape)])
     return np.array(means)
+
+
+def _sizes(quantity: Quantity, points: Points) -> Array:
+    """How large the numbers are that an entry is the difference of: a bias may vanish, and its rounding does not."""
+    model = _model(quantity)
+    sizes = np.abs(_map(model)(**{symbol.name: points[symbol.name] for symbol in model.arguments}))
+    return sizes if len(quantity.shape) == 1 else sizes[..., :, np.newaxis] * sizes[..., np.newaxis, :]
 
 
 def _component(quantity: Quantity, function: Function, a: int) -> Callable[[Point], Array]:
@@ -199,12 +238,12 @@ class Integrals:
         """The coordinates."""
         if self.degree is not None:
             return [_polynomial(jet, self.model, self.errors) for jet in self._jets(self.degree)]
-        return _fields(_map(self.model.name))
+        return _fields(_map(self.model))
 
     @cached_property
     def u(self) -> list[Field]:
         """The derived unbiased estimate; that its mean is h is checked by itself."""
-        return _fields(_estimate(self.model.name))
+        return _fields(_estimate(self.model))
 
     def noise(self, value: Field) -> Field:
         """Average over the measurement error."""
@@ -220,9 +259,7 @@ class Integrals:
         entries = Tensor((size, size), tuple(entry for row in covariance for entry in row))
         symbols = [symbol for symbol in self.model.symbols if symbol.name in self.errors]
         numbers = compiled(entries, symbols)(**{symbol.name: self.errors[symbol.name] for symbol in symbols})
-        many = self.order if self.degree is None else self.degree + 1
-        few = POLYNOMIAL_ORDER if self.degree is None else self.degree + 1
-        orders = [many if variable.unit == RADIAN else few for variable in self.model.measured]
+        orders = nodes(self.model, self.order, self.degree)
         return Rule.of([variable.name for variable in self.model.measured], numbers, orders)
 
     def _jets(self, degree: int) -> list[Jet]:
@@ -257,12 +294,19 @@ def _entry(program: Program, a: int) -> Callable[[Point], Array]:
     return lambda point: np.asarray(single.entries(point)[0], dtype=np.float64)
 
 
-@cache
-def _map(model: str) -> Program:
-    return compiled(models()[model].map, models()[model].arguments)
+def _model(quantity: Quantity) -> Model:
+    model = model_of(quantity)
+    if model is None:
+        raise LookupError(f"{quantity.name} belongs to no measurement model")
+    return model
 
 
 @cache
-def _estimate(model: str) -> Program:
-    quantity = catalogue()[f"{model}.unbiased.estimate"]
+def _map(model: Model) -> Program:
+    return compiled(model.map, model.arguments)
+
+
+@cache
+def _estimate(model: Model) -> Program:
+    quantity = quantity_of(model, "unbiased.estimate")
     return compiled(quantity.expression, quantity.symbols)

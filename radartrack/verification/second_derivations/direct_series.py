@@ -151,6 +151,7 @@ def _std_of_position(model: Model, at: Mapping[Symbol, Number]) -> Tensor[Number
 
 
 EXPANSIONS: dict[str, Callable[[Model, Mapping[Symbol, Number]], Tensor[Number]]] = {
+    "map": _derivatives(0),
     "jacobian": _derivatives(1),
     "hessian": _derivatives(2),
     "bias.second_order": _moment("bias.truth", 2, 2),

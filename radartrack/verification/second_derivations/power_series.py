@@ -104,6 +104,8 @@ class _Reader:
     def _read(self, expression: Expr) -> Jet:
         if isinstance(expression, sp.Rational):
             return Jet(self.degree, {self.zero: mpmath.mpf(int(expression.p)) / int(expression.q)})
+        if expression in _NUMBERS:
+            return Jet(self.degree, {self.zero: +_NUMBERS[expression]})
         operands = [self.read(argument) for argument in expression.args]
         if isinstance(expression, sp.Add):
             return sum(operands[1:], operands[0])
@@ -113,6 +115,8 @@ class _Reader:
             return self._power(operands[0], operands[1].value)
         if isinstance(expression, sp.atan2):
             return self._angle(*operands)
+        if isinstance(expression, sp.hypot):
+            return self._power(operands[0] * operands[0] + operands[1] * operands[1], mpmath.mpf(1) / 2)
         return operands[0].composed(_SERIES[expression.func](operands[0].value, self.degree))
 
     def _power(self, base: Jet, exponent: Number) -> Jet:
@@ -138,10 +142,24 @@ def _wave(first: Callable[[Number], Number]) -> Callable[[Number, int], list[Num
     return series
 
 
+def _by_differences(function: Callable[[Number], Number]) -> Callable[[Number, int], list[Number]]:
+    """The series from differences in more digits: no rule of differentiation is used twice."""
+    return lambda start, degree: [+value for value in mpmath.taylor(function, start, degree)]
+
+
+_NUMBERS: dict[Expr, Number] = {sp.pi: mpmath.pi, sp.E: mpmath.e}
 _SERIES: dict[type[Expr], Callable[[Number, int], list[Number]]] = {
     sp.sin: _wave(mpmath.sin),
     sp.cos: _wave(mpmath.cos),
     sp.exp: lambda start, degree: [mpmath.exp(start) / mpmath.factorial(n) for n in range(degree + 1)],
+    sp.acos: _by_differences(mpmath.acos),
+    sp.asin: _by_differences(mpmath.asin),
+    sp.atan: _by_differences(mpmath.atan),
+    sp.cosh: _by_differences(mpmath.cosh),
+    sp.log: _by_differences(mpmath.log),
+    sp.sinh: _by_differences(mpmath.sinh),
+    sp.tan: _by_differences(mpmath.tan),
+    sp.tanh: _by_differences(mpmath.tanh),
 }
 
 

@@ -11,18 +11,17 @@ from itertools import combinations_with_replacement
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.catalogue import catalogue, family
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.language.model import Covariance, Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Tensor
-from radartrack.derive.sensors import models
 from radartrack.verification.array_program import Program
-from radartrack.verification.domain_points import coarse
+from radartrack.verification.domain_points import coarse, is_deviation
 from radartrack.verification.outcome import Function
 from radartrack.verification.program_compilation import compiled
 from radartrack.verification.simulation.draws import Experiment, Slopes, Term
-from radartrack.verification.subject import model_of, row_of
+from radartrack.verification.subject import model_of, quantity_of, row_of
 
 Array = npt.NDArray[np.float64]
 POINTS = 2
@@ -86,6 +85,13 @@ def tests_of_catalogue() -> int:
     return sum(tests_of(quantity) for quantity in catalogue().values() if simulated(quantity))
 
 
+def budget(quantity: Quantity) -> int:
+    """How many means share their false alarms with those of a quantity: the catalogue's, or its own model's."""
+    if catalogue().get(quantity.name) == quantity:
+        return tests_of_catalogue()
+    return sum(tests_of(other) for other in family(quantity) if simulated(other))
+
+
 @dataclass(frozen=True)
 class Polynomial:
     """c(w) = constant + linear·w + wᵀ quadratic w/2, one row a component, over all errors stacked."""
@@ -133,7 +139,7 @@ def trials(quantity: Quantity, function: Function, seed: int) -> Iterator[Trial]
     columns = coarse(quantity, POINTS, seed + 6)
     for number in range(POINTS):
         point = {name: float(values[number]) for name, values in columns.items()}
-        yield _trial(quantity, function, _small(point, number), f"{seed}/{quantity.name}/{number}")
+        yield _trial(quantity, function, _small(quantity, point, number), f"{seed}/{quantity.name}/{number}")
 
 
 def departures(quantity: Quantity, trial: Trial, function: Function, other: Function) -> Departures:
@@ -157,17 +163,20 @@ def departures(quantity: Quantity, trial: Trial, function: Function, other: Func
     return tuple(sign * float(gap[place]) for place in places)
 
 
-def _small(point: Mapping[str, float], number: int) -> dict[str, float]:
+def _small(quantity: Quantity, point: Mapping[str, float], number: int) -> dict[str, float]:
     """Every second point has errors three times smaller, where the orders of a formula stand apart."""
-    return {name: value / 3 if "sigma_" in name and number % 2 else value for name, value in point.items()}
+    sigmas = {symbol.name for symbol in quantity.symbols if is_deviation(quantity, symbol)}
+    return {name: value / 3 if name in sigmas and number % 2 else value for name, value in point.items()}
 
 
 def _trial(quantity: Quantity, function: Function, point: dict[str, float], key: str) -> Trial:
-    model, recipe = models()[quantity.module], RECIPES[row_of(quantity)]
+    model, recipe = model_of(quantity), RECIPES[row_of(quantity)]
+    if model is None:
+        raise LookupError(f"{quantity.name} belongs to no measurement model")
     names = {NOISE: model.covariance, PREDICTION: model.prediction_covariance}
     covariances = [_numbers(model, names[error], point) for error in recipe.errors]
     whole, starts = _stacked(covariances), _starts(model, recipe, point)
-    slopes = Slopes(_exact(f"{model.name}.jacobian", point), _exact(f"{model.name}.hessian", point))
+    slopes = Slopes(_exact(model, "jacobian", point), _exact(model, "hessian", point))
     control = _control(recipe, starts, slopes)
     size, factor = len(model.outputs), recipe.factor or 1.0
     pairs = tuple(combinations_with_replacement(range(size), 2)) if recipe.factor is not None else ()
@@ -178,7 +187,7 @@ def _trial(quantity: Quantity, function: Function, point: dict[str, float], key:
     scale, sizes = _scale(quantity, value), _sizes(recipe, starts, control, whole)
     expected = [float(target[place] / factor - known[place]) for place in places]
     rounding = [ROUNDING * math.prod(sizes[a] for a in place) for place in places]
-    relative = [float(scale[place]) for place in places]
+    relative = [float(scale[place]) or math.prod(float(sizes[a]) for a in place) for place in places]
     experiment = Experiment(
         key,
         point,
@@ -207,24 +216,24 @@ def _functions(
     quantity: Quantity, model: Model, recipe: Recipe, function: Function
 ) -> dict[str, Program | tuple[Function, tuple[str, ...]]]:
     known: dict[str, Program | tuple[Function, tuple[str, ...]]] = {
-        "h": _program(f"{model.name}.map"),
+        "h": _program(model, "map"),
         "tested": (function, tuple(symbol.name for symbol in quantity.symbols)),
     }
     used = {term.value for term in recipe.terms}
     if "u" in used:
-        known["u"] = _program(f"{model.name}.unbiased.estimate")
+        known["u"] = _program(model, "unbiased.estimate")
     return {name: value for name, value in known.items() if name in used}
 
 
 @cache
-def _program(name: str) -> Program:
-    quantity = catalogue()[name]
+def _program(model: Model, row: str) -> Program:
+    quantity = quantity_of(model, row)
     return compiled(quantity.expression, quantity.symbols)
 
 
-def _exact(name: str, point: Mapping[str, float]) -> Array:
+def _exact(model: Model, row: str, point: Mapping[str, float]) -> Array:
     """A derived quantity at the point, in many digits before it is rounded."""
-    quantity = catalogue()[name]
+    quantity = quantity_of(model, row)
     values = Evaluator(quantity.expression, quantity.symbols)([point[s.name] for s in quantity.symbols])
     return np.array([float(value) for value in values]).reshape(quantity.shape)
 
@@ -255,10 +264,10 @@ def _stacked(covariances: list[Array]) -> Array:
 
 def _starts(model: Model, recipe: Recipe, point: Mapping[str, float]) -> dict[str, Array]:
     """What each function of g is at the point; an estimate that is tested has nearly the value of the map."""
-    starts = {"h": _exact(f"{model.name}.map", point)}
+    starts = {"h": _exact(model, "map", point)}
     starts["tested"] = starts["h"]
     if any(term.value == "u" for term in recipe.terms):
-        starts["u"] = _exact(f"{model.name}.unbiased.estimate", point)
+        starts["u"] = _exact(model, "unbiased.estimate", point)
     return starts
 
 

@@ -317,7 +317,6 @@ def test_rounding_is_not_taken_for_a_difference() -> None:
         ("polar.map[0]", "r*cos(theta)", {}, FormulaError),
         ("polar.map[0]", "r", {"given": {"rho": "0"}}, FormulaError),
         ("polar.map[0]", "r", {"given": {"r": "1 +"}}, FormulaError),
-        ("polar.map[0]", "r", {"let": {"r": "1"}}, FormulaError),
         ("polar.map[0]", "r", {"let": {"a": "b"}}, FormulaError),
     ],
 )

@@ -16,7 +16,7 @@ from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.papers.deadline import Decider
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.evaluation.floating_point import RoughEvaluator

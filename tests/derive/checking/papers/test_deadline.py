@@ -12,6 +12,7 @@ import pytest
 from radartrack.derive.checking.papers import audit, deadline, worker
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 from radartrack.derive.checking.papers.deadline import Decider, decide_all, undecided
+from radartrack.derive.checking.question.world import World
 from radartrack.derive.checking.reporting.verdict import Verdict
 
 RIGHT = Claim("a", "polar.map[0]", formula="r*cos(beta)")
@@ -78,8 +79,8 @@ def test_what_is_said_beside_a_verdict_has_a_time_of_its_own(monkeypatch: pytest
 
 @pytest.mark.parametrize("formula", ["r*cos(beta)", "r*sin(beta)", "r*cos(beta)*sin(beta)**2/(1 - cos(beta)**2)"])
 def test_each_answer_of_a_child_says_what_the_one_before_it_says_and_more(formula: str) -> None:
-    request = {"claim": asdict(Claim("a", "polar.map[0]", formula=formula)), "typeset": True}
-    *answers, last = worker._answers(request)
+    request = {"claim": asdict(Claim("a", "polar.map[0]", formula=formula)), "typeset": True, "world": 0}
+    *answers, last = worker._answers(request, worker.Worlds())
     assert last == deadline.DONE
     assert len({answer["verdict"] for answer in answers}) == 1
     for before, after in pairwise(answers):
@@ -87,11 +88,11 @@ def test_each_answer_of_a_child_says_what_the_one_before_it_says_and_more(formul
 
 
 def test_what_fails_before_a_verdict_is_known_is_undecided_with_a_word(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(_: Claim) -> None:
+    def fail(_: Claim, __: World) -> None:
         raise KeyError("cot")
 
     monkeypatch.setattr(audit, "decisions", fail)
-    told, last = worker._answers({"claim": asdict(RIGHT), "typeset": False})
+    told, last = worker._answers({"claim": asdict(RIGHT), "typeset": False, "world": 0}, worker.Worlds())
     assert told == {"undecided": "this cannot be worked out: KeyError"}
     assert last == deadline.DONE
 
@@ -99,16 +100,14 @@ def test_what_fails_before_a_verdict_is_known_is_undecided_with_a_word(monkeypat
 def test_what_fails_after_a_verdict_is_known_does_not_undo_it(monkeypatch: pytest.MonkeyPatch) -> None:
     verdict = audit.decide(RIGHT)
 
-    def fail(_: Claim) -> Iterator[Verdict]:
+    def fail(_: Claim, __: World) -> Iterator[Verdict]:
         yield verdict
         raise MemoryError
 
     monkeypatch.setattr(audit, "decisions", fail)
-    assert [answer.get("verdict") for answer in worker._answers({"claim": asdict(RIGHT), "typeset": True})] == [
-        "equal",
-        "equal",
-        None,
-    ]
+    request = {"claim": asdict(RIGHT), "typeset": True, "world": 0}
+    answers = worker._answers(request, worker.Worlds())
+    assert [answer.get("verdict") for answer in answers] == ["equal", "equal", None]
 
 
 @pytest.mark.parametrize("timeout", [math.inf, 1e12])

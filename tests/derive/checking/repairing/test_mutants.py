@@ -16,7 +16,8 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.check import Question
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
-from radartrack.derive.checking.question.printed_formula import Names, Printed, names_for
+from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.question.printed_formula import Printed, names_for
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome

@@ -1,0 +1,96 @@
+"""Decides claims about formulas: that one is a quantity, that two are the same, that each step of a chain is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+
+from radartrack.derive.checking.check import ask, ask_identity, too_much
+from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.error_claims import bounded
+from radartrack.derive.checking.papers.implicit_claims import asked_of_equations, solution_verdicts
+from radartrack.derive.checking.question.sense import Sense
+from radartrack.derive.checking.question.world import World
+from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
+from radartrack.derive.verbs.no_closed_form import NoClosedForm
+
+
+def formula_verdicts(claim: Claim, world: World) -> Iterator[Verdict]:
+    """The verdict on a claim, then the same with more beside it.
+
+    Raises:
+        FormulaError, UnknownQuantity, UnknownEntry: when it cannot be read.
+    """
+    if claim.error_at_most:
+        yield bound_verdict(claim, world)
+        return
+    steps = list(pairwise(claim.chain)) or [(claim.left, claim.right)]
+    try:
+        if (implicit := asked_of_equations(claim, world)) is not None:
+            yield from solution_verdicts(claim, *implicit, world)
+        elif not claim.is_identity:
+            yield from ask(
+                claim.quantity,
+                claim.formula or claim.latex,
+                latex=bool(claim.latex),
+                given=claim.given,
+                let=claim.let,
+                world=world,
+                sense=sense_of(claim),
+            ).answers()
+        elif len(steps) == 1:
+            yield from _step(claim, *steps[0], world)
+        else:
+            yield from _chain(claim, steps, world)
+    except NoClosedForm as error:
+        yield too_much(claim.quantity or claim.left, claim.printed, error)
+
+
+def sense_of(claim: Claim) -> Sense:
+    """In which sense the formula of a claim is meant."""
+    return Sense(claim.to_order, claim.limit, claim.within)
+
+
+def _step(claim: Claim, left: str, right: str, world: World) -> Iterator[Verdict]:
+    question = ask_identity(left, right, given=claim.given, let=claim.let, world=world, sense=sense_of(claim))
+    yield from question.answers()
+
+
+def bound_verdict(claim: Claim, world: World) -> Verdict:
+    """Whether the error of an approximation stays within what is said of it."""
+    sense = sense_of(claim)
+    if claim.is_identity:
+        question = ask_identity(claim.left, claim.right, given=claim.given, let=claim.let, world=world, sense=sense)
+    else:
+        formula, latex = claim.formula or claim.latex, bool(claim.latex)
+        question = ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let, world=world, sense=sense)
+    return bounded(question, claim.error_at_most)
+
+
+def _chain(claim: Claim, steps: list[tuple[str, str]], world: World) -> Iterator[Verdict]:
+    """What is found of the first step that is wrong; else of the one of which least is known."""
+    whole = " = ".join(claim.chain)
+    doubtful: Verdict | None = None
+    for number, (left, right) in enumerate(steps, start=1):
+        words = f"step {number} of {len(steps)}"
+        try:
+            for verdict in _step(claim, left, right, world):
+                if not (verdict.is_equal or verdict.verdict is Outcome.UNDECIDED):
+                    yield replace(verdict, reason=f"{words}: {verdict.reason}")
+            if not (verdict.is_equal or verdict.verdict is Outcome.UNDECIDED):
+                return
+        except NoClosedForm as error:
+            verdict = too_much(left, right, error)
+        if doubtful is None or _GRAVITY.index(verdict.verdict) > _GRAVITY.index(doubtful.verdict):
+            doubtful = (
+                verdict if verdict.verdict is Outcome.EQUAL else replace(verdict, reason=f"{words}: {verdict.reason}")
+            )
+    if doubtful is not None:
+        same = doubtful.verdict is Outcome.EQUAL
+        yield replace(
+            doubtful, quantity=claim.chain[0], printed=whole, reason="every step is proved" if same else doubtful.reason
+        )
+
+
+_GRAVITY = (Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY, Outcome.UNDECIDED)

@@ -1,0 +1,171 @@
+"""Suggests what was meant in a definition, or inside of what a formula works out: there an edit changes many places."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.checking.question.conditions import under
+from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.question.printed_formula import Printed, printed
+from radartrack.derive.checking.repairing.edit_search import Candidate
+from radartrack.derive.checking.repairing.reworked_edits import ENOUGH, MOST, SECONDS, single_edits
+from radartrack.derive.checking.reporting.barrier import attempted
+from radartrack.derive.evaluation.many_digits import Evaluator, Number
+from radartrack.derive.evaluation.points import generic_points
+from radartrack.derive.evaluation.tree_values import Screen, Values, close
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import Array, Entries, Name, Tree, has_verbs, parts, walk
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.symbolic import Expr, Symbol
+
+POINTS = 3
+SAME = 1e-30
+FORMULA = ""  # where a slip is that stands in no definition
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A slip that was undone.
+
+    Attributes:
+        formula: the definition or the formula without it.
+        words: what was changed.
+        cost: how unlikely it is.
+        places: in how many places what was changed stands.
+    """
+
+    formula: str
+    words: str
+    cost: float
+    places: int = 1
+
+
+@dataclass(frozen=True)
+class Repair:
+    """A formula, what it should be, and what it is made of.
+
+    Attributes:
+        formula: as printed.
+        names: without those of its parts.
+        derived: what its entries should be, under the conditions.
+        symbols: that occur.
+        conditions: of the question.
+    """
+
+    formula: Printed
+    names: Names
+    derived: Tensor[Expr]
+    symbols: Sequence[Variable]
+    conditions: Mapping[Symbol, Expr]
+
+    def slips(self) -> list[Slip]:
+        """The likeliest single slips of which each explains every entry."""
+        until = time.monotonic() + SECONDS
+        found: list[Slip] = []
+        for where, one in sorted(self._candidates(), key=lambda pair: pair[1].cost)[:MOST]:
+            if time.monotonic() > until or len(found) >= ENOUGH or (found and one.cost > found[0].cost):
+                break
+            if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
+                text = to_text(one.tree)
+                inside = Slip(text, one.words, one.cost)
+                found.append(self._of_definition(where, inside) if where else inside)
+        return found
+
+    @cached_property
+    def _definitions(self) -> dict[str, Tree]:
+        """Those that the formula needs, each after those that it needs itself."""
+        return self.names.definitions_in(self.formula.tree)
+
+    def _candidates(self) -> Iterator[tuple[str, Candidate]]:
+        kinds = self.names.dimensions
+        later = set(self._definitions)  # what a definition cannot mention
+        for name, tree in self._definitions.items():
+            others = {one: kind for one, kind in kinds.items() if one not in later}
+            later.discard(name)
+            yield from ((name, candidate) for candidate in single_edits(tree, others))
+        if _is_worked_out(self.formula):
+            yield from ((FORMULA, candidate) for candidate in single_edits(self.formula.tree, kinds))
+
+    def _of_definition(self, name: str, slip: Slip) -> Slip:
+        trees = (self.formula.tree, *self._definitions.values())
+        places = sum(node == Name(name) for tree in trees for _, node in walk(tree))
+        return Slip(f"{name} = {slip.formula}", f"let {name}: {slip.words}", slip.cost, places)
+
+    def _confirmation(self, where: str, tree: Tree) -> Callable[[], bool]:
+        return lambda: self._is_right(where, tree)
+
+    def _is_right(self, where: str, tree: Tree) -> bool:
+        """Whether every entry is proved with the edit, all worked out again."""
+        names = self.names.redefined(where, tree) if where else self.names
+        again = printed(self.formula.tree if where else tree, names, self.formula.entries.shape)
+        entries = again.expressions.map(lambda entry: under(self.conditions, entry))
+        pairs = list(zip(entries, self.derived, strict=True))
+        return self._alike(entries) and all(proved_equal(*pair) for pair in pairs)
+
+    def _alike(self, entries: Tensor[Expr]) -> bool:
+        """Whether the entries are right at a point."""
+        (point,) = generic_points(self.symbols, 1)
+        values = [point[symbol.name] for symbol in self.symbols]
+        found = Evaluator(entries, self.symbols)(values)
+        return all(_near(one, other) for one, other in zip(found, self._worth, strict=True))
+
+    @cached_property
+    def _worth(self) -> Tensor[Number]:
+        (point,) = generic_points(self.symbols, 1)
+        return Evaluator(self.derived, self.symbols)([point[symbol.name] for symbol in self.symbols])
+
+    def _screened(self, where: str, tree: Tree) -> bool:
+        """Whether an edit may be right by its values in floating point; where these do not tell, it may."""
+        if not where or self._targets is None:
+            return True
+        values: dict[str, Values] = dict(self._symbols)
+        for name, definition in self._definitions.items():
+            value = Screen(values, POINTS)(tree if name == where else definition)
+            if value is None:
+                return False
+            values[name] = value
+        screen = Screen(values, POINTS)
+        return all(
+            close(screen(entry), wanted) for entry, wanted in zip(self.formula.entries, self._targets, strict=True)
+        )
+
+    @cached_property
+    def _targets(self) -> list[Values] | None:
+        """What the entries should be worth at some points; None where floating point does not tell."""
+        trees = (*self._definitions.values(), *self.formula.entries)
+        if _is_worked_out(self.formula) or any(has_verbs(tree) or _has_arrays(tree) for tree in trees):
+            return None
+        found = [self._at_points(entry) for entry in self.derived]
+        return [value for value in found if value is not None] if None not in found else None
+
+    @cached_property
+    def _symbols(self) -> dict[str, Values]:
+        used = {name: symbol for name, symbol in self.names.symbols.items() if name not in self._definitions}
+        found = {name: self._at_points(under(self.conditions, symbol)) for name, symbol in used.items()}
+        return {name: values for name, values in found.items() if values is not None}
+
+    def _at_points(self, expression: Expr) -> Values | None:
+        try:
+            evaluate = Evaluator(Tensor((), (expression,)), self.symbols)
+            points = generic_points(self.symbols, POINTS)
+            return tuple(float(evaluate([p[s.name] for s in self.symbols]).entries[0]) for p in points)
+        except (ArithmeticError, KeyError, TypeError, ValueError):
+            return None
+
+
+def _near(one: Number, other: Number) -> bool:
+    return bool(abs(one - other) <= SAME * max(abs(one), abs(other)))
+
+
+def _is_worked_out(formula: Printed) -> bool:
+    """Whether parts of the formula are worked out, inside of which no other search looks."""
+    return bool(formula.worked_out)
+
+
+def _has_arrays(tree: Tree) -> bool:
+    return any(isinstance(node, Array | Entries) for node in parts(tree))
