@@ -69,9 +69,7 @@ def _distinct(found: Iterator[Binding]) -> Iterator[Binding]:
             yield one
 
 
-def _all(
-    places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]
-) -> Iterator[Binding]:
+def _all(places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]) -> Iterator[Binding]:
     needed = {symbol.name for symbol in symbols if not symbol.is_correlation}
     required = [place for place in places if not place[1]]
     for chosen in _selections(places, required, symbols):

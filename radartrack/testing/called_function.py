@@ -132,8 +132,8 @@ def called(function: Callable[..., Any], binding: Binding, points: Points, shape
             with warnings.catch_warnings(), np.errstate(all="ignore"):
                 warnings.simplefilter("ignore")
                 result = function(*places, **named)
-        except Exception as error:  # noqa: BLE001 - whatever a stranger's function raises
-            calls.raised[place] = f"{type(error).__name__}: {error}"
+        except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a stranger's function raises
+            calls.raised[place] = f"it raises {type(error).__name__}: {error}".removesuffix(": ")
             continue
         found = shaped(result, shape)
         if isinstance(found, str):
@@ -151,8 +151,11 @@ def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
     """The result as an array of a shape; what is wrong with it, in words, where it cannot be one."""
     found = _array(result)
     if found is None:
-        fitting = [one for one in map(_array, result) if one is not None and _fitted(one, shape) is not None] \
-            if isinstance(result, tuple | list) else []
+        fitting = (
+            [one for one in map(_array, result) if one is not None and _fitted(one, shape) is not None]
+            if isinstance(result, tuple | list)
+            else []
+        )
         if len(fitting) != 1:
             return f"it returns {_described(result)}; {_spoken(shape)} is wanted"
         found = fitting[0]

@@ -53,7 +53,9 @@ def diagnose(
     for parameter, stated in (arguments or {}).items():
         for one in (stated,) if isinstance(stated, str) else stated:
             if one not in names:
-                raise ValueError(f"arguments must name symbols of {name}: {', '.join(names)}; given {one!r} for {parameter}")
+                raise ValueError(
+                    f"arguments must name symbols of {name}: {', '.join(names)}; given {one!r} for {parameter}"
+                )
     stated = AS_ASKED
     in_angles = _chosen("degrees", degrees, angles_of(wanted.symbols), arguments or {})
     if in_angles:

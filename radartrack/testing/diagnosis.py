@@ -124,7 +124,9 @@ class Diagnosis:
 
     def _lines(self) -> list[str]:
         lines = [self._headline()]
-        lines += [f"  the function computes {slip.formula}\n  derived is           {slip.derived}" for slip in self._shown]
+        lines += [
+            f"  the function computes {slip.formula}\n  derived is           {slip.derived}" for slip in self._shown
+        ]
         lines += [f"  {difference}" for difference in self.differences]
         if self.lost_digits is not None:
             lines.append(f"  {self.lost_digits}")

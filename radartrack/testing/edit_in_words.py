@@ -101,7 +101,7 @@ def _of_factors(old: Tree, new: Tree) -> str:
             return f"the divisor {_shown(one)} is missing"
         case [[], [], [], [one]]:
             return f"an extra divisor {_shown(one)}"
-        case ([[one], [other], [], []] | [[], [], [one], [other]]) if not isinstance(one, Product | Quotient):
+        case [[one], [other], [], []] | [[], [], [one], [other]] if not isinstance(one, Product | Quotient):
             return _words(one, other)
         case _:
             return _replaced(old, new)

@@ -129,9 +129,7 @@ class Examination:
         """The readings that leave least to explain, the best first."""
         found: list[Reading] = []
         failed = 0
-        for binding in bindings(
-            self._function, self._wanted.symbols, self._arguments, self._wanted.needed
-        ):
+        for binding in bindings(self._function, self._wanted.symbols, self._arguments, self._wanted.needed):
             here = list(self._of_binding(binding))
             failed += not here
             found += here
@@ -379,8 +377,11 @@ class Examination:
 
         def difference(points: Points) -> Array:
             there = reading.wanted.at(points)
-            return self._at(reading, points) - there.values if there.count == len(next(iter(points.values()))) else \
-                np.full((len(next(iter(points.values()))), len(reading.wanted.places)), np.nan)
+            return (
+                self._at(reading, points) - there.values
+                if there.count == len(next(iter(points.values())))
+                else np.full((len(next(iter(points.values()))), len(reading.wanted.places)), np.nan)
+            )
 
         words = list(described(reading.wanted, wrong, difference, expected.point(0)))
         return Diagnosis(
@@ -439,7 +440,7 @@ def _undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[str]:
     """Where there is no real number, one line for each kind."""
     kinds: dict[str, list[int]] = {}
     for place, words in calls.raised.items():
-        kinds.setdefault(f"it raises {words}", []).append(place)
+        kinds.setdefault(words, []).append(place)
     for place, words in calls.wrong.items():
         kinds.setdefault(words, []).append(place)
     if calls.complex:
@@ -461,7 +462,9 @@ def _indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[st
     with np.errstate(all="ignore"):
         matrices = found.reshape(-1, *wanted.shape) / (scale[:, :, np.newaxis] * scale[:, np.newaxis, :])
     usable = np.isfinite(matrices).all(axis=(1, 2))
-    lowest = np.array([np.linalg.eigvalsh(one).min() if fine else 0.0 for one, fine in zip(matrices, usable, strict=True)])
+    lowest = np.array(
+        [np.linalg.eigvalsh(one).min() if fine else 0.0 for one, fine in zip(matrices, usable, strict=True)]
+    )
     if lowest.min(initial=0.0) < -1e-3:
         place = int(np.flatnonzero(lowest < -1e-3)[0])
         at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(place).items())

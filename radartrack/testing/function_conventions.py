@@ -20,6 +20,7 @@ from radartrack.testing.wanted import Wanted
 
 LONGEST = 4  # rows whose orders are all tried
 HALF_TURN = 180 / math.pi
+UNLIKELY = 3  # of a convention that one wrong sign explains as well
 AZIMUTH, ELEVATION, PREDICTED = "beta", "epsilon", "predicted_"
 
 
@@ -107,7 +108,7 @@ def _other_axes(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
                 opposite = dict.fromkeys(correlations, _negative)
                 yield turned.beside(ArgumentChange(f"the opposite sign of {_listed(correlations)}", opposite))
             if angle == AZIMUTH:
-                yield ArgumentChange(f"{angle} counted in the other sense (-{angle})", {angle: _negative}, 1)
+                yield ArgumentChange(f"{angle} counted in the other sense (-{angle})", {angle: _negative}, UNLIKELY)
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,7 +155,9 @@ class Arrangements:
         found.append(("the opposite sign", -ones, zeros, 1))
         if (turned := self._azimuth) is not None:
             offset = np.where(turned, np.pi / 2, 0.0) if self._is_map else zeros
-            found.append(("the azimuth counted from the other axis (pi/2 - beta)", np.where(turned, -1.0, 1.0), offset, 1))
+            found.append(
+                ("the azimuth counted from the other axis (pi/2 - beta)", np.where(turned, -1.0, 1.0), offset, 1)
+            )
         return found
 
     @cached_property

@@ -12,7 +12,7 @@ from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.checking.question.printed_formula import Names
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
-from radartrack.derive.evaluation.tree_values import TOLERANCE, Screen, Values
+from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Number, Power, Product, Sum, Tree, replace_at, walk
@@ -49,10 +49,11 @@ class SlipSearch:
             {symbol.name: symbol for symbol in symbols},
             {symbol.name: Dimension.of(symbol.unit) for symbol in symbols},
         )
-        self._screen, self._wider = (
-            Screen({s.name: tuple(map(float, one.points[s.name])) for s in symbols}, one.count)
+        here, self._wider = (
+            {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
             for one in (screening, confirming)
         )
+        self._screen = Screen(here, screening.count)
 
     def slip(self, place: int) -> Slip | None:
         """The likeliest edit of one entry, by its place among those that are wanted."""
@@ -60,7 +61,9 @@ class SlipSearch:
         if not all(map(math.isfinite, target)):
             return None
         wanted = self._screening.wanted
-        entry = wanted.entries[place].xreplace({s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0})
+        entry = wanted.entries[place].xreplace(
+            {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
+        )
         index = wanted.places[place] if wanted.shape else ()
         best: tuple[Candidate, Tree] | None = None
         for tree in _trees(entry):
@@ -100,9 +103,15 @@ class SlipSearch:
                         yield Candidate(edited, "", 1.3)
 
     def _is_confirmed(self, tree: Tree, place: int) -> bool:
-        values = self._wider(tree)
-        found = self._found_there[:, place]
-        return values is not None and _near(values, tuple(map(float, found)), self._confirming.scales[:, place])
+        """Whether the edited formula is the function in all directions, wherever that has a value."""
+        program, sizes = Program(tree), self._confirming.scales[:, place]
+        for n, (target, size) in enumerate(zip(map(float, self._found_there[:, place]), sizes, strict=True)):
+            values = program({name: column[n] for name, column in self._wider.items()})
+            if not math.isfinite(target):
+                continue
+            if not _near(values, (target,), (size,)):
+                return False
+        return True
 
 
 def _near(values: Values | None, target: Values, sizes: Sequence[float]) -> bool:

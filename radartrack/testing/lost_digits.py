@@ -46,7 +46,9 @@ def is_rounding(expected: Expected, found: Array, epsilon: float) -> npt.NDArray
         return np.asarray(np.abs(found - expected.values) <= ALLOWANCE * epsilon * allowed)
 
 
-def is_erratic(values_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array], point: dict[str, float], entry: int) -> bool:
+def is_erratic(
+    values_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array], point: dict[str, float], entry: int
+) -> bool:
     """Whether the values jump when the arguments move by their last digits, as only rounding makes them do."""
     near = {name: np.array([value * (1 + step * DOUBLE) for step in STEPS]) for name, value in point.items()}
     values = values_near(near)[:, entry]
@@ -104,7 +106,9 @@ def _subtraction(entry: Expr, expected: Expected, place: int) -> str:
     point = list(expected.point(place).values())
     for total in _sums(entry):
         try:
-            whole, *terms = Evaluator(Tensor((1 + len(total.args),), (total, *total.args)), expected.wanted.quantity.symbols)(point)
+            whole, *terms = Evaluator(
+                Tensor((1 + len(total.args),), (total, *total.args)), expected.wanted.quantity.symbols
+            )(point)
         except (ArithmeticError, TypeError, ValueError):
             continue
         size = sum(abs(term) for term in terms)
@@ -127,5 +131,3 @@ def _sums(entry: Expr) -> Iterator[Expr]:
         if isinstance(node, sp.Add):
             yield node
         waiting.extend(node.args)
-
-

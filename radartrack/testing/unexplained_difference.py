@@ -25,6 +25,10 @@ def described(wanted: Wanted, places: Sequence[int], difference: Difference, poi
     """For each entry that differs, in words."""
     for place in places:
         index = (wanted.places[place],) if wanted.shape else ()
+        here = {name: np.array([value]) for name, value in point.items()}
+        if not np.isfinite(difference({name: values * MOVED for name, values in here.items()})[0, place]):
+            yield f"{at_place(*index) or 'it '}differs"  # nothing is known beside the points of a table
+            continue
         depends = [symbol.name for symbol in wanted.symbols if _matters(symbol, place, difference, point)]
         order = _order(deviations_of(wanted.symbols), place, difference, point)
         on = f"the difference depends on {', '.join(depends)}" if depends else "the difference is a constant"
@@ -39,7 +43,7 @@ def _matters(symbol: Variable, place: int, difference: Difference, point: dict[s
         moved = point[symbol.name] / 2 + 0.1
     both = {name: np.array([value, moved if name == symbol.name else value]) for name, value in point.items()}
     first, second = difference(both)[:, place]
-    return not (math.isfinite(first) and math.isfinite(second)) or abs(first - second) > NOISE * abs(first)
+    return abs(first - second) > NOISE * abs(first)  # never of what is not known there
 
 
 def _order(deviations: Sequence[str], place: int, difference: Difference, point: dict[str, float]) -> int | None:
@@ -61,7 +65,11 @@ def region(expected: Expected, wrong: npt.NDArray[np.bool_]) -> str:
     """Where a function is wrong that is right elsewhere: "where x < 0", or at how many points."""
     for symbol in expected.wanted.symbols:
         values = expected.points[symbol.name]
-        for words, there in ((f"{symbol.name} < 0", values < 0), (f"{symbol.name} > 0", values > 0), (f"{symbol.name} = 0", values == 0)):
+        for words, there in (
+            (f"{symbol.name} < 0", values < 0),
+            (f"{symbol.name} > 0", values > 0),
+            (f"{symbol.name} = 0", values == 0),
+        ):
             if wrong.any() and (wrong <= there).all() and wrong[there].mean() > 0.5 and not there.all():
                 return f"only where {words}"
     return f"at {int(wrong.sum())} of {expected.count} points of the domain"
