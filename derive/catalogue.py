@@ -11,7 +11,13 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments import taylor_quantities
 from radartrack.derive.motion import plane_motion, polynomial_motion
 from radartrack.derive.sensors import converted_measurements, observation_maps, several_sites
-from radartrack.derive.tracks import deviation_from_line, fusion_weights, least_squares_line, line_over_time, track_initiation
+from radartrack.derive.tracks import (
+    deviation_from_line,
+    fusion_weights,
+    least_squares_line,
+    line_over_time,
+    track_initiation,
+)
 
 FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     converted_measurements.quantities,

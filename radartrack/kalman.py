@@ -234,7 +234,8 @@ def update_with(
     def block(own: NDArray[np.intp], new_means: RealArray, new_covariances: RealArray) -> None:
         few = covariance if covariance.shape[-1] == 1 else covariance[..., own]
         with np.errstate(over="ignore", invalid="ignore"):
-            step, updated = _updated(np.zeros_like(mean[:, own]), few, look.observation(mean[:, own], few, seen[own].T, own))
+            observation = look.observation(mean[:, own], few, seen[own].T, own)
+            step, updated = _updated(np.zeros_like(mean[:, own]), few, observation)
         new_means[...] = (mean[:, own] + step).T
         new_covariances[...] = np.moveaxis(updated, -1, 0)
 
@@ -528,12 +529,13 @@ def _measurement(
     measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, size: tuple[int, ...]
 ) -> tuple[RealArray, RealArray, RealArray]:
     arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
-    values, H, R = arrays["measured"], arrays["matrix"], arrays["noise"]
+    H = arrays["matrix"]
     if H.ndim != 2 or not H.size or not np.isfinite(H).all():
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
     if H.shape[1:] != size:
         raise ValueError(f"matrix must have {size[0]} columns, one a component; got {H.shape[1]}")
-    return _measured_values(arrays, len(H))[0], H, R
+    values, R = _measured_values(arrays, len(H))
+    return values, H, R
 
 
 def _measured_values(arrays: dict[str, RealArray], size: int) -> tuple[RealArray, RealArray]:

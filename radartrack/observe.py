@@ -223,7 +223,7 @@ def range_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
 def range_rate_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
     """Observe the range rate [m/s] at another receiver less that at the origin: the frequency difference of arrival.
 
-    Both receivers stand still. Of a transmitter with wavelength w, the received frequency is lower there by this over w.
+    Both receivers stand still. At a wavelength w, the frequency received there is lower by this over w.
 
     Args:
         state: as for `spherical_doppler`.

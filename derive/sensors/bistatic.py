@@ -1,4 +1,4 @@
-"""Bistatic range and azimuth in the plane: receiver at the origin, transmitter at the baseline along the azimuth's axis."""
+"""Bistatic path and azimuth in the plane: the receiver at the origin, the transmitter on the axis of the azimuth."""
 
 from radartrack.derive.bibliography import cite
 from radartrack.derive.language.model import Model

@@ -204,7 +204,14 @@ SPHERICAL = {"r": space, "beta": sp.atan2(x, y), "epsilon": sp.atan2(z, plane)}
 
 # fmt: off - a table reads best with few lines a row
 OBSERVATIONS = (
-    Observation("bearing", "azimuth of a position in the plane", (x, y), {"beta": sp.atan2(y, x)}, (RADIAN,), (IN_PLANE,)),
+    Observation(
+        "bearing",
+        "azimuth of a position in the plane",
+        (x, y),
+        {"beta": sp.atan2(y, x)},
+        (RADIAN,),
+        (IN_PLANE,),
+    ),
     Observation("polar", "range and azimuth of a position in the plane", (x, y), POLAR, (METRE, RADIAN), (IN_PLANE,)),
     Observation(
         "polar_doppler",

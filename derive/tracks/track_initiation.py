@@ -23,7 +23,7 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
-from radartrack.derive.language.variable import Variable, angle, correlation, deviation, length, speed
+from radartrack.derive.language.variable import Variable, correlation, deviation, length, speed
 from radartrack.derive.moments import debiased_conversion
 from radartrack.derive.moments.closed_form import Closed
 from radartrack.derive.sensors import polar_doppler, spherical_doppler
@@ -39,7 +39,8 @@ likely_rate = speed("likely_rate", "mean radial velocity given the plot")
 sigma_likely_range = deviation(likely_range, low=1e-3, high=1e4)
 sigma_likely_rate = deviation(likely_rate, low=1e-4, high=1e3)
 likely_rho = correlation("likely_rho", likely_range, likely_rate)
-across, up = speed("across", "horizontal velocity across the line of sight"), speed("up", "the other velocity across it")
+across = speed("across", "horizontal velocity across the line of sight")
+up = speed("up", "velocity across both")
 sigma_across, sigma_up = (deviation(velocity, low=1.0, high=1e3) for velocity in (across, up))
 
 
@@ -141,9 +142,7 @@ def _one_plot(sensor: Model) -> OnePlot:
 
 
 T = Variable("T", "time from the first plot to the second", SECOND, 1e-3, 1e3)
-first, second = (
-    Variable(name, f"a coordinate of the {name} plot", METRE, -1e6, 1e6) for name in ("first", "second")
-)
+first, second = (Variable(name, f"a coordinate of the {name} plot", METRE, -1e6, 1e6) for name in ("first", "second"))
 first_covariance, second_covariance = (
     Variable(f"{name}_covariance", f"covariance of two coordinates of the {name} plot", METRE**2, -1e8, 1e8)
     for name in ("first", "second")

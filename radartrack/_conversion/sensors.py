@@ -98,15 +98,9 @@ class Sensor(NamedTuple):
             TypeError, ValueError: the word is none of the two, or there is no azimuth.
 
         """
-        if azimuth_from is None:
-            return self.azimuth_from
-        if self.azimuth_from is None:
-            raise ValueError(f"azimuth_from must be None for sensor {self.module!r}; got {azimuth_from!r}")
-        return one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
+        return chosen_axis(self.module, self.azimuth_from, azimuth_from)
 
-    def cartesian(
-        self, measured: RealArray, known: Mapping[str, float], azimuth_from: AzimuthFrom | None
-    ) -> RealArray:
+    def cartesian(self, measured: RealArray, known: Mapping[str, float], azimuth_from: AzimuthFrom | None) -> RealArray:
         """The map of measured quantities along the last axis, with the parameters by name."""
         values = dict(zip(self.coordinates, np.moveaxis(measured, -1, 0), strict=True))
         values |= {name: np.asarray(value) for name, value in known.items()}
@@ -153,6 +147,20 @@ class Sensor(NamedTuple):
             measured = (*self.coordinates.values(), *self.parameters.values())
             return function(**{symbol: values[symbol] for symbol, _ in measured})
         return function(**values)
+
+
+def chosen_axis(sensor: str, default: AzimuthFrom | None, azimuth_from: AzimuthFrom | None) -> AzimuthFrom | None:
+    """Where the azimuth of a sensor is counted from; None without an azimuth.
+
+    Raises:
+        TypeError, ValueError: the word is none of the two, or there is no azimuth.
+
+    """
+    if azimuth_from is None:
+        return default
+    if default is None:
+        raise ValueError(f"azimuth_from must be None for sensor {sensor!r}; got {azimuth_from!r}")
+    return one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
 
 
 def _require_in_front(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> None:

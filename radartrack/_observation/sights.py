@@ -11,12 +11,11 @@ from radartrack._arrays.validation import (
     BASELINE,
     Domain,
     RealArray,
-    one_of,
     require_trailing_shape,
     require_within,
 )
 from radartrack._arrays.validation import RANGE_RATE as SPEED
-from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName, chosen_axis
 from radartrack.generated import observe as formulas
 
 SightName: TypeAlias = (
@@ -72,8 +71,7 @@ class Sight:
             TypeError, ValueError: the word is none of the two, or there is no choice.
 
         """
-        axis = chosen_axis(self, azimuth_from)
-        kept = axis == self.azimuth_from
+        kept = chosen_axis(self.name, self.azimuth_from, azimuth_from) == self.azimuth_from
         return [self.state.index(name if kept else _EXCHANGED.get(name, name)) for name in self.state]
 
     def read_state(self, name: str, values: RealArray) -> None:
@@ -124,7 +122,8 @@ class Sight:
             ValueError: some do.
 
         """
-        away = POSITION._replace(signed=False, smallest=POLE[states.dtype], reason="there is no derivative nearer to it")
+        least = POLE[states.dtype]
+        away = POSITION._replace(signed=False, smallest=least, reason="there is no derivative nearer to it")
         axes = [self.state.index(axis) for axis in self.axes]
         require_within(f"{name}'s distance from {self.place}", np.abs(states[..., axes]).max(axis=-1), away)
         if site:
@@ -141,20 +140,6 @@ def off_pole(values: RealArray, site: RealArray | None = None) -> RealArray:
     least = POLE[np.dtype(values.dtype)]
     kept = np.where(np.abs(values) < least, 0, values)
     return kept if site is None else np.where(np.abs(kept - site) < least, site, kept)
-
-
-def chosen_axis(sight: Sight, azimuth_from: AzimuthFrom | None) -> AzimuthFrom | None:
-    """The axis that the azimuth is counted from, by default that of the formulas.
-
-    Raises:
-        TypeError, ValueError: the word is none of the two, or there is no choice.
-
-    """
-    if azimuth_from is None:
-        return sight.azimuth_from
-    if sight.azimuth_from is None:
-        raise ValueError(f"azimuth_from must be None for sensor {sight.name!r}; got {azimuth_from!r}")
-    return one_of("azimuth_from", azimuth_from, ("x", "y"))
 
 
 def site_of(sight: Sight, given: Mapping[str, ArrayLike]) -> dict[str, ArrayLike]:
@@ -184,7 +169,9 @@ SIGHTS: Mapping[SightName, Sight] = {
     "ruv": _of_sensor("ruv", SPACE, axes=SPACE),
     "bistatic": _of_sensor("bistatic", PLANE, site={"baseline": ("baseline",)}),
     "bearing": Sight("bearing", PLANE, ("azimuth",), "x"),
-    "range_difference": Sight("range_difference", SPACE, ("range_difference",), None, {"receiver": RECEIVER}, axes=SPACE),
+    "range_difference": Sight(
+        "range_difference", SPACE, ("range_difference",), None, {"receiver": RECEIVER}, axes=SPACE
+    ),
     "range_rate_difference": Sight(
         "range_rate_difference", MOVING_IN_SPACE, ("range_rate_difference",), None, {"receiver": RECEIVER}, axes=SPACE
     ),
