@@ -121,6 +121,7 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             None,
             "Analysis of the effect of linearisation of radar measurements on the accuracy of target state estimates",
         ),
+        "willis1991": Work("Willis", 1991, "Bistatic radar", "Artech House"),
     }
 )
 

@@ -202,6 +202,66 @@ def polar_doppler(
     return _convert(SENSORS["polar_doppler"], given, method, predicted, azimuth_from)
 
 
+def spherical_doppler(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    elevation: ArrayLike,
+    range_rate: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    elevation_std: ArrayLike,
+    range_rate_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    method: Method = "unbiased",
+    azimuth_from: AzimuthFrom = "y",
+    *,
+    predicted: Prediction | None = None,
+) -> Converted:
+    """Convert range, azimuth, elevation and range rate to x, y, z and eta, range times range rate.
+
+    Of a target with the velocity (vx, vy, vz), eta is x vx + y vy + z vz, which has no root and no quotient.
+    The arguments broadcast to the leading shape of the result. It is float32 where every array given is, and
+    float64 otherwise.
+
+    Args:
+        r: measured range [m], from 0 to 1e100, in float32 to 1e10.
+        azimuth: measured azimuth [rad], wrapped or not, from -1e6 to 1e6, in float32 from -1e3 to 1e3.
+        elevation: measured elevation [rad], up from the horizontal plane, from -pi/2 to pi/2.
+        range_rate: measured range rate [m/s], positive for a receding target, from -1e50 to 1e50, in float32
+            from -1e8 to 1e8.
+        range_std: standard deviation of the range [m], from 0 to 1e100, in float32 to 1e10.
+        azimuth_std: standard deviation of the azimuth [rad], from 0 to pi.
+        elevation_std: standard deviation of the elevation [rad], from 0 to pi.
+        range_rate_std: standard deviation of the range rate [m/s], from 0 to 1e50, in float32 to 1e8.
+        correlation: correlation of the errors of range and range rate, from -1 to 1.
+        method: which mean and covariance, as for `polar` (eta from Duan et al. 2005).
+        azimuth_from: "y", clockwise from the y axis (compass), or "x", counter-clockwise from the x axis.
+        predicted: for the method "decorrelated", and only for it, a pair: the predicted range [m], azimuth [rad],
+            elevation [rad] and range rate [m/s], shape (..., 4), the azimuth counted like the measured one, and
+            their covariance, shape (..., 4, 4), with any correlations.
+
+    Returns:
+        Mean [m, m, m, m^2/s], shape (..., 4), and covariance, shape (..., 4, 4), of x, y, z and eta.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`.
+
+    """
+    given = {
+        "r": r,
+        "azimuth": azimuth,
+        "elevation": elevation,
+        "range_rate": range_rate,
+        "range_std": range_std,
+        "azimuth_std": azimuth_std,
+        "elevation_std": elevation_std,
+        "range_rate_std": range_rate_std,
+        "correlation": correlation,
+    }
+    return _convert(SENSORS["spherical_doppler"], given, method, predicted, azimuth_from)
+
+
 def ruv(
     r: ArrayLike,
     u: ArrayLike,
@@ -258,6 +318,60 @@ def ruv(
         "correlation": correlation,
     }
     return _convert(SENSORS["ruv"], given, method, predicted)
+
+
+def bistatic(
+    path: ArrayLike,
+    azimuth: ArrayLike,
+    baseline: ArrayLike,
+    path_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    method: Method = "unbiased",
+    azimuth_from: AzimuthFrom = "x",
+    *,
+    predicted: Prediction | None = None,
+) -> Converted:
+    """Convert the path from transmitter to target to receiver, and the azimuth at the receiver, to x and y.
+
+    The receiver is at the origin, the transmitter on the axis that the azimuth is counted from. The range from the
+    receiver, (path^2 - baseline^2)/(2 (path - baseline cos azimuth)), has no closed forms: the methods after
+    "second_order" are series to the fourth order in the deviations, their covariances completed to sums of squares.
+    Near the baseline they converge slowly, which the intervals below keep off.
+
+    The arguments broadcast to the leading shape of the result. It is float32 where every array given is, and
+    float64 otherwise; all is computed in float64.
+
+    Args:
+        path: measured length of the path [m], from 1e-9 to 1e15.
+        azimuth: measured azimuth [rad], wrapped or not, from -1e6 to 1e6; 0 is where the transmitter stands.
+        baseline: distance from transmitter to receiver [m], at least 0; baseline + 5 path_std is at most 0.999 path.
+        path_std: standard deviation of the path [m].
+        azimuth_std: standard deviation of the azimuth [rad], from 0 to 0.5, and to arccosh(path/baseline)/5.
+        correlation: correlation of the errors of path and azimuth, from -1 to 1.
+        method: which mean and covariance, as for `polar` (Willis 1991, bistatic triangle).
+        azimuth_from: "x", counter-clockwise from the x axis, or "y", clockwise from the y axis (compass).
+        predicted: for the method "decorrelated", and only for it, a pair: the predicted path [m] and azimuth [rad],
+            shape (..., 2), the azimuth counted like the measured one, and their covariance, shape (..., 2, 2). They
+            keep off the baseline likewise, with the deviations of prediction and measurement together.
+
+    Returns:
+        Mean [m], shape (..., 2), and covariance [m^2], shape (..., 2, 2), of x and y.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`; also where the plot is too near the baseline for its deviations.
+
+    """
+    given = {
+        "path": path,
+        "azimuth": azimuth,
+        "baseline": baseline,
+        "path_std": path_std,
+        "azimuth_std": azimuth_std,
+        "correlation": correlation,
+    }
+    return _convert(SENSORS["bistatic"], given, method, predicted, azimuth_from)
 
 
 def _convert(

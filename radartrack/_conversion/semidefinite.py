@@ -37,7 +37,8 @@ def are_plain(values: Symbols, covariances: RealArray) -> bool:
     if covariances.dtype == SINGLE:
         return bool(_variances(covariances).min(initial=1) >= _least(covariances.dtype))
     # Where range and deviations are not small, every variance has a term that is not, whatever the angles.
-    if all(_smallest(array) >= SMALL for symbol, array in values.items() if symbol == "r" or "sigma" in symbol):
+    lengths = (array for symbol, array in values.items() if symbol in {"r", "path"} or "sigma" in symbol)
+    if all(_smallest(array) >= SMALL for array in lengths):
         return True
     return all(bool((sizes >= SMALL)[sizes > 0].all()) for sizes in map(np.abs, values.values()))
 
