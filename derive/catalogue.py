@@ -9,7 +9,7 @@ from functools import cache
 from radartrack.derive.finite_sample import filter_quantities
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments import taylor_quantities
-from radartrack.derive.motion import plane_motion, polynomial_motion
+from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion
 from radartrack.derive.sensors import converted_measurements, observation_maps
 from radartrack.derive.tracks import deviation_from_line, fusion_weights, least_squares_line, line_over_time
 
@@ -23,6 +23,7 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     filter_quantities.quantities,
     polynomial_motion.quantities,
     plane_motion.quantities,
+    correlated_motion.quantities,
     taylor_quantities.quantities,
 )
 
