@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 from functools import cache
 
-from radartrack.derive.finite_sample import filter_quantities
+from radartrack.derive.finite_sample import fading_memory, filter_quantities
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments import taylor_quantities
-from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion
+from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion, steady_state, turning
 from radartrack.derive.sensors import converted_measurements, observation_maps
 from radartrack.derive.tracks import deviation_from_line, fusion_weights, least_squares_line, line_over_time
 
@@ -24,6 +24,9 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     polynomial_motion.quantities,
     plane_motion.quantities,
     correlated_motion.quantities,
+    turning.quantities,
+    steady_state.quantities,
+    fading_memory.quantities,
     taylor_quantities.quantities,
 )
 

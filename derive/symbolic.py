@@ -224,7 +224,7 @@ class stumpff(Function):
 class third(Function):
     """The cosine of the third part of the angle whose cosine is given; hyperbolic ones where it is above one.
 
-    It is the root c of 4 c^3 - 3 c = x that is at least 1/2, for x from -1 on.
+    It is the positive root c of 4 c^3 - 3 c = x, for x from 0 on.
     """
 
     nargs = 1

@@ -15,7 +15,6 @@ ROUNDING = 1e-15  # of one operation, generously
 TINY = 1e-300  # what underflow may lose
 
 
-
 def _third(x: float) -> float:
     return math.cosh(math.acosh(x) / 3) if x > 1 else math.cos(math.acos(x) / 3)
 

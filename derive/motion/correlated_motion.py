@@ -35,9 +35,7 @@ alpha = Variable("alpha", "one over the time constant", SECOND**-1, 1e-6, 1.0)
 sigma_m = Variable("sigma_m", "standard deviation of the acceleration", METRE / SECOND**2, 1e-6, 1e3)
 q = Variable("q", "intensity of the white noise that drives the velocity", METRE**2 / SECOND**3, 1e-9, 1e6)
 SINGER = State("singer", "position, velocity and acceleration of one axis", units(3), cite("singer1970"))
-ORNSTEIN_UHLENBECK = State(
-    "ornstein_uhlenbeck", "position and velocity of one axis", units(2), cite("uhlenbeck1930")
-)
+ORNSTEIN_UHLENBECK = State("ornstein_uhlenbeck", "position and velocity of one axis", units(2), cite("uhlenbeck1930"))
 
 decay, near = sp.Symbol("decay", real=True), sp.Symbol("near", real=True)
 rest = tuple(sp.Symbol(f"rest_{n}", real=True) for n in range(6))

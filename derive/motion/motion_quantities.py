@@ -88,4 +88,3 @@ def as_derived(derivation: Callable[[], Tensor[Expr]]) -> Callable[[], StableFor
 def symmetric(upper: Callable[[int, int], Expr], size: int) -> Tensor[Expr]:
     """A symmetric matrix by its entries on and above the diagonal."""
     return Tensor.build((size, size), lambda m, n: upper(min(m, n), max(m, n)))
-

@@ -1,7 +1,7 @@
 """Polynomial motion of one axis, driven by noise in its next derivative, from scan to scan.
 
-The n-th derivative of the position is noise: x⁽ⁿ⁾ = w. It is white, E w(t) w(s) = q δ(t − s), or constant over a period,
-of deviation σ_w. In a Wiener sequence it is neither: the (n−1)-th derivative jumps at each scan, by σ_w.
+The n-th derivative of the position is noise: x⁽ⁿ⁾ = w. It is white, E w(t) w(s) = q δ(t − s), or constant over a
+period, of deviation σ_w. In a Wiener sequence it is neither: the (n−1)-th derivative jumps at each scan, by σ_w.
 """
 
 from __future__ import annotations

@@ -16,7 +16,6 @@ from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
 
-
 SERIES = (sp.remainder, sp.stumpff, sp.third)
 
 
@@ -41,9 +40,16 @@ def _form(quantity: Quantity, *_origin: object) -> StableForm:
 
 def readable(quantity: Quantity) -> Tensor[Expr]:
     """The form with its intermediates filled in, to be read: 1 − e^x stands where code calls expm1."""
-    form = form_of(quantity)
+    form = in_one_form(form_of(quantity))
     plain = {symbol: without_expm1(definition) for symbol, definition in form.definitions.items()}
     return StableForm(plain, form.entries.map(without_expm1)).expanded()
+
+
+def in_one_form(form: StableForm) -> StableForm:
+    """With the second of two forms of a function, the textbook's, where code chooses between them by size."""
+    choices = {symbol: sp.Integer(0) for symbol, value in form.definitions.items() if isinstance(value, sp.below)}
+    entries = form.entries.map(lambda entry: entry.xreplace(choices))
+    return StableForm(form.definitions, entries, form.arbitrary).only(entries)
 
 
 def without_expm1(expression: Expr) -> Expr:
