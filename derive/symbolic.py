@@ -80,6 +80,7 @@ from sympy.printing.str import StrPrinter
 __all__ = [
     "QQ",
     "QQ_I",
+    "Abbreviation",
     "Abs",
     "Add",
     "Basic",
@@ -173,7 +174,11 @@ class expm1(Function):
         return exp(self.args[0])
 
 
-class remainder(Function):
+class Abbreviation(Function):
+    """A function whose `expanded` form, of elementary ones, loses digits or passes through complex numbers."""
+
+
+class remainder(Abbreviation):
     """e^x less the terms of its series below an order: x^2/2 + x^3/6 + ... from the order 2 on."""
 
     nargs = 2
@@ -200,7 +205,7 @@ class ratio(Function):
     nargs = 2
 
 
-class stumpff(Function):
+class stumpff(Abbreviation):
     """Stumpff's c_n of x^2: 1/n! - x^2/(n+2)! + x^4/(n+4)! - ..., a sine or cosine less what its series begins with.
 
     c_0 is cos x, c_1 is sin x / x, c_2 is (1 - cos x)/x^2; all are finite at zero, and their derivatives are of them.
@@ -221,7 +226,7 @@ class stumpff(Function):
         return (Rational(1, factorial(int(order) - 2)) - stumpff(x, order - 2).expanded()) / x**2
 
 
-class third(Function):
+class third(Abbreviation):
     """The cosine of the third part of the angle whose cosine is given; hyperbolic ones where it is above one.
 
     It is the positive root c of 4 c^3 - 3 c = x, for x from 0 on.

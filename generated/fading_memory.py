@@ -1,6 +1,6 @@
 """NumPy functions of the quantities fading_memory.*.
 
-Written by radartrack regenerate, generator 1, derivation cee9289ca2601102; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 9379da4b249ba955; not to be edited.
 """
 
 import numpy as np
@@ -61,29 +61,27 @@ def degree0(*, theta: npt.ArrayLike) -> Floats:
     return result
 
 
-def degree0_covariance(*, theta: npt.ArrayLike, sigma_r: npt.ArrayLike, T: npt.ArrayLike) -> Floats:
-    """Error covariance of range in a filter of fading memory.
+def degree0_covariance(*, theta: npt.ArrayLike) -> Floats:
+    """Error covariance of range in a filter of fading memory, for errors of variance one, times powers of T.
 
     Name: fading_memory.degree0.covariance.
-    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1 sigma_r^2.
+    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1.
     Conditioning: no expectation is taken.
     Source: Morrison 1969.
 
     Args:
         theta: fading factor, the weight of a residual by that of the next [1], 0.001 to 0.9999.
-        sigma_r: standard deviation of the error of the range [m], 0.001 to 10000.
-        T: time from scan to scan [s], 0.001 to 1000.
 
     Returns:
-        Shape of the broadcast arguments + (1, 1), unit m^2.
+        Shape of the broadcast arguments + (1, 1), unit 1.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
-    arguments = _floats(theta, sigma_r, T)
-    theta, sigma_r, T = arguments
+    arguments = _floats(theta)
+    theta, = arguments
     result = _empty(arguments, (1, 1))
-    result[..., 0, 0] = (1.0 - theta) * sigma_r**2 / (1.0 + theta)
+    result[..., 0, 0] = (1.0 - theta) / (1.0 + theta)
     return result
 
 
@@ -113,37 +111,34 @@ def degree1(*, theta: npt.ArrayLike) -> Floats:
     return result
 
 
-def degree1_covariance(*, theta: npt.ArrayLike, sigma_r: npt.ArrayLike, T: npt.ArrayLike) -> Floats:
-    """Error covariance of range and range rate in a filter of fading memory.
+def degree1_covariance(*, theta: npt.ArrayLike) -> Floats:
+    """Error covariance of range and range rate in a filter of fading memory, for errors of variance one, times powers of T.
 
     Name: fading_memory.degree1.covariance.
-    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1 sigma_r^2.
+    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1.
     Conditioning: no expectation is taken.
     Source: Morrison 1969.
 
     Args:
         theta: fading factor, the weight of a residual by that of the next [1], 0.001 to 0.9999.
-        sigma_r: standard deviation of the error of the range [m], 0.001 to 10000.
-        T: time from scan to scan [s], 0.001 to 1000.
 
     Returns:
-        Shape of the broadcast arguments + (2, 2), unit [m, m/s] × [m, m/s].
+        Shape of the broadcast arguments + (2, 2), unit 1.
 
-    Accuracy: at most 6 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
-    arguments = _floats(theta, sigma_r, T)
-    theta, sigma_r, T = arguments
+    arguments = _floats(theta)
+    theta, = arguments
     term_1 = 1.0 / ((1.0 + theta) * (1.0 + theta)**2)
     sum_1 = 1.0 - theta
-    sigma_r_squared = sigma_r**2
     sum_2 = 1.0 + 4.0 * theta + 5.0 * theta**2
     sum_1_squared = sum_1**2
     result = _empty(arguments, (2, 2))
-    result[..., 0, 0] = sigma_r_squared * sum_1 * sum_2 * term_1
-    result[..., 0, 1] = (1.0 + 3.0 * theta) * sigma_r_squared * sum_1_squared * term_1 / T
+    result[..., 0, 0] = sum_1 * sum_2 * term_1
+    result[..., 0, 1] = (1.0 + 3.0 * theta) * sum_1_squared * term_1
     result[..., 1, 0] = result[..., 0, 1]
-    result[..., 1, 1] = 2.0 * sigma_r_squared * sum_1 * sum_1_squared * term_1 / T**2
+    result[..., 1, 1] = 2.0 * sum_1 * sum_1_squared * term_1
     return result
 
 
@@ -175,49 +170,45 @@ def degree2(*, theta: npt.ArrayLike) -> Floats:
     return result
 
 
-def degree2_covariance(*, theta: npt.ArrayLike, sigma_r: npt.ArrayLike, T: npt.ArrayLike) -> Floats:
-    """Error covariance of range and two derivatives in a filter of fading memory.
+def degree2_covariance(*, theta: npt.ArrayLike) -> Floats:
+    """Error covariance of range and two derivatives in a filter of fading memory, for errors of variance one, times powers of T.
 
     Name: fading_memory.degree2.covariance.
-    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1 sigma_r^2.
+    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1.
     Conditioning: no expectation is taken.
     Source: Morrison 1969.
 
     Args:
         theta: fading factor, the weight of a residual by that of the next [1], 0.001 to 0.9999.
-        sigma_r: standard deviation of the error of the range [m], 0.001 to 10000.
-        T: time from scan to scan [s], 0.001 to 1000.
 
     Returns:
-        Shape of the broadcast arguments + (3, 3), unit [m, m/s, m/s^2] × [m, m/s, m/s^2].
+        Shape of the broadcast arguments + (3, 3), unit 1.
 
-    Accuracy: at most 9.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 9 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
-    arguments = _floats(theta, sigma_r, T)
-    theta, sigma_r, T = arguments
+    arguments = _floats(theta)
+    theta, = arguments
     term_1 = 1.0 / ((1.0 + theta) * ((1.0 + theta)**2)**2)
     sum_1 = 1.0 - theta
     theta_squared = theta**2
-    sigma_r_squared = sigma_r**2
     sum_2 = 1.0 + 16.0 * theta_squared + 19.0 * theta_squared**2 + 24.0 * theta * theta_squared + 6.0 * theta
     sum_1_squared = sum_1**2
     sum_3 = 1.0 + 2.0 * theta
     sum_4 = 1.0 + 4.0 * theta + 7.0 * theta_squared
     product_1 = sum_1 * sum_1_squared
-    term_2 = 1.0 / T**2
     sum_5 = 1.0 + 10.0 * theta_squared + 5.0 * theta
     sum_6 = 13.0 + 49.0 * theta_squared + 50.0 * theta
     result = _empty(arguments, (3, 3))
-    result[..., 0, 0] = sigma_r_squared * sum_1 * sum_2 * term_1
-    result[..., 0, 1] = 1.5 * sigma_r_squared * sum_1_squared * sum_3 * sum_4 * term_1 / T
-    result[..., 0, 2] = product_1 * sigma_r_squared * sum_5 * term_1 * term_2
+    result[..., 0, 0] = sum_1 * sum_2 * term_1
+    result[..., 0, 1] = 1.5 * sum_1_squared * sum_3 * sum_4 * term_1
+    result[..., 0, 2] = product_1 * sum_5 * term_1
     result[..., 1, 0] = result[..., 0, 1]
-    result[..., 1, 1] = 0.5 * product_1 * sigma_r_squared * sum_6 * term_1 * term_2
-    result[..., 1, 2] = 6.0 * sigma_r_squared * sum_1_squared**2 * sum_3 * term_1 / (T * T**2)
+    result[..., 1, 1] = 0.5 * product_1 * sum_6 * term_1
+    result[..., 1, 2] = 6.0 * sum_1_squared**2 * sum_3 * term_1
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
-    result[..., 2, 2] = 6.0 * sigma_r_squared * sum_1 * sum_1_squared**2 * term_1 / (T**2)**2
+    result[..., 2, 2] = 6.0 * sum_1 * sum_1_squared**2 * term_1
     return result
 
 
@@ -253,34 +244,31 @@ def degree3(*, theta: npt.ArrayLike) -> Floats:
     return result
 
 
-def degree3_covariance(*, theta: npt.ArrayLike, sigma_r: npt.ArrayLike, T: npt.ArrayLike) -> Floats:
-    """Error covariance of range and three derivatives in a filter of fading memory.
+def degree3_covariance(*, theta: npt.ArrayLike) -> Floats:
+    """Error covariance of range and three derivatives in a filter of fading memory, for errors of variance one, times powers of T.
 
     Name: fading_memory.degree3.covariance.
-    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1 sigma_r^2.
+    Definition: S^-1 (sum_n theta^2n h_n h_n') S^-1.
     Conditioning: no expectation is taken.
     Source: Morrison 1969.
 
     Args:
         theta: fading factor, the weight of a residual by that of the next [1], 0.001 to 0.9999.
-        sigma_r: standard deviation of the error of the range [m], 0.001 to 10000.
-        T: time from scan to scan [s], 0.001 to 1000.
 
     Returns:
-        Shape of the broadcast arguments + (4, 4), unit [m, m/s, m/s^2, m/s^3] × [m, m/s, m/s^2, m/s^3].
+        Shape of the broadcast arguments + (4, 4), unit 1.
 
-    Accuracy: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    Accuracy: at most 12.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
     errors).
     """
-    arguments = _floats(theta, sigma_r, T)
-    theta, sigma_r, T = arguments
+    arguments = _floats(theta)
+    theta, = arguments
     term_1 = 1.0 / ((1.0 + theta) * ((1.0 + theta) * (1.0 + theta)**2)**2)
     sum_1 = 1.0 - theta
     theta_squared = theta**2
     product_1 = theta * theta_squared**2
     product_2 = theta * theta_squared
     theta_squared_squared = theta_squared**2
-    sigma_r_squared = sigma_r**2
     sum_2 = (
         1.0
         + 104.0 * product_1
@@ -300,33 +288,30 @@ def degree3_covariance(*, theta: npt.ArrayLike, sigma_r: npt.ArrayLike, T: npt.A
         + 961.0 * theta_squared_squared
     )
     product_3 = sum_1 * sum_1_squared
-    term_2 = 1.0 / T**2
     sum_4 = 1.0 + 28.0 * theta_squared + 45.0 * theta_squared_squared + 56.0 * product_2 + 8.0 * theta
     sum_1_squared_squared = sum_1_squared**2
-    term_3 = 1.0 / (T * T**2)
     sum_5 = 1.0 + 21.0 * theta_squared + 35.0 * product_2 + 7.0 * theta
     sum_6 = 53.0 + 298.0 * theta + 581.0 * theta_squared_squared + 762.0 * theta_squared + 970.0 * product_2
     sum_7 = 3.0 + 5.0 * theta
     sum_8 = 5.0 + 14.0 * theta + 17.0 * theta_squared
     product_4 = sum_1 * sum_1_squared**2
-    term_4 = 1.0 / (T**2)**2
     sum_9 = 47.0 + 134.0 * theta + 167.0 * theta_squared
     sum_10 = 23.0 + 63.0 * theta_squared + 76.0 * theta
     result = _empty(arguments, (4, 4))
-    result[..., 0, 0] = sigma_r_squared * sum_1 * sum_2 * term_1
-    result[..., 0, 1] = sigma_r_squared * sum_1_squared * sum_3 * term_1 / (T * 6.0)
-    result[..., 0, 2] = 2.0 * product_3 * sigma_r_squared * sum_4 * term_1 * term_2
-    result[..., 0, 3] = sigma_r_squared * sum_1_squared_squared * sum_5 * term_1 * term_3
+    result[..., 0, 0] = sum_1 * sum_2 * term_1
+    result[..., 0, 1] = sum_1_squared * sum_3 * term_1 / 6.0
+    result[..., 0, 2] = 2.0 * product_3 * sum_4 * term_1
+    result[..., 0, 3] = sum_1_squared_squared * sum_5 * term_1
     result[..., 1, 0] = result[..., 0, 1]
-    result[..., 1, 1] = 5.0 * product_3 * sigma_r_squared * sum_6 * term_1 * term_2 / 18.0
-    result[..., 1, 2] = 5.0 * sigma_r_squared * sum_1_squared_squared * sum_7 * sum_8 * term_1 * term_3 / 3.0
-    result[..., 1, 3] = product_4 * sigma_r_squared * sum_9 * term_1 * term_4 / 3.0
+    result[..., 1, 1] = 5.0 * product_3 * sum_6 * term_1 / 18.0
+    result[..., 1, 2] = 5.0 * sum_1_squared_squared * sum_7 * sum_8 * term_1 / 3.0
+    result[..., 1, 3] = product_4 * sum_9 * term_1 / 3.0
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
-    result[..., 2, 2] = 2.0 * product_4 * sigma_r_squared * sum_10 * term_1 * term_4
-    result[..., 2, 3] = 10.0 * sigma_r_squared * sum_1_squared * sum_1_squared**2 * sum_7 * term_1 / (T * (T**2)**2)
+    result[..., 2, 2] = 2.0 * product_4 * sum_10 * term_1
+    result[..., 2, 3] = 10.0 * sum_1_squared * sum_1_squared**2 * sum_7 * term_1
     result[..., 3, 0] = result[..., 0, 3]
     result[..., 3, 1] = result[..., 1, 3]
     result[..., 3, 2] = result[..., 2, 3]
-    result[..., 3, 3] = 20.0 * sigma_r_squared * sum_1 * sum_1_squared * sum_1_squared**2 * term_1 / (T * T**2)**2
+    result[..., 3, 3] = 20.0 * sum_1 * sum_1_squared * sum_1_squared**2 * term_1
     return result

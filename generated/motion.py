@@ -75,7 +75,7 @@ def _remainder(x: Floats, order: int) -> Floats:
 
 
 def _stumpff(x: Floats, order: int) -> Floats:
-    """1/n! - x^2/(n+2)! + x^4/(n+4)! - ...: by this series, or where it is long by cosine and sine less its beginning."""
+    """1/n! - x^2/(n+2)! + x^4/(n+4)! - ..., by this series; where it is long, by cosine or sine less its beginning."""
     is_small = np.abs(x) < order
     small, large = np.where(is_small, x * x, 0.0), np.where(is_small, 1.0, x)
     series = np.ones_like(small)

@@ -13,12 +13,10 @@ from math import factorial
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.bibliography import cite
-from radartrack.derive.finite_sample.filter_quantities import COMPONENTS, STATES, as_derived
-from radartrack.derive.finite_sample.least_squares_filter import sigma_r
+from radartrack.derive.finite_sample.filter_quantities import STATES, as_derived
 from radartrack.derive.finite_sample.orthogonal_polynomials import HIGHEST_DEGREE
 from radartrack.derive.language.matrix import Matrix, product, transposed
 from radartrack.derive.language.quantity import Conditioning, Quantity
-from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
@@ -33,7 +31,7 @@ def moment(power: int) -> Expr:
     """Σ nᵖ θⁿ over n from 0, times (1 − θ)ᵖ⁺¹: a polynomial."""
     if not power:
         return sp.Integer(1)
-    before = moment(power - 1)  # θ d/dθ of it over (1 − θ)ᵖ
+    before: Expr = moment(power - 1)  # θ d/dθ of it over (1 − θ)ᵖ
     return sp.expand(theta * (sp.diff(before, theta) * (1 - theta) + power * before))
 
 
@@ -62,7 +60,7 @@ def gain(degree: int) -> Tensor[Expr]:
 
 @cache
 def covariance(degree: int) -> Tensor[Expr]:
-    """That of the estimate, in which 1 − θ² is (1 − θ)(1 + θ)."""
+    """That of the estimate, for T = 1 and errors of variance one; in it 1 − θ² is (1 − θ)(1 + θ)."""
     size = degree + 1
     squares = tuple(
         tuple(entry.xreplace({theta: theta**2}) * (1 + theta) ** (2 * degree - m - n) for n, entry in enumerate(row))
@@ -71,8 +69,7 @@ def covariance(degree: int) -> Tensor[Expr]:
     found = product(weights(degree), product(squares, transposed(weights(degree))))
 
     def entry(m: int, n: int) -> Expr:
-        part = _factored(found[m][n] / (1 + theta) ** (2 * degree + 1), m + n + 1)
-        return sigma_r**2 * part / T ** (m + n)
+        return _factored(found[m][n] / (1 + theta) ** (2 * degree + 1), m + n + 1)
 
     return Tensor.build((size, size), entry)
 
@@ -93,15 +90,13 @@ def quantities() -> Iterator[Quantity]:
             "",
             "what a residual adds to {}, times 1, T, T^2, ..., in a filter of fading memory",
             "S^-1 h_0, S = sum_n theta^n h_n h_n'",
-            (theta,),
             gain,
         )
         yield _quantity(
             degree,
             ".covariance",
-            "error covariance of {} in a filter of fading memory",
-            "S^-1 (sum_n theta^2n h_n h_n') S^-1 sigma_r^2",
-            (theta, sigma_r, T),
+            "error covariance of {} in a filter of fading memory, for errors of variance one, times powers of T",
+            "S^-1 (sum_n theta^2n h_n h_n') S^-1",
             covariance,
         )
 
@@ -111,15 +106,13 @@ def _quantity(
     row: str,
     meaning: str,
     word: str,
-    symbols: tuple[Variable, ...],
     derive: Callable[[int], Tensor[Expr]],
 ) -> Quantity:
-    units = COMPONENTS[: degree + 1] if row else (ONE,) * (degree + 1)
     return Quantity(
         name=f"fading_memory.degree{degree}{row}",
         meaning=meaning.format(STATES[degree]),
-        axes=(units,) * (2 if row else 1),
-        symbols=symbols,
+        axes=((ONE,) * (degree + 1),) * (2 if row else 1),
+        symbols=(theta,),
         conditioning=Conditioning.NONE,
         source=cite("morrison1969"),
         word=word,

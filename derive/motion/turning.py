@@ -79,8 +79,10 @@ WHITE = {  # ∫ over the period of products of what noise along the axes leaves
 def at_most(entry: Expr) -> Expr:
     """The sizes of the terms with every wave of ωT as large as it can be: c_n is never more than 1/n!."""
     size = term_sizes(entry)
-    waves = (wave for wave in size.atoms(sp.cos, sp.sin, sp.stumpff) if omega in wave.free_symbols)
-    return size.xreplace({wave: sp.Rational(1, factorial(int((*wave.args, 0)[1]))) for wave in waves})
+    waves = (wave for wave in size.atoms(sp.cos, sp.sin) if omega in wave.free_symbols)
+    tallest = dict.fromkeys(waves, ONE)
+    tallest |= {wave: sp.Rational(1, factorial(int(wave.args[1]))) for wave in size.atoms(sp.stumpff)}
+    return size.xreplace(tallest)
 
 
 def turned() -> Tensor[Expr]:
@@ -105,7 +107,7 @@ def moved(transition: Tensor[Expr]) -> Tensor[Expr]:
 def driven_ahead() -> Tensor[Expr]:
     """The state (x, y, speed, heading, omega) after a period: the integral of the velocity."""
 
-    def along(wave: type[Expr]) -> Expr:
+    def along(wave: Callable[[Expr], Expr]) -> Expr:
         return sp.expand(integrated(sp.expand(omega * v * wave(heading + omega * T)), T, ZERO, T) / omega)
 
     return Tensor((5,), (x + along(sp.cos), y + along(sp.sin), v, heading + omega * T, omega))

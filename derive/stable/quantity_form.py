@@ -16,9 +16,6 @@ from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
 
-SERIES = (sp.remainder, sp.stumpff, sp.third)
-
-
 def form_of(quantity: Quantity) -> StableForm:
     """The quantity's own rewriting where it has one, else a general form in which little cancels.
 
@@ -54,7 +51,7 @@ def in_one_form(form: StableForm) -> StableForm:
 
 def without_expm1(expression: Expr) -> Expr:
     """The expression with e^x − 1 in place of calls of expm1, and what is left of other series likewise."""
-    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(*SERIES)})
+    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(sp.Abbreviation)})
     calls = expression.atoms(sp.expm1)
     opposites = {-call: 1 - sp.exp(call.args[0]) for call in calls}
     return expression.xreplace(opposites).xreplace({call: sp.exp(call.args[0]) - 1 for call in calls})

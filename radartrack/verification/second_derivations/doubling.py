@@ -79,10 +79,12 @@ def _gain(filter_: Callable[[int, At], tuple[Matrix, Matrix]], size: int) -> Cal
 
 
 def _covariance(filter_: Callable[[int, At], tuple[Matrix, Matrix]], size: int) -> Callable[[At], Tensor[Number]]:
+    """In the units of the point, where it has any."""
+
     def values(at: At) -> Tensor[Number]:
         with mpmath.workdps(DIGITS):
-            found = filter_(size, at)[1]
-            return Tensor.build((size, size), lambda m, n: found[m, n] * at["sigma_r"] ** 2 / at["T"] ** (m + n))
+            found, of_errors, period = filter_(size, at)[1], at.get("sigma_r", 1) ** 2, at.get("T", 1)
+            return Tensor.build((size, size), lambda m, n: found[m, n] * of_errors / period ** (m + n))
 
     return values
 

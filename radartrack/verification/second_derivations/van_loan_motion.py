@@ -155,7 +155,13 @@ def _rows(
 ) -> Iterator[Row]:
     yield f"motion.{name}.transition", lambda at: _tensor(driven(at).transition())
     for row, noise in noises.items():
-        yield f"motion.{name}.process_noise{row}", lambda at, noise=noise: _tensor(noise(driven(at), at))
+        yield f"motion.{name}.process_noise{row}", _process_noise(driven, noise)
+
+
+def _process_noise(
+    driven: Callable[[At], Driven], noise: Callable[[Driven, At], Matrix]
+) -> Callable[[At], Tensor[Number]]:
+    return lambda at: _tensor(noise(driven(at), at))
 
 
 def _white(driven: Driven, at: At) -> Matrix:
