@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 from functools import cache
 
-from radartrack.derive.finite_sample import filter_quantities
+from radartrack.derive.finite_sample import fading_memory, filter_quantities
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments import taylor_quantities
 from radartrack.derive.moments.conversion_quantities import quantities_of
-from radartrack.derive.motion import plane_motion, polynomial_motion
+from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion, steady_state, turning
 from radartrack.derive.sensors import converted_measurements, observation_maps, several_sites
 from radartrack.derive.tracks import (
     deviation_from_line,
@@ -32,6 +32,10 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     filter_quantities.quantities,
     polynomial_motion.quantities,
     plane_motion.quantities,
+    correlated_motion.quantities,
+    turning.quantities,
+    steady_state.quantities,
+    fading_memory.quantities,
     taylor_quantities.quantities,
 )
 

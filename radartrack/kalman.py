@@ -16,28 +16,24 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack._arrays import patterns
+from radartrack._arrays import linear_motions, patterns
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     RealArray,
     one_of,
-    positive_number,
     real_arrays,
-    real_number,
     require_covariance,
     require_finite,
     require_trailing_shape,
-    require_variances,
     whole_number,
 )
 from radartrack._conversion.sensors import AzimuthFrom
 from radartrack._observation.sights import SIGHTS, Sight, SightName, site_of
-from radartrack.generated import kinematics
 
 UpdateOrder: TypeAlias = Literal[1, 2]
 
 EXTENDED_BLOCK = 2048  # tracks; their factors and derivatives stay in the cache
-MOTIONS = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
+POLYNOMIAL = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 
 
 class Belief(NamedTuple):
@@ -92,17 +88,35 @@ def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
     Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.
 
     """
-    name = MOTIONS[whole_number("degree", degree, 0, len(MOTIONS) - 1)]
-    T, q = positive_number("period", period), real_number("intensity", intensity)
-    if q < 0:
-        raise ValueError(f"intensity must be finite and at least 0; got {intensity}")
-    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # what is not finite is refused below
-        transition: RealArray = getattr(kinematics, f"{name}_transition")(T=T)
-        process_noise: RealArray = getattr(kinematics, f"{name}_process_noise")(T=T, q=q)
-    require_finite(f"the transition over the period {period}", transition)
-    if q:
-        require_variances(f"the process noise of intensity {intensity} over {period} s", np.diagonal(process_noise))
-    return Motion(transition, process_noise)
+    return motion(POLYNOMIAL[whole_number("degree", degree, 0, len(POLYNOMIAL) - 1)], period, intensity=intensity)
+
+
+def motion(name: str, period: float, *, axes: int = 1, **parameters: float) -> Motion:
+    """A linear motion by its name, from scan to scan.
+
+    | name | of each axis | parameters |
+    |---|---|---|
+    | `constant_position` to `constant_jerk` | a position and 0 to 3 derivatives | `intensity`, `std` or `jump_std` |
+    | `singer` | position, velocity, acceleration | `time_constant`, `std` |
+    | `ornstein_uhlenbeck` | position, velocity | `time_constant`, `intensity` |
+    | `turn.known_rate` | position, velocity; two axes, (x, vx, y, vy) | `rate`, and `intensity` or `std` |
+
+    Args:
+        name: one of these.
+        period: time from scan to scan [s].
+        axes: how many axes move like that, each on its own, one block after the other.
+        **parameters: `intensity` of white noise in the derivative after the last [m^2/s^(2n - 1), n components], or
+            `std` of that derivative where it is constant over a period [m/s^n], or `jump_std` of jumps of the last one
+            at each scan [m/s^(n - 1)]; for Singer `std` is that of the acceleration [m/s^2]; `time_constant` [s] after
+            which a correlation is 1/e; `rate` of the turn, counter-clockwise from x to y [rad/s], 0 and less too.
+
+    Raises:
+        TypeError: an argument is no real number, the name no text, or axes no whole number.
+        ValueError: the name is not known, the parameters are not those of the motion, period or time constant are not
+            positive, a noise is negative, axes is not 1 to 3 (1 for a turn), or matrices overflow or lose their digits.
+
+    """
+    return Motion(*linear_motions.matrices(name, period, axes, parameters))
 
 
 class _Observation(NamedTuple):

@@ -72,6 +72,21 @@ def _number(number: Expr) -> Ball:
     return {sp.pi: _flint().arb.pi, sp.E: _flint().arb.const_e}[number]()
 
 
+def _stumpff(x: Ball, order: Ball) -> Ball:
+    """c_n of the square, by the closed form; its digits are lost near zero and found again in more bits."""
+    n = int(order.unique_fmpz())
+    if x.is_zero():
+        return 1 / _flint().arb(n).fac()
+    square, value = x * x, x.sin() / x if n % 2 else x.cos()
+    for k in range(n % 2, n, 2):
+        value = (1 / _flint().arb(k).fac() - value) / square
+    return value
+
+
+def _third(x: Ball) -> Ball:
+    return (x.acosh() / 3).cosh() if x >= 1 else (x.acos() / 3).cos()
+
+
 def _sharp(entry: Ball) -> bool:
     return bool(entry.is_exact() or entry.rel_accuracy_bits() >= GOOD)
 
@@ -95,8 +110,10 @@ _OPERATIONS: dict[type[Expr], Callable[..., Ball]] = {
     sp.ratio: lambda above, below: above * 0 if below.is_zero() else above / below,
     sp.sin: lambda x: x.sin(),
     sp.sinh: lambda x: x.sinh(),
+    sp.stumpff: _stumpff,
     sp.tan: lambda x: x.tan(),
     sp.tanh: lambda x: x.tanh(),
+    sp.third: _third,
 }
 
 

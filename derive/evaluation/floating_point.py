@@ -14,6 +14,11 @@ Bounded: TypeAlias = "tuple[float, float]"  # a value, and how far it may be fro
 ROUNDING = 1e-15  # of one operation, generously
 TINY = 1e-300  # what underflow may lose
 
+
+def _third(x: float) -> float:
+    return math.cosh(math.acosh(x) / 3) if x > 1 else math.cos(math.acos(x) / 3)
+
+
 _FUNCTIONS: dict[type[Expr], Callable[..., float]] = {
     sp.Abs: abs,
     sp.acos: math.acos,
@@ -32,6 +37,7 @@ _FUNCTIONS: dict[type[Expr], Callable[..., float]] = {
     sp.sinh: math.sinh,
     sp.tan: math.tan,
     sp.tanh: math.tanh,
+    sp.third: _third,
     sp.Pow: math.pow,
 }
 

@@ -55,6 +55,24 @@ def _remainder(argument: Number, order: Number) -> Number:
     return mpmath.exp(argument) - sum(argument**n / mpmath.factorial(n) for n in range(int(order)))
 
 
+def _stumpff(argument: Number, order: Number) -> Number:
+    """c_n of the square: where the argument is small, in as many more digits as the closed form loses."""
+    n = int(order)
+    if not argument:
+        return 1 / mpmath.factorial(n)
+    with mpmath.extradps(max(0, -n * int(mpmath.floor(mpmath.log10(abs(argument)))))):
+        square, value = argument * argument, mpmath.sin(argument) / argument if n % 2 else mpmath.cos(argument)
+        for k in range(n % 2, n, 2):
+            value = (1 / mpmath.factorial(k) - value) / square
+    return +value
+
+
+def _third(argument: Number) -> Number:
+    if argument > 1:
+        return mpmath.cosh(mpmath.acosh(argument) / 3)
+    return mpmath.cos(mpmath.acos(argument) / 3)
+
+
 # Those that formulas are written with, and those that SymPy makes of them.
 _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.Abs: mpmath.fabs,
@@ -70,6 +88,7 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.atan: mpmath.atan,
     sp.atan2: _atan2,
     sp.atanh: mpmath.atanh,
+    sp.below: lambda value, limit: mpmath.mpf(int(value < limit)),
     sp.conjugate: mpmath.conj,
     sp.cos: mpmath.cos,
     sp.cosh: _growing(mpmath.cosh),
@@ -91,8 +110,10 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.sign: mpmath.sign,
     sp.sin: mpmath.sin,
     sp.sinh: _growing(mpmath.sinh),
+    sp.stumpff: _stumpff,
     sp.tan: mpmath.tan,
     sp.tanh: mpmath.tanh,
+    sp.third: _third,
 }
 _CONSTANTS: dict[Expr, Callable[[], Number]] = {
     sp.pi: lambda: +mpmath.pi,

@@ -35,14 +35,21 @@ def _form(quantity: Quantity, *_origin: object) -> StableForm:
 
 def readable(quantity: Quantity) -> Tensor[Expr]:
     """The form with its intermediates filled in, to be read: 1 − e^x stands where code calls expm1."""
-    form = form_of(quantity)
+    form = in_one_form(form_of(quantity))
     plain = {symbol: without_expm1(definition) for symbol, definition in form.definitions.items()}
     return StableForm(plain, form.entries.map(without_expm1)).expanded()
 
 
+def in_one_form(form: StableForm) -> StableForm:
+    """With the second of two forms of a function, the textbook's, where code chooses between them by size."""
+    choices = {symbol: sp.Integer(0) for symbol, value in form.definitions.items() if isinstance(value, sp.below)}
+    entries = form.entries.map(lambda entry: entry.xreplace(choices))
+    return StableForm(form.definitions, entries, form.arbitrary).only(entries)
+
+
 def without_expm1(expression: Expr) -> Expr:
-    """The expression with e^x − 1 in place of calls of expm1, and more terms of the series likewise."""
-    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(sp.remainder)})
+    """The expression with e^x − 1 in place of calls of expm1, and what is left of other series likewise."""
+    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(sp.Abbreviation)})
     calls = expression.atoms(sp.expm1)
     opposites = {-call: 1 - sp.exp(call.args[0]) for call in calls}
     return expression.xreplace(opposites).xreplace({call: sp.exp(call.args[0]) - 1 for call in calls})

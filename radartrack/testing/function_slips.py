@@ -10,8 +10,8 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.checking.question.printed_formula import Names
-from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
+from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text

@@ -20,6 +20,7 @@ from radartrack.verification.paths import ARRAYS, MACHINE_CODE, ONE_PLOT, along,
 from radartrack.verification.subject import evaluated, scale_of
 from tests.faulty_code import Fault, faults, faults_of
 
+HELPERS = ("_floats", "_empty", "_ratio", "_remainder", "_stumpff", "_third")
 SEED = 2
 COUNT = int(os.environ.get("RADARTRACK_FAULTS", "10"))
 EFFORT = Effort(points=40, nodes=1, draws=1, mutants=0)
@@ -33,7 +34,7 @@ def computed_by(module: str, function: str) -> list[str]:
     if module in PATHS:
         return [name for name in catalogue() if conversion_of(name) == function]
     own = [quantity for quantity in catalogue().values() if quantity.module == module]
-    return [quantity.name for quantity in own if function in {quantity.function, "_floats", "_empty", "_ratio"}]
+    return [quantity.name for quantity in own if function in {quantity.function, *HELPERS}]
 
 
 def is_found(fault: Fault) -> bool:

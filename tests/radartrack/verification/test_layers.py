@@ -101,7 +101,12 @@ def test_the_search_finds_worse_points_than_chance():
 
 
 EXAMPLES = ["polar.jacobian", "polar.bias.averaged", "polar.unbiased.covariance", "ruv.bias.truth.fourth_order"]
-EXAMPLES += ["line.slope", "line.gradient", "fusion.matrix_weights.two", "kinematics.constant_jerk.process_noise"]
+EXAMPLES += [
+    "line.slope",
+    "line.gradient",
+    "fusion.matrix_weights.two",
+    "motion.constant_jerk.process_noise.continuous",
+]
 EXAMPLES += ["taylor.mean_shift", "spherical.std.linear", "finite_sample.degree2.range_rate.at_lag.covariance"]
 EXAMPLES += ["observe.polar.jacobian", "finite_sample.degree1.range_rate.covariance", "polar.covariance.second_order"]
 
