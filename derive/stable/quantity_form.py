@@ -16,6 +16,7 @@ from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
 
+
 def form_of(quantity: Quantity) -> StableForm:
     """The quantity's own rewriting where it has one, else a general form in which little cancels.
 

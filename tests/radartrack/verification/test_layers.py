@@ -16,8 +16,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.evaluation import balls
 from radartrack.derive.evaluation.balls import Balls, exact_arithmetic, trustworthy
-from radartrack.verification import balls
 from radartrack.verification.campaign import Campaign, Effort
 from radartrack.verification.domain_points import sample
 from radartrack.verification.engines import Local, Results
