@@ -26,6 +26,7 @@ def proved_equal(first: Expr, second: Expr) -> bool:
     Symbols are real, and lie in their domains: positive where their assumptions say so, whole numbers from their least.
     """
     difference = first - second  # terms that both have are gone
+    difference = difference.xreplace({call: call.expanded() for call in difference.atoms(sp.Abbreviation)})
     for thorough in (False, True):
         field = Field([difference], thorough=thorough)
         with suppress(NotCanonical, TooLong), Effort(PRODUCTS):

@@ -41,7 +41,7 @@ def information(degree: int) -> Matrix:
     size = degree + 1
 
     def entry(m: int, n: int) -> Expr:
-        return (-1) ** (m + n) * moment(m + n) / sp.Integer(factorial(m) * factorial(n))
+        return sp.Integer((-1) ** (m + n)) * moment(m + n) / sp.Integer(factorial(m) * factorial(n))
 
     return tuple(tuple(entry(m, n) for n in range(size)) for m in range(size))
 

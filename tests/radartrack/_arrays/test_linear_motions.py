@@ -1,5 +1,7 @@
 """Linear motions by their names: every one runs, in blocks, and what is not one is refused."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -12,7 +14,7 @@ VALUES = {"intensity": 0.3, "std": 0.7, "jump_std": 0.2, "time_constant": 20.0, 
 CASES = [(name, noise) for name, known in MOTIONS.items() for noise in known.noises]
 
 
-def parameters(name: str, noise: str) -> dict[str, float]:
+def parameters(name: str, noise: str) -> dict[str, Any]:
     return {given: VALUES[given] for given in (*MOTIONS[name].given, noise)}
 
 
@@ -71,7 +73,7 @@ def test_the_time_constant_is_one_over_alpha() -> None:
         ("turn.known_rate", {"std": 1.0, "rate": np.nan}, "rate must be finite"),
     ],
 )
-def test_what_is_no_motion_is_refused_by_name(name: str, given: dict[str, float], said: str) -> None:
+def test_what_is_no_motion_is_refused_by_name(name: str, given: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         kalman.motion(name, 2.0, **given)
 
