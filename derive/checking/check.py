@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.algebra.principal_angles import equal_angles
 from radartrack.derive.checking.comparing.counterexample import (
     MATTERS,
     Relative,
@@ -20,24 +22,27 @@ from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
-from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
-from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
+from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
-from radartrack.derive.checking.question.printed_formula import Printed, conditions_for, names_for, read_printed
+from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous
+from radartrack.derive.checking.question.printed_formula import (
+    Printed,
+    conditions_for,
+    letter_readings,
+    names_for,
+    read_printed,
+)
+from radartrack.derive.checking.repairing.least_to_explain import UNEXPLAINED, Account, Print
 from radartrack.derive.checking.repairing.rounded_decimals import meant
-from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
-from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-
-SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
-SUGGESTIONS = 3
 
 
 def check(
@@ -76,10 +81,35 @@ def ask(
     let: Mapping[str, str] | None = None,
 ) -> Question:
     """The question of `check`, whose arguments these are and which raises the same."""
-    reference = refer(name)
-    names = names_for(reference, let or {})
+    reference, let = refer(name), let or {}
     conditions = conditions_for(reference, given or {})
-    question = Question(reference, read_printed(formula, names, reference.shape, latex=latex), conditions)
+
+    def question_of(reading: Reading) -> Question:
+        names = names_for(reference, let, reading.letters)
+        printed = read_printed(formula, names, reference.shape, latex=latex)
+        return Question(reference, printed, conditions, reading=reading)
+
+    readings = letter_readings(formula, reference, let, conditions, latex=latex)
+    return _likeliest([_rounded(question_of(reading)) for reading in readings])
+
+
+def _likeliest(questions: Sequence[Question]) -> Question:
+    """The question whose reading of the letters leaves the least to explain.
+
+    Raises:
+        FormulaError: where nothing explains what is wrong, and several readings are as likely as each other.
+    """
+    if len(questions) == 1:
+        return questions[0]
+    best, *others = sorted(questions, key=lambda one: (one.to_explain, one.reading.wrong, one.reading.rank))
+    alike = [one.reading for one in others if one.reading.rank == best.reading.rank and best.to_explain >= UNEXPLAINED]
+    if alike:
+        raise ambiguous([best.reading, *alike])
+    return best
+
+
+def _rounded(question: Question) -> Question:
+    """The question about what its decimals round, where that is equal."""
     exact = meant(question.printed)
     if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
         return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
@@ -112,6 +142,7 @@ class Question:
     printed: Printed
     conditions: Mapping[Symbol, Expr]
     rounding: Rounding | None = None
+    reading: Reading = AS_TYPED
 
     @cached_property
     def symbols(self) -> tuple[Variable, ...]:
@@ -149,6 +180,7 @@ class Question:
             reason=_reason(worst, findings, conditions),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
+            reading=self.reading.words,
         )
         if self.rounding:
             reason, remark = f"{verdict.reason}, at the printed digits", f"at the printed digits: {self.rounding.words}"
@@ -193,7 +225,7 @@ class Question:
         values = find_difference(comparison, self.domain)
         if values is not None:
             return self._wrong(entry, values)
-        if attempted(lambda: proved_equal(printed, derived), lambda _: False):
+        if attempted(lambda: proved_equal(printed, derived) or equal_angles(printed, derived), lambda _: False):
             return Finding(entry, Outcome.EQUAL)
         finding = _without_proof(entry, comparison, self.domain)
         return self._wrong(entry, finding.values) if finding.values else finding
@@ -227,53 +259,37 @@ class Question:
         return replace(verdict, order=orders(printed - derived, derived, self.symbols))
 
     def _with_convention(self, verdict: Verdict) -> Verdict:
-        found = (self._condition, self._convention)
-        return replace(verdict, remarks=(*verdict.remarks, *(remark for remark in found if remark)))
+        found = self._print.complete
+        return replace(verdict, remarks=(*verdict.remarks, f"equal{found.words}")) if found else verdict
 
     def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
-        edits = [suggestion for finding in wrong[:SHOWN_ENTRIES] for suggestion in self._suggestions(finding.entry)]
-        condition, convention = attempted(lambda: (self._condition, self._convention), lambda _: (None, None))
-        found = condition or (convention if len(wrong) > 1 or not edits else None)
-        reason = verdict.reason + (f", but {found}" if found else _edit(worst, edits))
-        return replace(verdict, reason=reason, suggestions=(*verdict.suggestions, *edits))
+        account = self._account
+        reason = f"{verdict.reason}{_explained(account, worst, len(self.printed.entries.entries))}"
+        suggestions = (*verdict.suggestions, *account.suggestions)
+        return replace(verdict, reason=reason, suggestions=suggestions, convention=account.convention.strip())
 
     def _with_other_quantities(self, verdict: Verdict) -> Verdict:
-        condition = attempted(lambda: self._condition, lambda _: None)
-        others = other_quantities(self._asked, uncorrelated=condition is None)
+        vanishing = attempted(lambda: self._account.is_complete, lambda _: False)
+        others = other_quantities(self._asked, uncorrelated=not vanishing)
         return replace(verdict, suggestions=(*verdict.suggestions, *others))
+
+    @cached_property
+    def to_explain(self) -> float:
+        """How much is left to explain of what is wrong: nothing where all is right."""
+        return 0.0 if self.is_equal else attempted(lambda: self._account.cost, lambda _: math.inf)
+
+    @cached_property
+    def _account(self) -> Account:
+        findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
+        return self._print.account([one.entry for one in findings if one.outcome in _WRONG])
 
     @cached_property
     def _asked(self) -> Asked:
         return Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions)
 
     @cached_property
-    def _condition(self) -> str | None:
-        return condition_that_helps(self._asked)
-
-    @cached_property
-    def _convention(self) -> str | None:
-        return None if self._condition else convention_that_helps(self._asked)
-
-    def _suggestions(self, entry: Index) -> list[Suggestion]:
-        """The smallest edits; where there is none and the print has no correlation, those without correlation."""
-        found = self._edited(entry, self.conditions)
-        free = [symbol for symbol in self.symbols if symbol.is_correlation]
-        if found or not free or self.printed_entry(entry).free_symbols & set(free):
-            return found
-        uncorrelated = also_zero(self.conditions, free)
-        pair = self.printed.expressions[entry], self.reference.entries[entry]
-        if not uncorrelated or proved_equal(*(under(uncorrelated, one) for one in pair)):
-            return []  # where it is right already, every edit that changes nothing would do
-        edited = self._edited(entry, uncorrelated)
-        return [replace(one, edit=one.edit + when_zero(free)) for one in edited]
-
-    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[Suggestion]:
-        left = set[Symbol](self.reference.symbols) - conditions.keys()
-        free = left.union(*(value.free_symbols for value in conditions.values()))
-        symbols = [symbol for symbol in self.reference.symbols if symbol in free]
-        derived = under(conditions, self.reference.entries[entry])
-        found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
-        return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
+    def _print(self) -> Print:
+        return Print(self._asked, self.printed.entries, self.printed.names)
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)
@@ -332,8 +348,16 @@ def _without_proof(entry: Index, comparison: Comparison, domain: Domain) -> Find
     return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {agree} points")
 
 
-def _edit(finding: Finding, edits: Sequence[Suggestion]) -> str:
-    return f": {edits[0].edit}" if edits and finding.outcome is Outcome.DIFFERS else ""
+def _explained(account: Account, worst: Finding, count: int) -> str:
+    """What the account adds to the reason: the convention first, then the slip."""
+    if account.is_complete:
+        return f", but equal{account.convention}"
+    edit = account.suggestions[0].edit.removesuffix(account.convention) if account.suggestions else ""
+    if account.convention:
+        wrong = len(account.wrong)
+        entries = f"{wrong} of {count} entries {'is' if wrong == 1 else 'are'} wrong" if count > 1 else "there is a slip"
+        return f", but{account.convention} {entries}{f': {edit}' if edit else ''}"
+    return f": {edit}" if edit and worst.outcome is Outcome.DIFFERS else ""
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str]) -> str:

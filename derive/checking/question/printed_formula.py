@@ -4,12 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.letters import (
+    AS_TYPED,
+    NO_LETTERS,
+    Letters,
+    Reading,
+    Typed,
+    read_loosely,
+)
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold
@@ -36,10 +44,12 @@ class Names:
     Attributes:
         values: what each stands for in the quantity's symbols.
         dimensions: and its dimension, where it has one.
+        definitions: those that are defined, as printed, each in names that stand before it.
     """
 
     values: Mapping[str, Expr]
     dimensions: Mapping[str, Dimension]
+    definitions: Mapping[str, Tree] = field(default_factory=dict)
 
     def read(self, tree: Tree) -> Expr:
         """A scalar tree in the quantity's symbols."""
@@ -95,14 +105,19 @@ class Printed:
             return None
 
 
-def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
-    """The quantity's symbols, and the paper's own names for expressions in them.
+def names_for(reference: Reference, let: Mapping[str, str], letters: Letters = NO_LETTERS) -> Names:
+    """The quantity's symbols, in the paper's letters where it has its own, and its names for expressions in them.
 
     Raises:
         FormulaError: for a definition that cannot be read, or a name that is already taken or is none.
     """
-    values: dict[str, Expr] = {symbol.name: symbol for symbol in reference.symbols}
-    dimensions = {symbol.name: Dimension.of(symbol.unit) for symbol in reference.symbols}
+    meant = {letter.symbol.name for letter in letters.values() if letter.power == 1}
+    symbols = [symbol for symbol in reference.symbols if symbol.name not in meant]
+    values: dict[str, Expr] = {symbol.name: symbol for symbol in symbols}
+    dimensions = {symbol.name: Dimension.of(symbol.unit) for symbol in symbols}
+    values |= {name: letter.value for name, letter in letters.items()}
+    dimensions |= {name: letter.dimension for name, letter in letters.items()}
+    definitions: dict[str, Tree] = {}
     for name, definition in let.items():
         _check_name(name)
         if name in values:
@@ -111,8 +126,9 @@ def names_for(reference: Reference, let: Mapping[str, str]) -> Names:
             raise FormulaError(f"let {name}: {why}")
         known = Names(dict(values), dict(dimensions))
         tree, values[name] = _definition("let", name, definition, known)
+        definitions[name] = tree
         dimensions[name] = _dimension(f"let {name}", tree, known) if values[name] != 0 else NOTHING
-    return Names(values, dimensions)
+    return Names(values, dimensions, definitions)
 
 
 def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbol, Expr]:
@@ -151,6 +167,25 @@ def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) ->
         return Printed(tree, entries, entries.map(names.read), names)
     except FormulaError as error:
         raise error.within(formula) from None
+
+
+def letter_readings(
+    formula: str, reference: Reference, let: Mapping[str, str], conditions: Mapping[Symbol, Expr], *, latex: bool
+) -> list[Reading]:
+    """What the letters of a formula may stand for, the likeliest first; `AS_TYPED` alone where it has none of its own.
+
+    A formula that cannot be read, whatever its names mean, is left to `read_printed` to refuse.
+    """
+    own = [symbol.name for symbol in reference.symbols]
+    try:
+        definitions = {name: read_loosely(text, [*own, *let]) for name, text in let.items()}
+        tree = read_loosely(formula, [*own, *let], latex=latex)
+        if set(own) & set(let) or shape(tree) != reference.shape:
+            return [AS_TYPED]
+    except FormulaError:
+        return [AS_TYPED]
+    entries = Tensor.build(reference.shape, lambda *index: entry_of(tree, index))
+    return Typed(reference, entries, definitions, conditions).readings() or [AS_TYPED]
 
 
 def entry_of(tree: Tree, index: Index) -> Tree:
