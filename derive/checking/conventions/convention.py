@@ -28,19 +28,23 @@ class Convention:
         replaced: what is put for what, in words.
         notes: what that means, in words.
         changes: what stands in the print for symbols.
+        inverse: what stands in ours for the symbols of the print.
         vanishing: the correlations that are zero.
         factors: by which an entry of what is derived is multiplied first.
         offsets: and what is added to it then.
         cost: how unlikely it is that the print follows it, on the scale of edits.
+        is_slip: whether a slip may have done the same to a formula in which it changes one place.
     """
 
     replaced: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     changes: Mapping[Symbol, Expr] = field(default_factory=dict)
+    inverse: Mapping[Symbol, Expr] = field(default_factory=dict)
     vanishing: tuple[Symbol, ...] = ()
     factors: Mapping[Index, Expr] = field(default_factory=dict)
     offsets: Mapping[Index, Expr] = field(default_factory=dict)
     cost: float = 0.0
+    is_slip: bool = False
 
     @property
     def words(self) -> str:
@@ -61,6 +65,7 @@ class Convention:
     def __and__(self, other: Convention) -> Convention:
         """Both together; what the other changes is changed by this one too."""
         changes = {symbol: under(self.changes, value) for symbol, value in other.changes.items()}
+        inverse = {symbol: under(other.inverse, value) for symbol, value in self.inverse.items()}
         places = {*self.factors, *other.factors, *self.offsets, *other.offsets}
         factors = {p: self.factors.get(p, ONE) * other.factors.get(p, ONE) for p in places}
         offsets = {p: self.offsets.get(p, NOTHING) * other.factors.get(p, ONE) for p in self.offsets}
@@ -68,10 +73,12 @@ class Convention:
             (*self.replaced, *other.replaced),
             (*self.notes, *other.notes),
             {**self.changes, **changes},
+            {**other.inverse, **inverse},
             (*self.vanishing, *other.vanishing),
             factors,
             {**other.offsets, **offsets},
             self.cost + other.cost,
+            self.is_slip and other.is_slip,
         )
 
 
@@ -89,7 +96,7 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     for one in (*singles, *pairs):
         yield one
         if free and not _used(asked) & set(free):
-            yield one & Convention(vanishing=tuple(free), cost=0.6)
+            yield one & Convention(vanishing=tuple(free), cost=0.6, is_slip=True)
 
 
 def _used(asked: Asked) -> set[Symbol]:
@@ -113,11 +120,12 @@ def _other_axes(asked: Asked) -> Iterator[Convention]:
         changes: dict[Symbol, Expr] = {one: sp.pi / 2 - one for one in angles}
         factors = _signs(asked, turned)
         cost = 0.9 + 0.1 * len(turned)
-        yield Convention(replaced, notes, changes, (), factors, {}, cost)
+        yield Convention(replaced, notes, changes, changes, (), factors, {}, cost, is_slip=True)
         if free := [one for one in asked.correlations if one in _used(asked)]:
             opposite = {one: -one for one in free}
             words = tuple(f"-{one} for {one}" for one in free)
-            yield Convention((*replaced, *words), notes, {**changes, **opposite}, (), factors, {}, cost + 0.1)
+            both = {**changes, **opposite}
+            yield Convention((*replaced, *words), notes, both, both, (), factors, {}, cost + 0.1, is_slip=True)
 
 
 def _derived_by(asked: Asked, names: Sequence[str]) -> bool:
@@ -144,7 +152,7 @@ def _returned_angles(asked: Asked) -> Iterator[Convention]:
         is_map = asked.reference.part is not None and len(asked.reference.part.quantity.shape) == 1
         offsets = dict.fromkeys(factors, sp.pi / 2) if is_map else {}
         replaced = tuple(f"the {_spoken(asked, ordinal)}" for ordinal in turned)
-        yield Convention(replaced, (), {}, (), factors, offsets, 0.9 + 0.1 * len(turned))
+        yield Convention(replaced, factors=factors, offsets=offsets, cost=0.9 + 0.1 * len(turned), is_slip=True)
 
 
 def _degrees(asked: Asked) -> Iterator[Convention]:
@@ -160,9 +168,10 @@ def _degrees(asked: Asked) -> Iterator[Convention]:
             words = f"{' and '.join(map(str, chosen))} in degrees"
             changes: dict[Symbol, Expr] = {one: IN_DEGREES * one for one in chosen}
             factors = by_angle if any(one.is_angle for one in chosen) else {}
-            yield Convention((words,), (), changes, (), factors, {}, 1.2)
+            inverse: dict[Symbol, Expr] = {one: one / IN_DEGREES for one in chosen}
+            yield Convention((words,), (), changes, inverse, (), factors, {}, 1.2)
     if returned:
-        yield Convention(("what is returned in degrees",), (), {}, (), returned, {}, 1.2)
+        yield Convention(("what is returned in degrees",), factors=returned, cost=1.2)
 
 
 def _variances(asked: Asked) -> Iterator[Convention]:
@@ -173,7 +182,8 @@ def _variances(asked: Asked) -> Iterator[Convention]:
             words = tuple(f"{one}**2 for {one}" for one in chosen)
             note = f"{'variances' if len(chosen) > 1 else 'the variance'} of what is a deviation here"
             squares: dict[Symbol, Expr] = {one: one**2 for one in chosen}
-            yield Convention(words, (note,), squares, (), {}, {}, 1.4 if len(chosen) == len(found) else 1.6)
+            roots: dict[Symbol, Expr] = {one: sp.sqrt(one) for one in chosen}
+            yield Convention(words, (note,), squares, roots, cost=1.4 if len(chosen) == len(found) else 1.6, is_slip=True)
 
 
 def _angles(asked: Asked) -> list[Variable]:

@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.equality import proved_equal
-from radartrack.derive.algebra.principal_angles import equal_modulo_half_turn, equal_modulo_turn
+from radartrack.derive.algebra.principal_angles import equal_angles, equal_modulo_half_turn, equal_modulo_turn
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.convention import Convention, conventions
 from radartrack.derive.checking.conventions.entry_order import Arrangement, arrangements_that_fit
@@ -66,10 +66,16 @@ class Explanation:
         place = self._place(index)
         return under(self.conditions, self.convention.expected(place, self.asked.reference.entries[place]))
 
+    def in_print(self, index: Index) -> Expr:
+        """What should be printed there, in the symbols of the print."""
+        return under(self.convention.inverse, self.expected(index))
+
     def proves(self, index: Index) -> bool:
         """Whether an entry is proved to be what should be printed, up to a turn of an angle."""
         printed, expected = self.printed(index), self.expected(index)
-        return printed == expected or proved_equal(printed, expected) or bool(self._turn(index))
+        if printed == expected or proved_equal(printed, expected):
+            return True
+        return self._is_angle(index) and (equal_angles(printed, expected) or bool(self._turn(index)))
 
     @cached_property
     def _where(self) -> str:
@@ -82,7 +88,7 @@ class Explanation:
         if not self._is_angle(index):
             return ""
         printed, expected = self.printed(index), self.expected(index)
-        if printed == expected or proved_equal(printed, expected):
+        if printed == expected or proved_equal(printed, expected) or equal_angles(printed, expected):
             return ""
         return _turn(printed, expected)
 

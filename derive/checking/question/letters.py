@@ -29,6 +29,7 @@ from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
+LONGEST = 40  # characters of a letter; what is longer is a word
 MOST = 5040  # assignments that are tried: all of seven letters
 KEPT = 5  # assignments of a wrong formula that are looked at closely
 STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
@@ -110,6 +111,8 @@ class Typed:
         unknown = [name for name in self.used if name not in own]
         fixed = [name for name in self.used if name in own]
         doubtful = [name for name in fixed if self._other_meanings(name)]
+        if any(len(name) > LONGEST for name in unknown):
+            return []
         if not unknown and (not doubtful or self._fits({})):
             return [AS_TYPED]
         found = self._judged(self._assignments(unknown, fixed))

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
-from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
+from radartrack.derive.checking.question.formula_units import NOTHING, UNKNOWN, Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.letters import (
     AS_TYPED,
     NO_LETTERS,
@@ -26,6 +26,7 @@ from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.to_expression import Reader
 from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Sum, Tree
+from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.unknown_names import unusable
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
@@ -45,11 +46,13 @@ class Names:
         values: what each stands for in the quantity's symbols.
         dimensions: and its dimension, where it has one.
         definitions: those that are defined, as printed, each in names that stand before it.
+        faults: what is wrong with the units of those that have no dimension.
     """
 
     values: Mapping[str, Expr]
     dimensions: Mapping[str, Dimension]
     definitions: Mapping[str, Tree] = field(default_factory=dict)
+    faults: Mapping[str, str] = field(default_factory=dict)
 
     def read(self, tree: Tree) -> Expr:
         """A scalar tree in the quantity's symbols."""
@@ -61,6 +64,8 @@ class Names:
         Raises:
             WrongDimensions: when it has none.
         """
+        for name in sorted(self.faults.keys() & (names_of(tree) if self.faults else set())):
+            raise WrongDimensions(f"{name} has no dimension: {self.faults[name]}")
         return self._dimension_of(tree)
 
     @cached_property
@@ -118,17 +123,21 @@ def names_for(reference: Reference, let: Mapping[str, str], letters: Letters = N
     values |= {name: letter.value for name, letter in letters.items()}
     dimensions |= {name: letter.dimension for name, letter in letters.items()}
     definitions: dict[str, Tree] = {}
+    faults: dict[str, str] = {}
     for name, definition in let.items():
         _check_name(name)
         if name in values:
             raise FormulaError(f"let {name}: {name} is already a symbol of {reference.text}")
         if why := unusable(name):
             raise FormulaError(f"let {name}: {why}")
-        known = Names(dict(values), dict(dimensions))
+        known = Names(dict(values), dict(dimensions), faults=dict(faults))
         tree, values[name] = _definition("let", name, definition, known)
         definitions[name] = tree
-        dimensions[name] = _dimension(f"let {name}", tree, known) if values[name] != 0 else NOTHING
-    return Names(values, dimensions, definitions)
+        try:
+            dimensions[name] = known.dimension_of(tree) if values[name] != 0 else NOTHING
+        except WrongDimensions as error:
+            dimensions[name], faults[name] = UNKNOWN, str(error)
+    return Names(values, dimensions, definitions, faults)
 
 
 def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbol, Expr]:
@@ -177,10 +186,12 @@ def letter_readings(
     A formula that cannot be read, whatever its names mean, is left to `read_printed` to refuse.
     """
     own = [symbol.name for symbol in reference.symbols]
+    if any(unusable(name) for name in let) or set(own) & set(let):
+        return [AS_TYPED]
     try:
         definitions = {name: read_loosely(text, [*own, *let]) for name, text in let.items()}
         tree = read_loosely(formula, [*own, *let], latex=latex)
-        if set(own) & set(let) or shape(tree) != reference.shape:
+        if shape(tree) != reference.shape:
             return [AS_TYPED]
     except FormulaError:
         return [AS_TYPED]

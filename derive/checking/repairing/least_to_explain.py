@@ -12,6 +12,7 @@ from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.printed_formula import Names
 from radartrack.derive.checking.repairing.definition_slips import Formula, mended_definitions
 from radartrack.derive.checking.repairing.smallest_edit import suggest
+from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.verdict import Suggestion
 from radartrack.derive.formula.tree import Name, Tree, walk
 from radartrack.derive.language.tensor import Index, Tensor
@@ -61,13 +62,13 @@ class Print:
 
     def account(self, wrong: Sequence[Index]) -> Account:
         """The account that leaves the least to explain; ours has these wrong entries."""
-        complete = self.complete
+        complete = attempted(lambda: self.complete, lambda _: None)
         if complete is not None and not self._is_one_slip(complete):
             return Account(complete.words, cost=complete.cost)
         best = self._edited(None, tuple(wrong))
         if complete is not None:
             return replace(best, convention=complete.words if not best.suggestions else "")
-        for one in self._explanations:
+        for one in attempted(lambda: self._explanations, lambda _: []):
             if self._least(one) < best.cost:
                 best = min(best, self._edited(one, one.wrong), key=lambda account: account.cost)
         return best
@@ -88,7 +89,7 @@ class Print:
 
     def _is_one_slip(self, one: Explanation) -> bool:
         """Whether a convention changes one place only, which a slip may have done as well."""
-        if not (one.convention.changes or one.convention.factors) or one.arrangement.words:
+        if one.arrangement.words or not one.convention.is_slip:
             return False
         changed = set(one.convention.changes)
         direct = {name for name, value in self.names.values.items() if set(value.free_symbols) & changed}
@@ -99,12 +100,9 @@ class Print:
 
     def _edited(self, one: Explanation | None, wrong: tuple[Index, ...]) -> Account:
         """The edits of the wrong entries, in our convention or another."""
-        names, words, cost = self.names, "", 0.0
-        if one is not None:
-            changed = {name: under(one.convention.changes, value) for name, value in names.values.items()}
-            names, words, cost = replace(names, values=changed), one.words, one.cost
-        mended = self._mended(names, one, wrong)
-        found = {index: self._edits(names, one, index) for index in self._different(wrong)[:SHOWN_ENTRIES]}
+        words, cost = (one.words, one.cost) if one is not None else ("", 0.0)
+        mended = self._mended(one, wrong)
+        found = {index: self._edits(one, index) for index in self._different(wrong)[:SHOWN_ENTRIES]}
         left = set(self._different(wrong))
         suggestions: list[Suggestion] = []
         if mended and mended[0].cost <= sum(edits[0].cost if edits else UNEXPLAINED for edits in found.values()):
@@ -127,7 +125,7 @@ class Print:
 
     def _expected(self, one: Explanation | None, index: Index) -> tuple[Expr, Mapping[Symbol, Expr]]:
         if one is not None:
-            return one.expected(index), one.conditions
+            return one.in_print(index), one.conditions
         conditions = self.asked.conditions
         return under(conditions, self.asked.reference.entries[index]), conditions
 
@@ -137,18 +135,18 @@ class Print:
         free = free.union(*(value.free_symbols for value in conditions.values()))
         return [symbol for symbol in every if symbol in free]
 
-    def _edits(self, names: Names, one: Explanation | None, index: Index) -> list[_Edit]:
+    def _edits(self, one: Explanation | None, index: Index) -> list[_Edit]:
         expected, conditions = self._expected(one, index)
-        found = suggest(self.trees[index], names, expected, self._symbols(conditions), conditions)
+        found = suggest(self.trees[index], self.names, expected, self._symbols(conditions), conditions)
         return [_Edit(edit.formula, edit.edit, edit.cost, edit.proved) for edit in found[:SUGGESTIONS]]
 
-    def _mended(self, names: Names, one: Explanation | None, wrong: Sequence[Index]) -> list[_Edit]:
-        if not names.definitions or not wrong:
+    def _mended(self, one: Explanation | None, wrong: Sequence[Index]) -> list[_Edit]:
+        if not self.names.definitions or not wrong:
             return []
         places = [index for index, _ in self.trees.items()]
         conditions = self.asked.conditions if one is None else one.conditions
         formulas = [Formula(self.trees[index], self._expected(one, index)[0]) for index in places]
-        found = mended_definitions(formulas, names, self._symbols(conditions), conditions)
+        found = mended_definitions(formulas, self.names, self._symbols(conditions), conditions)
         return [
             _Edit(
                 f"{edit.name} = {edit.formula}",

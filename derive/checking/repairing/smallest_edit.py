@@ -23,6 +23,7 @@ from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Call, Name, Number, Power, Product, Sum, Tree, parts
+from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.grammar import check_tree
@@ -66,8 +67,8 @@ def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
     """The derived formula as it would be printed, in the paper's letters, where the readers know its functions."""
     letters = {str(value): name for name, value in names.values.items() if value.is_Symbol}
     tree = rebuild(as_printed(derived), lambda node: _in_letters(node, letters))
-    calls = (node.function for node in parts(tree) if isinstance(node, Call))
-    return [tree] if NUMBER_OF_ARGUMENTS.keys() >= set(calls) else []
+    calls = {node.function for node in parts(tree) if isinstance(node, Call)}
+    return [tree] if NUMBER_OF_ARGUMENTS.keys() >= calls and names.values.keys() >= names_of(tree) else []
 
 
 def _in_letters(node: Tree, letters: Mapping[str, str]) -> Tree:

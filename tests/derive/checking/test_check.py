@@ -314,7 +314,7 @@ def test_rounding_is_not_taken_for_a_difference() -> None:
         ("r + 1", "r", {}, UnknownQuantity),
         ("polar.map", "r*cos(beta)", {}, FormulaError),
         ("polar.map[0]", "[r, r]", {}, FormulaError),
-        ("polar.map[0]", "r*cos(theta)", {}, FormulaError),
+        ("polar.map[0]", "r*cos(sigma_theta)", {}, FormulaError),
         ("polar.map[0]", "r", {"given": {"rho": "0"}}, FormulaError),
         ("polar.map[0]", "r", {"given": {"r": "1 +"}}, FormulaError),
         ("polar.map[0]", "r", {"let": {"r": "1"}}, FormulaError),
