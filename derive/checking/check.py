@@ -9,6 +9,7 @@ from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.algebra.principal_angles import equal_angles
+from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.comparing.counterexample import (
     MATTERS,
     Relative,
@@ -22,8 +23,8 @@ from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
-from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.question.compared_quantity import Reference, refer
+from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
+from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, refer
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous
@@ -38,7 +39,8 @@ from radartrack.derive.checking.repairing.least_to_explain import UNEXPLAINED, A
 from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
-from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
+from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
@@ -81,16 +83,39 @@ def ask(
     let: Mapping[str, str] | None = None,
 ) -> Question:
     """The question of `check`, whose arguments these are and which raises the same."""
-    reference, let = refer(name), let or {}
-    conditions = conditions_for(reference, given or {})
+    paper = Paper(formula, latex, given or {}, let or {})
+    question = paper.ask(name)
+    return replace(question, paper=paper)
 
-    def question_of(reading: Reading) -> Question:
-        names = names_for(reference, let, reading.letters)
-        printed = read_printed(formula, names, reference.shape, latex=latex)
+
+@dataclass(frozen=True)
+class Paper:
+    """A formula as it stands in print, with what is said about it there."""
+
+    formula: str
+    latex: bool
+    given: Mapping[str, str]
+    let: Mapping[str, str]
+
+    def ask(self, name: str) -> Question:
+        """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
+        reference = refer(name)
+        conditions = conditions_for(reference, self.given)
+        readings = letter_readings(self.formula, reference, self.let, conditions, latex=self.latex)
+        return _likeliest([_rounded(self._question(reference, conditions, reading)) for reading in readings])
+
+    def is_right(self, name: str) -> Question | None:
+        """The question whether it is this quantity, if it is."""
+        try:
+            question = self.ask(name)
+        except (FormulaError, UnknownEntry):
+            return None
+        return question if question.is_equal else None
+
+    def _question(self, reference: Reference, conditions: Mapping[Symbol, Expr], reading: Reading) -> Question:
+        names = names_for(reference, self.let, reading.letters)
+        printed = read_printed(self.formula, names, reference.shape, latex=self.latex)
         return Question(reference, printed, conditions, reading=reading)
-
-    readings = letter_readings(formula, reference, let, conditions, latex=latex)
-    return _likeliest([_rounded(question_of(reading)) for reading in readings])
 
 
 def _likeliest(questions: Sequence[Question]) -> Question:
@@ -143,6 +168,7 @@ class Question:
     conditions: Mapping[Symbol, Expr]
     rounding: Rounding | None = None
     reading: Reading = AS_TYPED
+    paper: Paper | None = None
 
     @cached_property
     def symbols(self) -> tuple[Variable, ...]:
@@ -197,8 +223,8 @@ class Question:
             yield "the worst over the domain", lambda verdict: self._with_worst(verdict, worst)
             yield "the order of the difference", lambda verdict: self._with_order(verdict, worst)
             yield "another convention", self._with_convention
-            yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst, wrong)
             yield "another quantity", self._with_other_quantities
+            yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst)
 
     def derived_entry(self, entry: Index) -> Expr:
         """The derived formula under the conditions."""
@@ -262,16 +288,41 @@ class Question:
         found = self._print.complete
         return replace(verdict, remarks=(*verdict.remarks, f"equal{found.words}")) if found else verdict
 
-    def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
+    def _with_other_quantities(self, verdict: Verdict) -> Verdict:
+        explained = attempted(lambda: self._print.complete is not None, lambda _: False)
+        others = other_quantities(self._asked, uncorrelated=not explained) or self._other_models()
+        return replace(verdict, suggestions=(*verdict.suggestions, *others))
+
+    def _other_models(self) -> tuple[Suggestion, ...]:
+        """The same thing in another model that the formula is, in whatever letters."""
+        for name in rivals(self.reference) if self.paper and self.reading.letters else ():
+            if (found := self.paper.is_right(name)) is not None:
+                letters = f" with {' and '.join(found.reading.words)}" if found.reading.words else ""
+                return (Suggestion(name, f"this is {name}{letters}, not {self.reference.text}"),)
+        return ()
+
+    def _with_edits(self, verdict: Verdict, worst: Finding) -> Verdict:
+        count = len(self.printed.entries.entries)
+        others = verdict.suggestions
+        known = others and self._is_rival(others[0].formula)
+        if known and count > 1:
+            return replace(verdict, reason=f"{verdict.reason}, but {others[0].edit}")
         account = self._account
-        reason = f"{verdict.reason}{_explained(account, worst, len(self.printed.entries.entries))}"
-        suggestions = (*verdict.suggestions, *account.suggestions)
+        if known:  # of one entry, a slip may have made the other quantity of ours
+            return replace(
+                verdict,
+                reason=f"{verdict.reason}, but {others[0].edit}",
+                suggestions=(*others, *account.suggestions),
+                convention=account.convention.strip(),
+            )
+        reason = f"{verdict.reason}{_explained(account, worst, count)}"
+        suggestions = (*account.suggestions, *others)
         return replace(verdict, reason=reason, suggestions=suggestions, convention=account.convention.strip())
 
-    def _with_other_quantities(self, verdict: Verdict) -> Verdict:
-        vanishing = attempted(lambda: self._account.is_complete, lambda _: False)
-        others = other_quantities(self._asked, uncorrelated=not vanishing)
-        return replace(verdict, suggestions=(*verdict.suggestions, *others))
+    def _is_rival(self, name: str) -> bool:
+        """Whether this is another quantity that is right in its own model, not another entry of ours, nor the negative."""
+        part = self.reference.part
+        return part is not None and name.partition("[")[0].partition(" ")[0] in catalogue().keys() - {part.quantity.name}
 
     @cached_property
     def to_explain(self) -> float:

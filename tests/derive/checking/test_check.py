@@ -95,7 +95,8 @@ def test_a_number_is_not_taken_for_another_quantity() -> None:
 
 
 def test_a_missing_term_is_named_and_a_zero_that_stood_for_it_is_gone() -> None:
-    (lost, *_) = check("polar.bias.truth[0]", "-r*(1 - exp(-sigma_beta^2/2))*cos(beta)").suggestions
+    twice = "-r*(1 - exp(-sigma_beta^2/2))*cos(beta) - rho^2*r"
+    (lost, *_) = check("polar.bias.truth[0] - r*rho**2", twice).suggestions
     assert lost.formula.endswith(" - sigma_r*sigma_beta*rho*sin(beta)*exp(-sigma_beta**2/2)")
     (whole, *_) = check("polar.covariance.linear[0,1]", "0", given=INDEPENDENT).suggestions
     assert whole.formula == "(-r**2*sigma_beta**2/2 + sigma_r**2/2)*sin(2*beta)"
