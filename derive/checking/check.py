@@ -206,11 +206,12 @@ class Question:
             reason=_reason(worst, findings, conditions),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
+            remarks=(self.printed.padding,) if self.printed.padding else (),
             reading=self.reading.words,
         )
         if self.rounding:
             reason, remark = f"{verdict.reason}, at the printed digits", f"at the printed digits: {self.rounding.words}"
-            verdict = replace(verdict, printed=self.rounding.printed, reason=reason, remarks=(remark,))
+            verdict = replace(verdict, printed=self.rounding.printed, reason=reason, remarks=(*verdict.remarks, remark))
         yield verdict
         for words, addition in self._additions(worst, wrong):
             verdict = _with(verdict, words, addition)

@@ -43,6 +43,8 @@ def headline(record: Record) -> tuple[str, str]:
 
 def explanation(record: Record) -> Iterator[tuple[str, str]]:
     """Pairs of heading and text that explain a record beyond its reason."""
+    if record.get("reading"):
+        yield "read with", ", ".join(record["reading"])
     if example := record["counterexample"]:
         yield "for example", _example(example)
         if worst := _worst(example):
@@ -127,6 +129,8 @@ def _worst(example: Record) -> str:
 
 def _suggestion(suggestion: Record) -> str:
     entry = f"entry {list(suggestion['entry'])}: " if suggestion["entry"] else ""
+    if suggestion.get("definition"):
+        entry = "--let "
     unproved = "" if suggestion["proved"] else " (equal to 50 digits, not proved)"
     if suggestion["edit"].startswith("this is "):
         return f"{entry}{suggestion['edit']}{unproved}"

@@ -15,7 +15,7 @@ from radartrack.derive.checking.conventions.entry_order import Arrangement, arra
 from radartrack.derive.checking.question.conditions import also_zero, under
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
-from radartrack.derive.language.tensor import Index, Tensor, indices
+from radartrack.derive.language.tensor import Index, indices
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import RADIAN
 

@@ -147,6 +147,8 @@ def undecided(claim: Claim, reason: str) -> Record:
         "order": None,
         "conditions": [],
         "remarks": [],
+        "convention": "",
+        "reading": [],
     }
 
 

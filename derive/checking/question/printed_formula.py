@@ -18,6 +18,7 @@ from radartrack.derive.checking.question.letters import (
     Typed,
     read_loosely,
 )
+from radartrack.derive.checking.question.padding import without_padding
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold
@@ -86,12 +87,14 @@ class Printed:
         entries: its entries as trees.
         expressions: the entries in the quantity's symbols.
         names: what its names stand for.
+        padding: which rows and columns of zeros were left out, in words.
     """
 
     tree: Tree
     entries: Tensor[Tree]
     expressions: Tensor[Expr]
     names: Names
+    padding: str = ""
 
     @property
     def text(self) -> str:
@@ -168,14 +171,21 @@ def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) ->
         FormulaError: when it cannot be read, or has another shape.
     """
     tree = (read_latex if latex else read_text)(formula, names.values)
-    found = shape(tree)
+    inner, padding = _without_padding(tree, expected)
+    found = shape(inner)
     if found != expected:
         raise FormulaError(f"the formula is {_spoken(found)}, the quantity is {_spoken(expected)}")
-    entries = Tensor.build(expected, lambda *index: entry_of(tree, index))
+    entries = Tensor.build(expected, lambda *index: entry_of(inner, index))
     try:
-        return Printed(tree, entries, entries.map(names.read), names)
+        return Printed(tree, entries, entries.map(names.read), names, padding)
     except FormulaError as error:
         raise error.within(formula) from None
+
+
+def _without_padding(tree: Tree, expected: Index) -> tuple[Tree, str]:
+    """The formula without rows and columns of zeros that are too many, where there are such."""
+    found = without_padding(tree, expected) if shape(tree) != expected else None
+    return found or (tree, "")
 
 
 def letter_readings(
@@ -190,7 +200,7 @@ def letter_readings(
         return [AS_TYPED]
     try:
         definitions = {name: read_loosely(text, [*own, *let]) for name, text in let.items()}
-        tree = read_loosely(formula, [*own, *let], latex=latex)
+        tree, _ = _without_padding(read_loosely(formula, [*own, *let], latex=latex), reference.shape)
         if shape(tree) != reference.shape:
             return [AS_TYPED]
     except FormulaError:

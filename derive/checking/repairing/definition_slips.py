@@ -8,23 +8,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.repairing.edit_search import Search
 from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
 from radartrack.derive.checking.repairing.smallest_edit import values_at
 from radartrack.derive.evaluation.points import generic_points
-from radartrack.derive.evaluation.tree_values import Program, Values, close
+from radartrack.derive.evaluation.tree_values import Program, Screen, Values, close
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Name, Negation, Number, Product, Quotient, Tree, replace_at, walk
+from radartrack.derive.formula.tree import Name, Negation, Number, Product, Quotient, Tree, children, replace_at, walk
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.grammar import check_tree
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 4
+POINTS_OF_SEARCH = 18  # as many as the search for edits of a formula takes
 ENOUGH = 3
 TRIES = 4000  # slips that are tried: of twelve long definitions only so many
 
@@ -65,7 +68,8 @@ def mended_definitions(
     trial = _Trial(formulas, names, symbols, conditions)
     found: list[Mended] = []
     most = 1
-    for candidate in sorted(trial.candidates(), key=lambda one: (-len(one.mends), one.cost)):
+    candidates = list(trial.candidates()) or list(trial.wanted())
+    for candidate in sorted(candidates, key=lambda one: (-len(one.mends), one.cost)):
         if len(candidate.mends) < most or len(found) == ENOUGH:
             break
         if trial.is_proved(candidate):
@@ -100,7 +104,7 @@ class _Trial:
         symbols: Sequence[Variable],
         conditions: Mapping[Symbol, Expr],
     ) -> None:
-        self._formulas, self._names, self._conditions = formulas, names, conditions
+        self._formulas, self._names, self._symbols, self._conditions = formulas, names, symbols, conditions
         points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, POINTS)]
         own = {name: value for name, value in names.values.items() if name not in names.definitions}
         values = {name: values_at(under(conditions, value), symbols, points) for name, value in own.items()}
@@ -125,6 +129,56 @@ class _Trial:
                     changed = replace_at(tree, path, edit.tree)
                     if changed != tree and (mends := self._mends(name, changed)):
                         yield _Candidate(name, changed, edit, mends)
+
+    def wanted(self) -> Iterator[_Candidate]:
+        """Edits that give a definition the values that a formula wants of it, in which it stands once."""
+        for name in self._needed():
+            for place, formula in enumerate(self._formulas):
+                if self._right[place] or (needed := self._needed_of(name, place)) is None:
+                    continue
+                before = list(self._names.definitions)[list(self._names.definitions).index(name) :]
+                known = {one: value for one, value in self._screen.names.items() if one not in before}
+                tree, screen = self._names.definitions[name], Screen(known, POINTS_OF_SEARCH)
+                for edit in Search(screen, needed, self._names, tree, [formula.tree]).edits(tree)[:ENOUGH]:
+                    if edit.tree != tree and (mends := self._mends(name, edit.tree)):
+                        yield _Candidate(name, edit.tree, Alternative(edit.tree, _plain(edit.words), edit.cost), mends)
+                break
+
+    def _needed_of(self, name: str, place: int) -> Values | None:
+        """What a definition would have to be worth for a formula; None where it stands there twice, or by way of others."""
+        tree, needed = self._formulas[place].tree, self._search_wanted(place)
+        paths = [path for path, node in walk(tree) if isinstance(node, Name) and node.name == name]
+        others = names_of(tree) & self._names.definitions.keys() - {name}
+        if len(paths) != 1 or needed is None or any(name in self._rests_on(one) for one in others):
+            return None
+        for step in paths[0]:
+            found = self._screen.required(tree, needed)
+            if step >= len(found) or found[step] is None:
+                return None
+            needed, tree = found[step], children(tree)[step]
+        return needed
+
+    def _rests_on(self, name: str) -> frozenset[str]:
+        """The definitions on which one rests."""
+        below = names_of(self._names.definitions[name]) & self._names.definitions.keys()
+        return below.union(*map(self._rests_on, below))
+
+    def _search_wanted(self, place: int) -> Values | None:
+        return values_at(self._formulas[place].expected, self._symbols, self._points)
+
+    @cached_property
+    def _points(self) -> list[list[float]]:
+        found = generic_points(self._symbols, POINTS_OF_SEARCH)
+        return [[point[symbol.name] for symbol in self._symbols] for point in found]
+
+    @cached_property
+    def _screen(self) -> Screen:
+        """What all names are worth at the points of a search."""
+        values = {
+            name: values_at(under(self._conditions, value), self._symbols, self._points)
+            for name, value in self._names.values.items()
+        }
+        return Screen({name: value for name, value in values.items() if value is not None}, POINTS_OF_SEARCH)
 
     def is_proved(self, candidate: _Candidate) -> bool:
         """Whether the formulas are proved right with the definition changed."""
@@ -158,6 +212,8 @@ class _Trial:
         yield from alternatives(node, kinds)
         yield from exchanged(node)
         yield from other_numbers(node)
+        if isinstance(node, Product):
+            yield from _divided(node)
         if whole:
             two = Number("2")
             yield Alternative(Product((two, node)), "a missing factor 2", 1.8)
@@ -183,7 +239,7 @@ class _Trial:
             if known is not None and not is_changed and name in known:
                 values[name] = known[name]
                 continue
-            if (value := _attempted(program, values)) is not None:
+            if (value := program(values)) is not None:
                 values[name] = value[0]
         return values
 
@@ -195,17 +251,18 @@ class _Trial:
 
     def _is_worth(self, place: int, point: int, values: Mapping[str, float]) -> bool:
         wanted = self._wanted[place]
-        found = _attempted(self._printed[place], values)
+        found = self._printed[place](values)
         return wanted is not None and close(found, wanted[point : point + 1])
 
 
-def _attempted(program: Program, values: Mapping[str, float]) -> Values | None:
-    try:
-        return program(values)
-    except KeyError:
-        return None
+def _divided(node: Product) -> Iterator[Alternative]:
+    """The product with one factor below."""
+    for place, factor in enumerate(node.factors):
+        rest = (*node.factors[:place], *node.factors[place + 1 :])
+        above = rest[0] if len(rest) == 1 else Product(rest)
+        yield Alternative(Quotient(above, factor), "{} below, not above", 1.4, (factor,))
 
 
-def rests_on(tree: Tree, names: Names) -> bool:
-    """Whether a formula uses anything that is defined."""
-    return any(isinstance(node, Name) and node.name in names.definitions for _, node in walk(tree))
+def _plain(words: str) -> str:
+    """Words that are no pattern to fill in."""
+    return words.replace("{", "{{").replace("}", "}}")
