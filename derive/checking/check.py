@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -10,6 +11,7 @@ from functools import cached_property
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.algebra.principal_angles import equal_angles
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.comparing.canonical_terms import differing_terms
 from radartrack.derive.checking.comparing.counterexample import (
     MATTERS,
     Relative,
@@ -226,6 +228,8 @@ class Question:
             yield "another convention", self._with_convention
             yield "another quantity", self._with_other_quantities
             yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst)
+            yield "another quantity that was perhaps meant", self._with_siblings
+            yield "the terms that differ", lambda verdict: self._with_terms(verdict, wrong)
 
     def derived_entry(self, entry: Index) -> Expr:
         """The derived formula under the conditions."""
@@ -320,10 +324,24 @@ class Question:
         suggestions = (*account.suggestions, *others)
         return replace(verdict, reason=reason, suggestions=suggestions, convention=account.convention.strip())
 
+    def _with_siblings(self, verdict: Verdict) -> Verdict:
+        near = verdict.suggestions or verdict.convention or verdict.remarks
+        return verdict if near else replace(verdict, suggestions=tuple(self._print.of_siblings()))
+
+    def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
+        explained = {suggestion.entry for suggestion in verdict.suggestions}
+        left = [finding.entry for finding in wrong if finding.entry not in explained]
+        if verdict.convention or not left or any(suggestion.definition for suggestion in verdict.suggestions):
+            return verdict
+        return replace(
+            verdict, terms=differing_terms(self.printed_entry(left[0]), self.derived_entry(left[0]), left[0])
+        )
+
     def _is_rival(self, name: str) -> bool:
-        """Whether this is another quantity that is right in its own model, not another entry of ours, nor the negative."""
+        """Whether this is another quantity, right in its own model, not another entry of ours, nor a negative."""
         part = self.reference.part
-        return part is not None and name.partition("[")[0].partition(" ")[0] in catalogue().keys() - {part.quantity.name}
+        own = {part.quantity.name} if part else set()
+        return re.split(r"[\[ ]", name)[0] in catalogue().keys() - own
 
     @cached_property
     def to_explain(self) -> float:
@@ -407,7 +425,8 @@ def _explained(account: Account, worst: Finding, count: int) -> str:
     edit = account.suggestions[0].edit.removesuffix(account.convention) if account.suggestions else ""
     if account.convention:
         wrong = len(account.wrong)
-        entries = f"{wrong} of {count} entries {'is' if wrong == 1 else 'are'} wrong" if count > 1 else "there is a slip"
+        are = "is" if wrong == 1 else "are"
+        entries = f"{wrong} of {count} entries {are} wrong" if count > 1 else "there is a slip"
         return f", but{account.convention} {entries}{f': {edit}' if edit else ''}"
     return f": {edit}" if edit and worst.outcome is Outcome.DIFFERS else ""
 

@@ -56,6 +56,9 @@ def explanation(record: Record) -> Iterator[tuple[str, str]]:
             yield "but", remark
     for suggestion in record["suggestions"]:
         yield "perhaps meant", _suggestion(suggestion)
+    for one in record.get("terms", ()):
+        entry = f"entry {list(one['entry'])}: " if one["entry"] else ""
+        yield "differs in", f"{entry}{one['term']}: printed {one['printed']}, derived {one['derived']}"
 
 
 def conditions(record: Record) -> str:

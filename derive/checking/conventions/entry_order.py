@@ -63,9 +63,7 @@ def _others(shape: Index) -> Iterator[Arrangement]:
     if rows == columns:
         yield Arrangement("when transposed", tuple(place[::-1] for place in indices(shape)))
         for order in permutations(range(rows)):
-            yield Arrangement(
-                f"with rows and columns in the order {_spoken(order)}", tuple(product(order, order))
-            )
+            yield Arrangement(f"with rows and columns in the order {_spoken(order)}", tuple(product(order, order)))
     if max(shape) <= LONGEST:
         for pair in product(permutations(range(rows)), permutations(range(columns))):
             yield Arrangement(f"with {_of_rows_and_columns(*pair)}", tuple(product(*pair)))

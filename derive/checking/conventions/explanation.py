@@ -102,7 +102,7 @@ class Explanation:
 
 @lru_cache(maxsize=256)
 def _turn(printed: Expr, expected: Expr) -> str:
-    """How far two angles agree: up to a turn, or where what the quotient of an inverse tangent divides by is positive."""
+    """How far two angles agree: up to a turn, or where what an inverse tangent divides by is positive."""
     if equal_modulo_turn(printed, expected):
         return "up to whole turns"
     if not equal_modulo_half_turn(printed, expected):
@@ -221,4 +221,3 @@ def _expected(convention: Convention, place: Index, value: float) -> float:
 
 def _length(expression: Expr) -> int:
     return 1 + len(str(expression)) // 4
-

@@ -57,7 +57,8 @@ def other_quantities(asked: Asked, *, uncorrelated: bool) -> tuple[Suggestion, .
     part = asked.reference.part
     if part is None or not any(expression.free_symbols for expression in asked.printed):
         return ()  # a number is many things
-    trials = [trial(asked), *(without_correlation(asked) if uncorrelated else ())]
+    plain = uncorrelated and not asked.uses(asked.correlations)
+    trials = [trial(asked), *(without_correlation(asked) if plain else ())]
     trials += _in_other_conventions(asked) if uncorrelated else ()
     found = next(_others(asked, part, trials), None)
     return (Suggestion(found, f"this is {found}, not {asked.reference.text}", proved=True),) if found else ()
@@ -68,6 +69,17 @@ def _in_other_conventions(asked: Asked) -> list[Trial]:
     plain = (one for one in conventions(asked) if one.changes and not one.factors and not one.offsets)
     likely = sorted(islice(plain, 3 * TRIALS), key=lambda one: one.cost)[:TRIALS]
     return [trial(asked, one.words, vanishing=one.vanishing, changes=one.changes) for one in likely]
+
+
+def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
+    """Quantities of the same model that the print may be meant for, by name and entries, the nearest by name first."""
+    part, known = asked.reference.part, set(asked.reference.symbols)
+    for quantity in _candidates(part.quantity) if part is not None else ():
+        if quantity is part.quantity or not set(quantity.symbols) <= known:
+            continue
+        for places, name in _slices(part, quantity)[:1]:
+            if asked.may_be(quantity, places):
+                yield name, Tensor(part.shape, tuple(quantity.expression[place] for place in places))
 
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
@@ -110,9 +122,7 @@ def _is(one: Trial, quantity: Quantity, places: Sequence[Index], sign: int, sett
     if values is None:
         return False
     return one.is_worth([values[place] for place in places], sign) and one.proves(
-        Tensor(
-            one.printed.shape, tuple(sign * under(setting.changes, quantity.expression[place]) for place in places)
-        )
+        Tensor(one.printed.shape, tuple(sign * under(setting.changes, quantity.expression[place]) for place in places))
     )
 
 
@@ -162,16 +172,25 @@ def _candidates(quantity: Quantity) -> list[Quantity]:
     return sorted(family, key=lambda other: -SequenceMatcher(None, other.name, quantity.name).ratio())
 
 
-def _slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:
-    """The same entries of another quantity; of a single entry, every entry of either."""
+def _slices(part: Part, quantity: Quantity) -> list[tuple[list[Index], str]]:
+    """The same entries of another quantity; of a single entry, every entry of either that is not the same formula."""
+    return list(_all_slices(part, quantity))
+
+
+def _all_slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:
     places = list(part.places)
     fits = all(all(i < n for i, n in zip(place, quantity.shape, strict=True)) for place in places)
     if fits and quantity is not part.quantity:
         yield places, quantity.name + _brackets(part, quantity)
     if not part.shape and quantity.shape:
         for place in indices(quantity.shape):
-            if place != places[0]:
+            if place != places[0] and (quantity is not part.quantity or not _is_same(quantity, place, places[0])):
                 yield [place], f"{quantity.name}[{','.join(map(str, place))}]"
+
+
+def _is_same(quantity: Quantity, first: Index, second: Index) -> bool:
+    """Whether two entries are one formula, as they are in a symmetric matrix."""
+    return quantity.expression[first] == quantity.expression[second]
 
 
 def _brackets(part: Part, quantity: Quantity) -> str:

@@ -148,6 +148,7 @@ def undecided(claim: Claim, reason: str) -> Record:
         "conditions": [],
         "remarks": [],
         "convention": "",
+        "terms": [],
         "reading": [],
     }
 

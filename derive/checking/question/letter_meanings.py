@@ -113,12 +113,12 @@ def meanings(name: str) -> Meanings:
     for role, pattern in ((Role.VARIANCE, _VARIANCE), (Role.DEVIATION, _DEVIATION), (Role.CORRELATION, _CORRELATION)):
         if (found := pattern.match(plain)) and (plain not in _STRONG_WORDS):
             of = next((part for part in found.groupdict().values() if part), "")
-            strong, weak = _words(of, _STRONG_WORDS), _words(of, _WEAK_WORDS)
+            words = _words(of, _STRONG_WORDS) | _words(of, _WEAK_WORDS)
             if role is Role.CORRELATION:
                 return Meanings(frozenset(), frozenset(), role)
-            if of and not (strong or weak) and "_" not in plain:
+            if of and not words and "_" not in plain:
                 continue  # a word that only begins so
-            meant = _as_meanings(role, strong | weak, predicted=predicted)
+            meant = _as_meanings(role, words, predicted=predicted)
             return Meanings(meant, frozenset(), role)
     strong = _as_meanings(Role.VALUE, _words(plain, _STRONG_WORDS), predicted=predicted)
     weak = _as_meanings(Role.VALUE, _words(plain, _WEAK_WORDS), predicted=predicted)
@@ -163,8 +163,10 @@ def _words(word: str, table: dict[str, frozenset[str]]) -> frozenset[str]:
     if word in table:
         return table[word]
     bare = _DECORATION.sub("", word)
-    return table.get(bare, frozenset()) or table.get(bare.lower(), frozenset()) if len(bare) > 1 or bare in table else (
-        frozenset()
+    return (
+        table.get(bare, frozenset()) or table.get(bare.lower(), frozenset())
+        if len(bare) > 1 or bare in table
+        else (frozenset())
     )
 
 

@@ -1,4 +1,4 @@
-"""A matrix that is printed with rows or columns of zeros that the quantity does not have: of states that do not enter."""
+"""A matrix that is printed with rows or columns of zeros that are too many: of states that do not enter."""
 
 from __future__ import annotations
 

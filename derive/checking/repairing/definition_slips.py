@@ -72,7 +72,7 @@ def mended_definitions(
     for candidate in sorted(candidates, key=lambda one: (-len(one.mends), one.cost)):
         if len(candidate.mends) < most or len(found) == ENOUGH:
             break
-        if trial.is_proved(candidate):
+        if trial.is_proved(candidate) and candidate.mended.formula not in {one.formula for one in found}:
             most = len(candidate.mends)
             found.append(candidate.mended)
     return found
@@ -145,7 +145,7 @@ class _Trial:
                 break
 
     def _needed_of(self, name: str, place: int) -> Values | None:
-        """What a definition would have to be worth for a formula; None where it stands there twice, or by way of others."""
+        """What a definition would have to be worth for a formula; None where it does not stand there just once."""
         tree, needed = self._formulas[place].tree, self._search_wanted(place)
         paths = [path for path, node in walk(tree) if isinstance(node, Name) and node.name == name]
         others = names_of(tree) & self._names.definitions.keys() - {name}

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import islice
 
+from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.explanation import Explanation, explanations
-from radartrack.derive.checking.question.conditions import under
+from radartrack.derive.checking.conventions.other_quantity import siblings
+from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.printed_formula import Names
 from radartrack.derive.checking.repairing.definition_slips import Formula, mended_definitions
 from radartrack.derive.checking.repairing.smallest_edit import suggest
@@ -21,6 +24,8 @@ from radartrack.derive.symbolic import Expr, Symbol
 
 SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
 SUGGESTIONS = 3
+SIBLINGS = 8  # other quantities of the model that a print may have been meant for
+NEAR = 2.0  # the cost of an edit from which another quantity is not near
 UNEXPLAINED = 4.0  # what an entry costs for which nothing is found
 
 
@@ -72,6 +77,23 @@ class Print:
             if self._least(one) < best.cost:
                 best = min(best, self._edited(one, one.wrong), key=lambda account: account.cost)
         return best
+
+    def of_siblings(self) -> list[Suggestion]:
+        """What was printed wrong if another quantity of the model was meant, from which it is one edit away."""
+        for name, expected in islice(siblings(self.asked), SIBLINGS):
+            conditions = self.asked.conditions
+            pairs = {index: under(conditions, expected[index]) for index, _ in self.trees.items()}
+            wrong = [
+                i for i, entry in pairs.items() if not proved_equal(under(conditions, self.asked.printed[i]), entry)
+            ]
+            if len(wrong) != 1:
+                continue
+            symbols = self._symbols(conditions)
+            found = suggest(self.trees[wrong[0]], self.names, pairs[wrong[0]], symbols, conditions)
+            if found and found[0].cost < NEAR:
+                edit = f"{found[0].edit}, if {name} is meant{when_zero(vanishing)}"
+                return [Suggestion(found[0].formula, edit, wrong[0], found[0].proved)]
+        return []
 
     @cached_property
     def complete(self) -> Explanation | None:

@@ -68,6 +68,23 @@ class Suggestion:
 
 
 @dataclass(frozen=True)
+class TermDifference:
+    """A term of the canonical form in which the print differs.
+
+    Attributes:
+        term: the term without its coefficient.
+        printed: its coefficient in the printed formula.
+        derived: its coefficient in the derived one.
+        entry: which entry it is about.
+    """
+
+    term: str
+    printed: str
+    derived: str
+    entry: Index = ()
+
+
+@dataclass(frozen=True)
 class Verdict:
     """The answer to one question.
 
@@ -83,6 +100,7 @@ class Verdict:
         conditions: under which it was compared: `rho = 0`.
         remarks: what else was found: conditions under which it is equal, other quantities that it equals.
         convention: in which the least is wrong, in words; nothing for ours.
+        terms: where nothing is suggested, the terms of the canonical form that differ.
         reading: with what letters of its own the formula was read: `theta for beta`.
     """
 
@@ -97,6 +115,7 @@ class Verdict:
     conditions: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
     convention: str = ""
+    terms: tuple[TermDifference, ...] = ()
     reading: tuple[str, ...] = ()
 
     @property

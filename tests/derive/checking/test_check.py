@@ -108,8 +108,8 @@ def test_the_whole_derived_formula_is_no_edit_of_the_printed_one() -> None:
 
 
 def test_a_formula_is_suggested_once_however_it_is_written() -> None:
-    uncorrelated = "(sigma_r**2 - r**2*sigma_beta**2)*sin(beta)*cos(beta)"
-    edits = _edits(check("polar.covariance.linear[0,1]", f"{uncorrelated} + r*rho*sigma_r*sigma_beta*cos(beta)**2"))
+    printed = "sigma_r**2*cos(beta)**2 - 2*r*rho*sigma_r*sigma_beta*sin(beta)*cos(beta)"
+    edits = _edits(check("polar.covariance.linear[0,0]", printed))
     assert sum(edit.startswith("a missing term") for edit in edits) == 1
 
 
