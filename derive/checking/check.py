@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.algebra.principal_angles import equal_angles
+from radartrack.derive.catalogue import UnknownQuantity, catalogue
+from radartrack.derive.checking.comparing.canonical_terms import differing_terms
 from radartrack.derive.checking.comparing.counterexample import (
     MATTERS,
     Relative,
@@ -20,12 +26,12 @@ from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
-from radartrack.derive.checking.conventions.other_convention import condition_that_helps, convention_that_helps
 from radartrack.derive.checking.conventions.other_quantity import other_quantities
-from radartrack.derive.checking.question.compared_quantity import Reference, of_formula, refer, refer_to
-from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
+from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
+from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
+from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous, letter_readings
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
@@ -36,12 +42,13 @@ from radartrack.derive.checking.question.printed_formula import (
 )
 from radartrack.derive.checking.question.sense import EXACTLY, Sense
 from radartrack.derive.checking.question.world import CATALOGUE, World
+from radartrack.derive.checking.repairing.least_to_explain import UNEXPLAINED, Account, Print
 from radartrack.derive.checking.repairing.rounded_decimals import meant
-from radartrack.derive.checking.repairing.slips_in_definitions import Repair, Slip
-from radartrack.derive.checking.repairing.smallest_edit import suggest
+from radartrack.derive.checking.repairing.slips_inside import Repair, Slip, has_inside
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
@@ -49,9 +56,6 @@ from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
-
-SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
-SUGGESTIONS = 3
 
 
 def check(
@@ -111,10 +115,60 @@ def ask(
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
-    definitions = {**world.let, **(let or {})}
-    reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, world, definitions)
-    names = names_for(reference, let or {}, world, ["" if latex else formula, *(given or {}).values()])
-    return asked(reference, formula, names, given or {}, world, latex=latex, sense=sense)
+    paper = Paper(formula, latex, given or {}, let or {}, world, sense)
+    return replace(paper.ask(quantity), paper=paper)
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A formula as it stands in print, with what is said about it there, and in which sense."""
+
+    formula: str
+    latex: bool
+    given: Mapping[str, str]
+    let: Mapping[str, str]
+    world: World
+    sense: Sense
+
+    def ask(self, quantity: str | Quantity) -> Question:
+        """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
+        definitions = {**self.world.let, **self.let}
+        is_named = isinstance(quantity, str)
+        reference = refer(quantity, self.world, definitions) if is_named else refer_to(quantity)
+        conditions: Mapping[Symbol, Expr] = {}
+        with suppress(FormulaError):  # in letters of the paper, or wrong: then it is told where the question is asked
+            conditions = conditions_for(reference, self.given)
+        readings = letter_readings(self.formula, reference, definitions, conditions, latex=self.latex)
+        return _likeliest([self._question(reference, reading) for reading in readings])
+
+    def is_right(self, name: str) -> Question | None:
+        """The question whether it is this quantity, if it is."""
+        try:
+            question = self.ask(name)
+        except (FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+            return None
+        return question if question.is_equal else None
+
+    def _question(self, reference: Reference, reading: Reading) -> Question:
+        texts = ["" if self.latex else self.formula, *self.given.values()]
+        names = names_for(reference, self.let, self.world, texts, reading.letters)
+        question = asked(reference, self.formula, names, self.given, self.world, latex=self.latex, sense=self.sense)
+        return replace(question, reading=reading)
+
+
+def _likeliest(questions: Sequence[Question]) -> Question:
+    """The question whose reading of the letters leaves the least to explain.
+
+    Raises:
+        FormulaError: where nothing explains what is wrong, and several readings are as likely as each other.
+    """
+    if len(questions) == 1:
+        return questions[0]
+    best, *others = sorted(questions, key=lambda one: (one.to_explain, one.reading.wrong, one.reading.rank))
+    alike = [one.reading for one in others if one.reading.rank == best.reading.rank and best.to_explain >= UNEXPLAINED]
+    if alike:
+        raise ambiguous([best.reading, *alike])
+    return best
 
 
 def asked(
@@ -199,6 +253,8 @@ class Question:
     conditions: Mapping[Symbol, Expr]
     sense: str = ""
     rounding: Rounding | None = None
+    reading: Reading = AS_TYPED
+    paper: Paper | None = None
 
     @cached_property
     def symbols(self) -> tuple[Variable, ...]:
@@ -236,10 +292,12 @@ class Question:
             reason=_reason(worst, findings, conditions, self.sense),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
+            remarks=(self.printed.padding,) if self.printed.padding else (),
+            reading=self.reading.words,
         )
         if self.rounding:
             reason, remark = f"{verdict.reason}, at the printed digits", f"at the printed digits: {self.rounding.words}"
-            verdict = replace(verdict, printed=self.rounding.printed, reason=reason, remarks=(remark,))
+            verdict = replace(verdict, printed=self.rounding.printed, reason=reason, remarks=(*verdict.remarks, remark))
         yield verdict
         for words, addition in self._additions(worst, wrong):
             verdict = _with(verdict, words, addition)
@@ -252,8 +310,10 @@ class Question:
             yield "the worst over the domain", lambda verdict: self._with_worst(verdict, worst)
             yield "the order of the difference", lambda verdict: self._with_order(verdict, worst)
             yield "another convention", self._with_convention
-            yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst, wrong)
             yield "another quantity", self._with_other_quantities
+            yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst)
+            yield "another quantity that was perhaps meant", self._with_siblings
+            yield "the terms that differ", lambda verdict: self._with_terms(verdict, wrong)
 
     def derived_entry(self, entry: Index) -> Expr:
         """The derived formula under the conditions."""
@@ -280,7 +340,7 @@ class Question:
         values = find_difference(comparison, self.domain)
         if values is not None:
             return self._wrong(entry, values)
-        if attempted(lambda: proved_equal(printed, derived), lambda _: False):
+        if attempted(lambda: proved_equal(printed, derived) or equal_angles(printed, derived), lambda _: False):
             return Finding(entry, Outcome.EQUAL)
         finding = _without_proof(entry, comparison, self.domain)
         return self._wrong(entry, finding.values) if finding.values else finding
@@ -314,76 +374,99 @@ class Question:
         return replace(verdict, order=orders(printed - derived, derived, self.symbols))
 
     def _with_convention(self, verdict: Verdict) -> Verdict:
-        found = (self._condition, self._convention)
-        return replace(verdict, remarks=(*verdict.remarks, *(remark for remark in found if remark)))
+        found = self._print.complete
+        return replace(verdict, remarks=(*verdict.remarks, f"equal{found.words}")) if found else verdict
 
-    def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
-        costs, edits = self._all_edits(wrong)
-        for slip in attempted(self._slips_inside, lambda _: []):
-            inside = Suggestion(slip.formula, slip.words)
-            is_first = not edits or slip.cost < costs[0] or (slip.cost == costs[0] and slip.places > 1)
-            edits = [inside, *edits] if is_first else [*edits, inside]
-        condition, convention = attempted(lambda: (self._condition, self._convention), lambda _: (None, None))
-        found = condition or (convention if len(wrong) > 1 or not edits else None)
-        reason = verdict.reason + (f", but {found}" if found else _edit(worst, edits))
-        return replace(verdict, reason=reason, suggestions=(*verdict.suggestions, *edits))
+    def _with_other_quantities(self, verdict: Verdict) -> Verdict:
+        explained = attempted(lambda: self._print.complete is not None, lambda _: False)
+        others = other_quantities(self._asked, uncorrelated=not explained) or self._other_models()
+        return replace(verdict, suggestions=(*verdict.suggestions, *others))
 
-    def _all_edits(self, wrong: Sequence[Finding]) -> tuple[list[float], list[Suggestion]]:
-        """What may be edited in each of the entries that are wrong, and how unlikely the slips are."""
-        found = [one for finding in wrong[:SHOWN_ENTRIES] for one in self._suggestions(finding.entry)]
-        return [cost for cost, _ in found], [suggestion for _, suggestion in found]
+    def _other_models(self) -> tuple[Suggestion, ...]:
+        """The same thing in another model that the formula is, in whatever letters."""
+        found = self.paper.other_model(self.reference) if self.paper and not self.reading.fits else None
+        if found is None:
+            return ()
+        letters = f" with {' and '.join(found.reading.words)}" if found.reading.words else ""
+        name = found.reference.text
+        return (Suggestion(name, f"this is {name}{letters}, not {self.reference.text}"),)
+
+    def _with_edits(self, verdict: Verdict, worst: Finding) -> Verdict:
+        count = len(self.printed.entries.entries)
+        others = verdict.suggestions
+        known = others and self._is_rival(others[0].formula)
+        if known and count > 1:
+            return replace(verdict, reason=f"{verdict.reason}, but {others[0].edit}")
+        account = self._account
+        if known:  # of one entry, a slip may have made the other quantity of ours
+            return replace(
+                verdict,
+                reason=f"{verdict.reason}, but {others[0].edit}",
+                suggestions=(*others, *account.suggestions),
+                convention=account.convention.strip(),
+            )
+        reason = f"{verdict.reason}{_explained(account, worst, count)}"
+        suggestions = (*account.suggestions, *others)
+        return replace(verdict, reason=reason, suggestions=suggestions, convention=account.convention.strip())
+
+    def _with_siblings(self, verdict: Verdict) -> Verdict:
+        near = verdict.suggestions or verdict.convention or verdict.remarks
+        return verdict if near else replace(verdict, suggestions=tuple(self._print.of_siblings()))
+
+    def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
+        explained = {suggestion.entry for suggestion in verdict.suggestions}
+        left = [finding.entry for finding in wrong if finding.entry not in explained]
+        if verdict.convention or not left or any(suggestion.definition for suggestion in verdict.suggestions):
+            return verdict
+        return replace(
+            verdict, terms=differing_terms(self.printed_entry(left[0]), self.derived_entry(left[0]), left[0])
+        )
+
+    def _is_rival(self, name: str) -> bool:
+        """Whether this is another quantity, right in its own model, not another entry of ours, nor a negative."""
+        part = self.reference.part
+        own = {part.quantity.name} if part else set()
+        return re.split(r"[\[ ]", name)[0] in catalogue().keys() - own
+
+    @cached_property
+    def to_explain(self) -> float:
+        """How much is left to explain of what is wrong: nothing where all is right."""
+        return 0.0 if self.is_equal else attempted(lambda: self._account.cost, lambda _: math.inf)
+
+    @cached_property
+    def _account(self) -> Account:
+        findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
+        wrong = tuple(one.entry for one in findings if one.outcome in _WRONG)
+        account = self._print.account(wrong)
+        slips = [] if account.is_complete else attempted(self._slips_inside, lambda _: [])
+        if not slips or slips[0].cost > account.cost:
+            return account
+        inside = (Suggestion(slip.formula, slip.words, definition=slip.definition) for slip in slips)
+        edits = () if account.convention else account.suggestions
+        return Account("", wrong, (*inside, *edits), slips[0].cost)
 
     def _slips_inside(self) -> list[Slip]:
-        """Slips in definitions, and inside of what is worked out, of which each explains all that is wrong."""
+        """Slips inside of what is worked out, of which each explains all that is wrong: no edit of an entry can."""
+        if not (self._is_compared and has_inside(self.printed)):
+            return []
         derived = self.reference.entries.map(lambda entry: under(self.conditions, entry))
         return Repair(self.printed, self.printed.names, derived, self.symbols, self.conditions).slips()
 
-    def _with_other_quantities(self, verdict: Verdict) -> Verdict:
-        condition = attempted(lambda: self._condition, lambda _: None)
-        others = other_quantities(self._asked, uncorrelated=condition is None)
-        return replace(verdict, suggestions=(*verdict.suggestions, *others))
+    @cached_property
+    def _is_compared(self) -> bool:
+        """Whether what is compared is what is printed, and no polynomial or limit of it."""
+        if not self.sense:
+            return True
+        entries = self.printed.entries.map(lambda tree: under(self.conditions, self.printed.names.read(tree)))
+        return all(entries[index] == self.printed_entry(index) for index, _ in entries.items())
 
     @cached_property
     def _asked(self) -> Asked:
         return Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions)
 
     @cached_property
-    def _condition(self) -> str | None:
-        return condition_that_helps(self._asked)
-
-    @cached_property
-    def _convention(self) -> str | None:
-        return None if self._condition else convention_that_helps(self._asked)
-
-    def _suggestions(self, entry: Index) -> list[tuple[float, Suggestion]]:
-        """The smallest edits; where there is none and the print has no correlation, those without correlation."""
-        if self.sense and under(self.conditions, self.printed.names.read(self.printed.entries[entry])) != (
-            self.printed_entry(entry)
-        ):
-            return []  # compared is something else than what is printed
-        found = self._edited(entry, self.conditions)
-        free = [symbol for symbol in self.symbols if symbol.is_correlation]
-        if found or not free or self.printed_entry(entry).free_symbols & set(free):
-            return found
-        uncorrelated = also_zero(self.conditions, free)
-        pair = self.printed.expressions[entry], self.reference.entries[entry]
-        if not uncorrelated or proved_equal(*(under(uncorrelated, one) for one in pair)):
-            return []  # where it is right already, every edit that changes nothing would do
-        edited = self._edited(entry, uncorrelated)
-        return [(cost, replace(one, edit=one.edit + when_zero(free))) for cost, one in edited]
-
-    @cached_property
-    def _all_names(self) -> Names:
-        """Those that are printed, and what else may have been meant."""
-        return self.printed.names.completed()
-
-    def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[tuple[float, Suggestion]]:
-        left = set[Symbol](self.reference.symbols) - conditions.keys()
-        free = left.union(*(value.free_symbols for value in conditions.values()))
-        symbols = [symbol for symbol in self.reference.symbols if symbol in free]
-        derived = under(conditions, self.reference.entries[entry])
-        found = suggest(self.printed.entries[entry], self._all_names, derived, symbols, conditions)
-        return [(one.cost, Suggestion(one.formula, one.edit, entry, one.proved)) for one in found[:SUGGESTIONS]]
+    def _print(self) -> Print:
+        return Print(self._asked, self.printed.entries, self.printed.names, self._is_compared)
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)
@@ -442,8 +525,17 @@ def _without_proof(entry: Index, comparison: Comparison, domain: Domain) -> Find
     return Finding(entry, Outcome.EQUAL_NUMERICALLY, reason=f"equal to 50 digits at {agree} points")
 
 
-def _edit(finding: Finding, edits: Sequence[Suggestion]) -> str:
-    return f": {edits[0].edit}" if edits and finding.outcome is Outcome.DIFFERS else ""
+def _explained(account: Account, worst: Finding, count: int) -> str:
+    """What the account adds to the reason: the convention first, then the slip."""
+    if account.is_complete:
+        return f", but equal{account.convention}"
+    edit = account.suggestions[0].edit.removesuffix(account.convention) if account.suggestions else ""
+    if account.convention:
+        wrong = len(account.wrong)
+        are = "is" if wrong == 1 else "are"
+        entries = f"{wrong} of {count} entries {are} wrong" if count > 1 else "there is a slip"
+        return f", but{account.convention} {entries}{f': {edit}' if edit else ''}"
+    return f": {edit}" if edit and worst.outcome is Outcome.DIFFERS else ""
 
 
 def _reason(worst: Finding, findings: Sequence[Finding], conditions: Sequence[str], sense: str) -> str:

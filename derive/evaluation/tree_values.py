@@ -146,7 +146,7 @@ class Screen:
     def _step(self, tree: Tree, below: Sequence[Values | None]) -> Values | None:
         if below:
             return combined(_operation(tree), *below)
-        return self.names[tree.name] if isinstance(tree, Name) else self.constant(_number(tree))
+        return self.names.get(tree.name) if isinstance(tree, Name) else self.constant(_number(tree))
 
     def required(self, tree: Tree, needed: Values) -> list[Values | None]:
         """What each subtree would have to be worth for the tree to be worth what is needed; None where nothing does.
@@ -223,12 +223,12 @@ class Program:
         self._steps = steps([tree], (), _step, _key)
 
     def __call__(self, names: Mapping[str, float]) -> Values | None:
-        """The value where the symbols have these values; None where it is no real number."""
+        """The value where the symbols have these values; None where it is no real number, or a symbol has none."""
         slots: list[float] = []
         try:
             for operation, operands in self._steps.steps:
                 slots.append(operation(*[slots[place] for place in operands]) if operands else operation(names))
-        except (ArithmeticError, TypeError, ValueError):
+        except (ArithmeticError, KeyError, TypeError, ValueError):
             return None
         value = slots[self._steps.results[0]]
         return (value,) if not isinstance(value, complex) else None

@@ -26,13 +26,15 @@ from radartrack.derive.reading.latex_hints import hint
 from radartrack.derive.reading.latex_tokens import WORDS, tokens
 
 
-def read_latex(text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
+def read_latex(
+    text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, any_name: bool = False
+) -> Tree:
     r"""Read a formula in these symbols; what print leaves ambiguous is refused.
 
     A symbol is named by its letters: \sigma_{\beta} is sigma_beta, \dot{r} is rdot, \mathrm{abc} is abc.
     Letters side by side are a product, and so is a letter before a bracket: show the reading, `to_text` of
     the tree, to whoever asked. \pi, \mathrm{e} and e are the constants where no symbol has their name. A
-    matrix of one column is a vector.
+    matrix of one column is a vector. With `any_name` other names may occur as well, whatever they mean.
 
     Raises:
         FormulaError: when it is no such formula, is ambiguous, or too large.
@@ -41,7 +43,7 @@ def read_latex(text: str, names: Collection[str], shapes: Mapping[str, Shape] = 
     allowed = check_names(names)
     check_characters(text, allowed, latex=True)
     try:
-        return finished(_parse(tokens(text, allowed), len(text)), shapes=shapes)
+        return finished(_parse(tokens(text, allowed, any_name=any_name), len(text)), shapes=shapes)
     except FormulaError as error:
         raise error.within(text) from None
 

@@ -44,21 +44,22 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
 _SINGLE = frozenset({"digit", "letter", "greek", "word"})  # what may be an argument without braces
 
 
-def tokens(source: str, names: frozenset[str]) -> list[Token]:
+def tokens(source: str, names: frozenset[str], *, any_name: bool = False) -> list[Token]:
     """The tokens of a formula in LaTeX.
 
     Raises:
         FormulaError: for what is not read, for unknown symbols, and for brackets without partners.
     """
-    return _Tokenizer(pieces(source), names).run()
+    return _Tokenizer(pieces(source), names, any_name=any_name).run()
 
 
 class _Tokenizer:
     """One pass over the pieces; what an earlier piece says of later ones is kept by their index."""
 
-    def __init__(self, found: list[Piece], names: frozenset[str]) -> None:
+    def __init__(self, found: list[Piece], names: frozenset[str], *, any_name: bool) -> None:
         self.pieces = found
         self.names = names
+        self.any_name = any_name
         self.partner = _partners(found)
         self.alone: set[int] = set()  # arguments without braces
         self.taken: dict[int, int] = {}  # subscripts that stand behind an exponent, with where they end
@@ -152,6 +153,8 @@ class _Tokenizer:
             self._emit(_CONSTANT_TOKENS[name], name, span)
         elif upright and self._kind(after) == "open":
             raise FormulaError(unknown_function(name), span=span)
+        elif self.any_name:
+            self._emit("NAME", name, span)
         else:
             raise FormulaError(unknown_name(name, self.names), span=span)
         return after

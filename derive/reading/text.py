@@ -14,6 +14,7 @@ from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_brackets, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Tree, bound_names
+from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
@@ -23,13 +24,16 @@ _BRACKETS = {"(": ")", "[": "]", "{": "}"}
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)*)")
 
 
-def read_text(text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
+def read_text(
+    text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, any_name: bool = False
+) -> Tree:
     """Read a formula in these symbols, and `pi`, `e` and `E` where they are not among them.
 
     Args:
         text: the formula.
         names: the symbols.
         shapes: of those that stand for arrays.
+        any_name: whether names that are no symbols may occur as well, whatever they mean.
 
     Raises:
         FormulaError: when it is no such formula, or too large.
@@ -42,6 +46,8 @@ def read_text(text: str, names: Collection[str], shapes: Mapping[str, Shape] = N
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
         tree = _parse(text, allowed)
         known = allowed | bound_names(tree)
+        if any_name:
+            known |= names_of(tree) - constants(allowed).keys()
         return finished(tree, lambda node: _resolved(node, known), shapes)
     except FormulaError as error:
         raise error.within(text) from None

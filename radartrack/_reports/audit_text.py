@@ -43,6 +43,8 @@ def headline(record: Record) -> tuple[str, str]:
 
 def explanation(record: Record) -> Iterator[tuple[str, str]]:
     """Pairs of heading and text that explain a record beyond its reason."""
+    if record.get("reading"):
+        yield "read with", ", ".join(record["reading"])
     if example := record["counterexample"]:
         yield "for example", _example(example)
         if worst := _worst(example):
@@ -54,6 +56,9 @@ def explanation(record: Record) -> Iterator[tuple[str, str]]:
             yield "but", remark
     for suggestion in record["suggestions"]:
         yield "perhaps meant", _suggestion(suggestion)
+    for one in record.get("terms", ()):
+        entry = f"entry {list(one['entry'])}: " if one["entry"] else ""
+        yield "differs in", f"{entry}{one['term']}: printed {one['printed']}, derived {one['derived']}"
 
 
 def conditions(record: Record) -> str:
@@ -127,6 +132,8 @@ def _worst(example: Record) -> str:
 
 def _suggestion(suggestion: Record) -> str:
     entry = f"entry {list(suggestion['entry'])}: " if suggestion["entry"] else ""
+    if suggestion.get("definition"):
+        entry = "--let "
     unproved = "" if suggestion["proved"] else " (equal to 50 digits, not proved)"
     if suggestion["edit"].startswith("this is "):
         return f"{entry}{suggestion['edit']}{unproved}"

@@ -18,7 +18,7 @@ from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Number, Power, Product, Sum, Tree, replace_at, walk
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.algebra.common_denominator import collected_form
+from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import Slip

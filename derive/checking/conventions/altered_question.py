@@ -40,6 +40,10 @@ class Asked:
             for found, unit in zip(self.dimensions, units, strict=True)
         )
 
+    def uses(self, symbols: Sequence[Symbol]) -> bool:
+        """Whether any of these is printed."""
+        return any(entry.free_symbols & set(symbols) for entry in self.printed)
+
     @property
     def correlations(self) -> list[Variable]:
         """Those that the conditions leave free."""

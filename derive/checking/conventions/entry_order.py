@@ -1,45 +1,72 @@
-"""Whether the entries of a formula are right in another order: a transpose, or a state whose parts stand otherwise."""
+"""In which order the entries of a formula are right: a transpose, or a state whose parts stand otherwise."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 from itertools import permutations, product
 
-from radartrack.derive.checking.conventions.altered_question import Trial, evaluated
-from radartrack.derive.language.tensor import Index, Tensor, indices
-from radartrack.derive.symbolic import Expr
+from radartrack.derive.language.tensor import Index, indices
 
 LONGEST = 4  # rows whose orders are all tried
+LONGEST_STATE = 6  # rows whose orders are tried together with those of the columns
 
 Order = tuple[int, ...]
 
 
-def arrangement(one: Trial, entries: Tensor[Expr]) -> str | None:
-    """In which order of its entries the formula is proved equal, in words: "when transposed"."""
-    values = evaluated(entries, one.symbols, one.point)
-    if values is None or len(entries.shape) not in {1, 2} or max(entries.shape) > LONGEST:
-        return None
-    known = Tensor(entries.shape, values)
-    for words, places in _arrangements(entries.shape):
-        moved = [known[place] for place in places]
-        if one.is_worth(moved) and one.proves(Tensor(entries.shape, tuple(entries[place] for place in places))):
-            return words
-    return None
+@dataclass(frozen=True)
+class Arrangement:
+    """An order of entries.
+
+    Attributes:
+        words: the order, in words: "when transposed"; nothing for ours.
+        places: where the entries come from, row by row.
+    """
+
+    words: str
+    places: tuple[Index, ...]
+
+    @property
+    def cost(self) -> float:
+        """How unlikely it is, on the scale of edits."""
+        return 0.0 if not self.words else 1.05 + 0.5 * self.words.count(" and the columns")
 
 
-def _arrangements(shape: Index) -> Iterator[tuple[str, list[Index]]]:
-    """Where the entries come from, row by row, and that in words."""
+def arrangements_that_fit(shape: Index, same: Callable[[int, Index], bool]) -> list[tuple[Arrangement, list[int]]]:
+    """The arrangements in which the fewest entries are wrong, with those, the plainest first.
+
+    Args:
+        shape: that of the formula.
+        same: whether the entry at a place of the print, counted row by row, has the value of an entry of ours.
+    """
+    known = {(place, index): same(place, index) for place in range(_size(shape)) for index in indices(shape)}
+    found = [(one, [n for n, index in enumerate(one.places) if not known[n, index]]) for one in _arrangements(shape)]
+    return sorted(found, key=lambda pair: len(pair[1]) + pair[0].cost)
+
+
+@lru_cache(maxsize=64)
+def _arrangements(shape: Index) -> tuple[Arrangement, ...]:
+    """All of a shape, ours first."""
+    ours = Arrangement("", tuple(indices(shape)))
+    if len(shape) not in {1, 2} or max(shape) > LONGEST_STATE:
+        return (ours,)
+    return tuple({one.places: one for one in reversed((ours, *_others(shape)))}.values())[::-1]
+
+
+def _others(shape: Index) -> Iterator[Arrangement]:
     if len(shape) == 1:
         for order in permutations(range(*shape)):
-            yield f"with the entries in the order {_spoken(order)}", [(place,) for place in order]
+            yield Arrangement(f"with the entries in the order {_spoken(order)}", tuple((place,) for place in order))
         return
     rows, columns = shape
     if rows == columns:
-        yield "when transposed", [place[::-1] for place in indices(shape)]
+        yield Arrangement("when transposed", tuple(place[::-1] for place in indices(shape)))
         for order in permutations(range(rows)):
-            yield f"with rows and columns in the order {_spoken(order)}", list(product(order, order))
-    for pair in product(permutations(range(rows)), permutations(range(columns))):
-        yield f"with {_of_rows_and_columns(*pair)}", list(product(*pair))
+            yield Arrangement(f"with rows and columns in the order {_spoken(order)}", tuple(product(order, order)))
+    if max(shape) <= LONGEST:
+        for pair in product(permutations(range(rows)), permutations(range(columns))):
+            yield Arrangement(f"with {_of_rows_and_columns(*pair)}", tuple(product(*pair)))
 
 
 def _of_rows_and_columns(rows: Order, columns: Order) -> str:
@@ -52,3 +79,7 @@ def _of_rows_and_columns(rows: Order, columns: Order) -> str:
 
 def _spoken(order: Sequence[int]) -> str:
     return ", ".join(map(str, order))
+
+
+def _size(shape: Index) -> int:
+    return len(list(indices(shape)))

@@ -7,11 +7,14 @@ is looked up, so that only few equalities are left to prove.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from functools import lru_cache
+from itertools import islice
 
-from radartrack.derive.catalogue import family
+from radartrack.derive import symbolic as sp
+from radartrack.derive.catalogue import catalogue, family
 from radartrack.derive.checking.conventions.altered_question import (
     Asked,
     Point,
@@ -20,13 +23,28 @@ from radartrack.derive.checking.conventions.altered_question import (
     trial,
     without_correlation,
 )
-from radartrack.derive.checking.question.compared_quantity import Part
+from radartrack.derive.checking.conventions.convention import conventions
+from radartrack.derive.checking.question.compared_quantity import Part, Reference
+from radartrack.derive.checking.question.conditions import under
+from radartrack.derive.checking.question.formula_units import Dimension
 from radartrack.derive.checking.reporting.verdict import Suggestion
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
+from radartrack.derive.symbolic import Expr, Symbol
 
-SECONDS = 0.3  # spent on deriving other quantities to compare with
+SECONDS = 1.0  # spent on deriving other quantities to compare with
+RIVALS = 6  # quantities of other models that a formula is read again for
+PREDICTED = "predicted_"
+TRIALS = 8  # conventions in which the print is compared with them
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A condition on what only the other quantity has: a prediction as good as the measurement, or a perfect one."""
+
+    words: str = ""
+    changes: Mapping[Symbol, Expr] = field(default_factory=dict)
 
 
 def other_quantities(asked: Asked, *, uncorrelated: bool) -> tuple[Suggestion, ...]:
@@ -34,14 +52,34 @@ def other_quantities(asked: Asked, *, uncorrelated: bool) -> tuple[Suggestion, .
 
     Args:
         asked: what is printed, and what it was compared with.
-        uncorrelated: whether it may equal that only where all correlations are zero.
+        uncorrelated: whether it may equal that only where all correlations are zero, or in another convention.
     """
     part = asked.reference.part
     if part is None or not any(expression.free_symbols for expression in asked.printed):
         return ()  # a number is many things
-    trials = [trial(asked), *(without_correlation(asked) if uncorrelated else ())]
+    plain = uncorrelated and not asked.uses(asked.correlations)
+    trials = [trial(asked), *(without_correlation(asked) if plain else ())]
+    trials += _in_other_conventions(asked) if uncorrelated else ()
     found = next(_others(asked, part, trials), None)
     return (Suggestion(found, f"this is {found}, not {asked.reference.text}", proved=True),) if found else ()
+
+
+def _in_other_conventions(asked: Asked) -> list[Trial]:
+    """The print in the conventions that change no sign of an entry."""
+    plain = (one for one in conventions(asked) if one.changes and not one.factors and not one.offsets)
+    likely = sorted(islice(plain, 3 * TRIALS), key=lambda one: one.cost)[:TRIALS]
+    return [trial(asked, one.words, vanishing=one.vanishing, changes=one.changes) for one in likely]
+
+
+def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
+    """Quantities of the same model that the print may be meant for, by name and entries, the nearest by name first."""
+    part, known = asked.reference.part, set(asked.reference.symbols)
+    for quantity in _candidates(part.quantity) if part is not None else ():
+        if quantity is part.quantity or not set(quantity.symbols) <= known:
+            continue
+        for places, name in _slices(part, quantity)[:1]:
+            if asked.may_be(quantity, places):
+                yield name, Tensor(part.shape, tuple(quantity.expression[place] for place in places))
 
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
@@ -51,23 +89,51 @@ def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
             if time.monotonic() > deadline:
                 return
             if asked.may_be(quantity, places):
-                yield from (f"{sign}{name}{found.words}" for sign, found in _equalities(trials, quantity, places))
+                yield from (f"{sign}{name}{words}" for sign, words in _equalities(trials, quantity, places))
 
 
-def _equalities(trials: Sequence[Trial], quantity: Quantity, places: Sequence[Index]) -> Iterator[tuple[str, Trial]]:
-    """With which sign, and in which trials, the formula is these entries of a quantity."""
-    for sign, prefix in ((1, ""), (-1, "-")):
-        yield from ((prefix, one) for one in trials if _is(one, quantity, places, sign))
+def _equalities(trials: Sequence[Trial], quantity: Quantity, places: Sequence[Index]) -> Iterator[tuple[str, str]]:
+    """With which sign, in which trials and settings the formula is these entries of a quantity."""
+    for setting in _settings(quantity):
+        for sign, prefix in ((1, ""), (-1, "-")):
+            for one in trials:
+                if _is(one, quantity, places, sign, setting):
+                    yield prefix, f"{setting.words}{one.words}"
 
 
-def _is(one: Trial, quantity: Quantity, places: Sequence[Index], sign: int) -> bool:
+def _settings(quantity: Quantity) -> list[Setting]:
+    """None, and those of the prediction that the quantity is averaged over, where it is over one."""
+    predicted = [one for one in quantity.symbols if one.name.startswith(PREDICTED)]
+    known = {symbol.name: symbol for symbol in quantity.symbols}
+    same = {one: known.get(one.name.removeprefix(PREDICTED)) for one in predicted}
+    if not predicted or None in same.values():
+        return [Setting()]
+    alike = {symbol: value for symbol, value in same.items() if value is not None}
+    return [
+        Setting(),
+        Setting(" with a prediction as good as the measurement", alike),
+        Setting(" with a perfect prediction", dict.fromkeys(predicted, sp.Integer(0))),
+    ]
+
+
+def _is(one: Trial, quantity: Quantity, places: Sequence[Index], sign: int, setting: Setting) -> bool:
     """Whether the formula is proved to be these entries of a quantity, with this sign."""
-    values = _values(quantity, one.point)
+    values = _values(quantity, _moved(one.point, setting))
     if values is None:
         return False
     return one.is_worth([values[place] for place in places], sign) and one.proves(
-        Tensor(one.printed.shape, tuple(sign * quantity.expression[place] for place in places))
+        Tensor(one.printed.shape, tuple(sign * under(setting.changes, quantity.expression[place]) for place in places))
     )
+
+
+def _moved(point: Point, setting: Setting) -> Point:
+    """The point with the symbols of a prediction set."""
+    values = dict(point)
+    moved = {
+        symbol.name: values[str(value)] if value.is_Symbol else 0 * values[symbol.name]
+        for symbol, value in setting.changes.items()
+    }
+    return tuple((values | moved).items())
 
 
 @lru_cache(maxsize=1024)
@@ -77,22 +143,50 @@ def _values(quantity: Quantity, point: Point) -> dict[Index, Number] | None:
     return dict(zip(indices(quantity.shape), values, strict=True)) if values is not None else None
 
 
+def rivals(reference: Reference) -> list[str]:
+    """Quantities of the same shape, units and kind that may be in other symbols: the same thing in another model."""
+    part = reference.part
+    if part is None:
+        return []
+    dimensions = list(reference.dimensions)
+    words = set(part.quantity.name.split(".")[1:])
+    found = []
+    for other in catalogue().values():
+        common = words & set(other.name.split(".")[1:])
+        if other is part.quantity or other.shape != part.quantity.shape or not common:
+            continue
+        if set(other.symbols) == set(part.quantity.symbols):
+            continue  # one of those that are compared by value
+        if all(Dimension.of(other.unit(p)).agrees(d) for p, d in zip(part.places, dimensions, strict=True)):
+            found.append((-len(common), other.name + _brackets(part, other)))
+    return [name for _, name in sorted(found)[:RIVALS]]
+
+
 def _candidates(quantity: Quantity) -> list[Quantity]:
     """Quantities of the same model and rank, the most similar names first; the quantity itself leads."""
     alike = [other for other in dict.fromkeys([quantity, *family(quantity)]) if len(other.shape) == len(quantity.shape)]
     return sorted(alike, key=lambda other: -SequenceMatcher(None, other.name, quantity.name).ratio())
 
 
-def _slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:
-    """The same entries of another quantity; of a single entry, every entry of either."""
+def _slices(part: Part, quantity: Quantity) -> list[tuple[list[Index], str]]:
+    """The same entries of another quantity; of a single entry, every entry of either that is not the same formula."""
+    return list(_all_slices(part, quantity))
+
+
+def _all_slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:
     places = list(part.places)
     fits = all(all(i < n for i, n in zip(place, quantity.shape, strict=True)) for place in places)
     if fits and quantity is not part.quantity:
         yield places, quantity.name + _brackets(part, quantity)
     if not part.shape and quantity.shape:
         for place in indices(quantity.shape):
-            if place != places[0]:
+            if place != places[0] and (quantity is not part.quantity or not _is_same(quantity, place, places[0])):
                 yield [place], f"{quantity.name}[{','.join(map(str, place))}]"
+
+
+def _is_same(quantity: Quantity, first: Index, second: Index) -> bool:
+    """Whether two entries are one formula, as they are in a symmetric matrix."""
+    return quantity.expression[first] == quantity.expression[second]
 
 
 def _brackets(part: Part, quantity: Quantity) -> str:

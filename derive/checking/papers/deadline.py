@@ -163,6 +163,9 @@ def undecided(claim: Claim, reason: str) -> Record:
         "order": None,
         "conditions": [],
         "remarks": [],
+        "convention": "",
+        "terms": [],
+        "reading": [],
     }
 
 

@@ -90,6 +90,7 @@ class Dimension:
 
 FREE = Dimension(free=True)
 NOTHING = Dimension(free=True, zero=True)
+UNKNOWN = Dimension(radian=None, free=True)
 ANGLE = Dimension(radian=Fraction(1))
 _PERIODIC = {"cos", "cot", "csc", "sec", "sin", "tan"}
 _GROWING = {"cosh", "coth", "exp", "expm1", "sinh", "tanh"}

@@ -31,8 +31,9 @@ from radartrack.derive.formula.limits import MAX_NODES
 from radartrack.derive.formula.magnitude import Measure, magnitudes
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression, Reader
-from radartrack.derive.formula.tree import Entries, Name, Tree, bound_names
+from radartrack.derive.formula.tree import Array, Entries, Name, Tree, bound_names, has_verbs
 from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.formula.tree import parts as tree_parts
 from radartrack.derive.formula.unknown_names import unknown_name, unusable
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
@@ -97,6 +98,16 @@ class Names(Mapping[str, Expression]):
         """The names that stand for numbers, as far as they are known: of definitions, those that were needed."""
         found = {**self.symbols, **{name: one.value for name, one in self._known.items()}}
         return {name: value for name, value in found.items() if not isinstance(value, tuple)}
+
+    @property
+    def definitions(self) -> dict[str, Tree]:
+        """Those that are known and are plain formulas of numbers, each after those that it needs."""
+        known = {name: one for name, one in self._known.items() if one.tree is not None}
+        return {
+            name: one.tree
+            for name, one in known.items()
+            if one.tree is not None and not isinstance(one.value, tuple) and not _is_worked_out(one.tree)
+        }
 
     @property
     def dimensions(self) -> dict[str, Dimension | None]:
@@ -435,6 +446,11 @@ def _dimensions_of(what: str, tree: Tree, names: Names) -> Callable[[Index], Dim
         return known[index]
 
     return dimension
+
+
+def _is_worked_out(tree: Tree) -> bool:
+    """Whether there are verbs or parts of arrays in a formula."""
+    return has_verbs(tree) or any(isinstance(node, Array | Entries) for node in tree_parts(tree))
 
 
 def _size(known: Mapping[str, Meaning]) -> Fold[int]:

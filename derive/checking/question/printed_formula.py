@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
+from radartrack.derive.checking.question.letters import NO_LETTERS, Letter, Letters
+from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
+from radartrack.derive.checking.question.padding import trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
@@ -31,6 +34,7 @@ class Printed:
         expressions: the entries in the quantity's symbols.
         names: what its names stand for.
         worked_out: the names in the entries that stand for parts that are worked out.
+        padding: which rows and columns of zeros were left out, in words.
     """
 
     tree: Tree
@@ -38,6 +42,7 @@ class Printed:
     expressions: Tensor[Expr]
     names: Names
     worked_out: frozenset[str] = frozenset()
+    padding: str = ""
 
     @property
     def text(self) -> str:
@@ -57,7 +62,11 @@ class Printed:
 
 
 def names_for(
-    reference: Reference, let: Mapping[str, str], world: World = CATALOGUE, texts: Iterable[str] = ()
+    reference: Reference,
+    let: Mapping[str, str],
+    world: World = CATALOGUE,
+    texts: Iterable[str] = (),
+    letters: Letters = NO_LETTERS,
 ) -> Names:
     """The symbols that a formula may use, and the paper's names: definitions of a claim, and those of its file.
 
@@ -66,6 +75,7 @@ def names_for(
         let: the definitions of the claim.
         world: the paper's.
         texts: formulas that are read in these names.
+        letters: that stand for symbols, which have no other name then.
 
     Raises:
         FormulaError: for a definition of the claim that cannot be read, or a name that is none.
@@ -73,7 +83,12 @@ def names_for(
     """
     both = {**world.let, **let}
     quantities = [part.quantity for part in reference.parts]
-    names = Names(symbols_for([*let.values(), *texts], both, world, quantities), both, world)
+    own = symbols_for([*let.values(), *texts], both, world, quantities)
+    meant = {letter.symbol for letter in letters.values() if letter.power == 1}
+    symbols = {name: symbol for name, symbol in own.items() if symbol not in meant}
+    symbols |= {name: letter.symbol for name, letter in letters.items() if letter.power == 1}
+    powers = {name: _meaning(letter) for name, letter in letters.items() if letter.power != 1}
+    names = Names(symbols, both, world, powers)
     for name in let:
         check_name(name)
         names.meaning(name)
@@ -123,7 +138,9 @@ def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) ->
         NoClosedForm: when it cannot be worked out.
     """
     try:
-        return printed(names.tree(formula, latex=latex), names, expected)
+        tree = names.tree(formula, latex=latex)
+        inner, padding = trimmed(tree, expected)
+        return replace(printed(inner, names, expected), tree=tree, padding=padding)
     except FormulaError as error:
         raise error.within(formula) from None
 
@@ -143,6 +160,10 @@ def symbol_called(name: str, names: Names, reference: Reference) -> Variable | N
         return found
     value = names.meaning(name).value if name in names.let else names.symbols.get(name)
     return value if isinstance(value, Variable) else None
+
+
+def _meaning(letter: Letter) -> Meaning:
+    return Meaning(letter.value, lambda _: letter.dimension)
 
 
 def _condition(name: str, text: str, known: Names) -> tuple[Tree, Expr]:

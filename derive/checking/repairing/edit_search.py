@@ -145,7 +145,7 @@ class Search:
     def _everywhere(self, tree: Tree) -> Iterator[Candidate]:
         program = Program(tree)
         point = {name: values[0] for name, values in self._screen.names.items()}
-        for edit in everywhere(sorted(names_of(tree)), self._kinds):
+        for edit in everywhere(sorted(names_of(tree) & self._kinds.keys()), self._kinds):
             if edit.values is not None:
                 changed = {name: value(point) for name, value in edit.values.items()}
                 if not close(program(point | changed), self._target[:1]):
@@ -171,10 +171,13 @@ class Search:
             for edit in (*alternatives(node, self._kinds), *exchanged(node), *other_numbers(node))
             if edit.cost <= LIKELY
         ]
+        printed = self._screen(tree)
         for first in sorted(firsts, key=lambda candidate: candidate.cost)[:FIRST_EDITS]:
             if self._is_worth(first.tree, self._target):
                 yield first
                 continue
+            if printed is not None and self._is_worth(first.tree, printed):
+                continue  # it changes nothing, such as the sign of an angle in a cosine
             for second in self._single(first.tree):
                 if second.tree != tree and second.cost < 2:
                     yield Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)

@@ -179,6 +179,9 @@ def everywhere(used: Sequence[str], kinds: Mapping[str, object]) -> Iterator[Eve
                 yield Everywhere(
                     _put(name, Name(other)), f"{name} should be {other} everywhere", 1.9, {name: _like(other)}
                 )
+            elif other != name and other in used and other in kinds and name < other:
+                both = {name: _like(other), other: _like(name)}
+                yield Everywhere(_swap_names(name, other), f"{name} and {other} swapped", 2.2, both)
         yield Everywhere(
             _put(name, Negation(Name(name))), f"the sign of {name} everywhere", 1.9, {name: _power(name, -1)}
         )

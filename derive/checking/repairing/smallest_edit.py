@@ -22,7 +22,8 @@ from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Number, Power, Product, Sum, Tree, parts
+from radartrack.derive.formula.tree import Call, Name, Number, Power, Product, Sum, Tree, parts
+from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.grammar import check_tree
@@ -52,24 +53,32 @@ def suggest(
 ) -> list[Edited]:
     """The edits that make a printed formula equal to the derived one, the smallest first."""
     points = [[point[symbol.name] for symbol in symbols] for point in generic_points(symbols, SIZE)]
-    values = {name: _values(under(conditions, value), symbols, points) for name, value in names.numbers.items()}
-    target = _values(derived, symbols, points)
+    values = {name: values_at(under(conditions, value), symbols, points) for name, value in names.numbers.items()}
+    target = values_at(derived, symbols, points)
     if target is None:
         return []
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
-    search = Search(screen, target, names, printed, _derived_trees(derived))
+    search = Search(screen, target, names, printed, _derived_trees(derived, names))
     found = search.edits(printed)
     return list(_confirmed(found, names, derived, Domain(symbols, conditions)))
 
 
-def _derived_trees(derived: Expr) -> list[Tree]:
-    """The derived formula as it would be printed, where the readers know its functions."""
-    tree = as_printed(derived)
-    calls = (node.function for node in parts(tree) if isinstance(node, Call))
-    return [tree] if NUMBER_OF_ARGUMENTS.keys() >= set(calls) else []
+def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
+    """The derived formula as it would be printed, in the paper's letters, where the readers know its functions."""
+    letters = {str(value): name for name, value in names.numbers.items() if value.is_Symbol and name.isidentifier()}
+    tree = rebuild(as_printed(derived), lambda node: _in_letters(node, letters))
+    calls = {node.function for node in parts(tree) if isinstance(node, Call)}
+    return [tree] if NUMBER_OF_ARGUMENTS.keys() >= calls and names.numbers.keys() >= names_of(tree) else []
 
 
-def _values(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
+def _in_letters(node: Tree, letters: Mapping[str, str]) -> Tree:
+    if isinstance(node, Name) and node.name not in letters.values() and node.name in letters:
+        return Name(letters[node.name])
+    return node
+
+
+def values_at(expression: Expr, symbols: Sequence[Symbol], points: Sequence[Sequence[float]]) -> Values | None:
+    """What an expression is worth at some points; None where it has no value at one of them."""
     rough = RoughEvaluator([expression], symbols)
     found = [rough(point) for point in points]
     try:

@@ -57,12 +57,31 @@ class Suggestion:
         edit: what was changed, in words.
         entry: which entry it is about.
         proved: whether the result is proved equal to the derived formula.
+        definition: the name of the definition to mend, where the slip is in one.
     """
 
     formula: str
     edit: str
     entry: Index = ()
     proved: bool = True
+    definition: str = ""
+
+
+@dataclass(frozen=True)
+class TermDifference:
+    """A term of the canonical form in which the print differs.
+
+    Attributes:
+        term: the term without its coefficient.
+        printed: its coefficient in the printed formula.
+        derived: its coefficient in the derived one.
+        entry: which entry it is about.
+    """
+
+    term: str
+    printed: str
+    derived: str
+    entry: Index = ()
 
 
 @dataclass(frozen=True)
@@ -80,6 +99,9 @@ class Verdict:
         order: the leading order of the difference in the standard deviations, and that of the quantity itself.
         conditions: under which it was compared: `rho = 0`.
         remarks: what else was found: conditions under which it is equal, other quantities that it equals.
+        convention: in which the least is wrong, in words; nothing for ours.
+        terms: where nothing is suggested, the terms of the canonical form that differ.
+        reading: with what letters of its own the formula was read: `theta for beta`.
     """
 
     verdict: Outcome
@@ -92,6 +114,9 @@ class Verdict:
     order: tuple[int, int] | None = None
     conditions: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+    convention: str = ""
+    terms: tuple[TermDifference, ...] = ()
+    reading: tuple[str, ...] = ()
 
     @property
     def is_equal(self) -> bool:

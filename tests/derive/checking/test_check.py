@@ -95,7 +95,8 @@ def test_a_number_is_not_taken_for_another_quantity() -> None:
 
 
 def test_a_missing_term_is_named_and_a_zero_that_stood_for_it_is_gone() -> None:
-    (lost, *_) = check("polar.bias.truth[0]", "-r*(1 - exp(-sigma_beta^2/2))*cos(beta)").suggestions
+    twice = "-r*(1 - exp(-sigma_beta^2/2))*cos(beta) - rho^2*r"
+    (lost, *_) = check("polar.bias.truth[0] - r*rho**2", twice).suggestions
     assert lost.formula.endswith(" - sigma_r*sigma_beta*rho*sin(beta)*exp(-sigma_beta**2/2)")
     (whole, *_) = check("polar.covariance.linear[0,1]", "0", given=INDEPENDENT).suggestions
     assert whole.formula == "(-r**2*sigma_beta**2/2 + sigma_r**2/2)*sin(2*beta)"
@@ -107,7 +108,8 @@ def test_the_whole_derived_formula_is_no_edit_of_the_printed_one() -> None:
 
 
 def test_a_formula_is_suggested_once_however_it_is_written() -> None:
-    edits = _edits(check("polar.covariance.linear[0,1]", "(sigma_r**2 - r**2*sigma_beta**2)*sin(beta)*cos(beta)"))
+    printed = "sigma_r**2*cos(beta)**2 - 2*r*rho*sigma_r*sigma_beta*sin(beta)*cos(beta)"
+    edits = _edits(check("polar.covariance.linear[0,0]", printed))
     assert sum(edit.startswith("a missing term") for edit in edits) == 1
 
 
@@ -314,7 +316,7 @@ def test_rounding_is_not_taken_for_a_difference() -> None:
         ("r + 1", "r", {}, UnknownQuantity),
         ("polar.map", "r*cos(beta)", {}, FormulaError),
         ("polar.map[0]", "[r, r]", {}, FormulaError),
-        ("polar.map[0]", "r*cos(theta)", {}, FormulaError),
+        ("polar.map[0]", "r*cos(sigma_theta)", {}, FormulaError),
         ("polar.map[0]", "r", {"given": {"rho": "0"}}, FormulaError),
         ("polar.map[0]", "r", {"given": {"r": "1 +"}}, FormulaError),
         ("polar.map[0]", "r", {"let": {"a": "b"}}, FormulaError),

@@ -102,7 +102,7 @@ def test_no_setting_ends_in_anything_but_a_refusal(text: str) -> None:
         Claim("a", "polar.map[0]", at={"beta": "0"}, along=("r", ("1", text)), trend="increasing"),
         Claim("a", "polar.map[0]", at={"beta": "0"}, maximum_over=("r", ("1", text)), value="1"),
         Claim("a", "polar.map[0]", formula="r", given={"r": text}),
-        Claim("a", "polar.map[0]", formula="a", let={"a": text.replace("beta", "gamma")}),
+        Claim("a", "polar.map[0]", formula="a", let={"a": text.replace("beta", "sigma_gamma")}),
     ):
         with pytest.raises(UnreadableClaim, match="claim 'a': "):
             decide(claim)

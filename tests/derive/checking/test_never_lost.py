@@ -17,6 +17,7 @@ from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.papers.deadline import Decider
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.repairing import least_to_explain
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
@@ -130,15 +131,15 @@ def test_what_has_no_value_here_is_refused_where_it_is_evaluated_and_never_prove
 
 
 FAILURES = [KeyError("cot"), MemoryError()]
-BESIDE = (
-    "shown",
-    "worst_over_domain",
-    "orders",
-    "suggest",
-    "condition_that_helps",
-    "other_quantities",
-    "check_dimension",
-)
+BESIDE = {
+    "shown": checking,
+    "worst_over_domain": checking,
+    "orders": checking,
+    "suggest": least_to_explain,
+    "explanations": least_to_explain,
+    "other_quantities": checking,
+    "check_dimension": checking,
+}
 
 
 @pytest.mark.parametrize("failing", BESIDE)
@@ -149,7 +150,7 @@ def test_what_fails_beside_a_verdict_does_not_lose_it(
     def fail(*_: object, **__: object) -> None:
         raise error
 
-    monkeypatch.setattr(checking, failing, fail)
+    monkeypatch.setattr(BESIDE[failing], failing, fail)
     verdict = check("polar.map[0]", "2*r*cos(beta)")
     assert verdict.verdict is Outcome.DIFFERS
     assert verdict.counterexample is not None

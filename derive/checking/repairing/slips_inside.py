@@ -18,7 +18,7 @@ from radartrack.derive.evaluation.many_digits import Evaluator, Number
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Screen, Values, close
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Entries, Name, Tree, has_verbs, parts, walk
+from radartrack.derive.formula.tree import Array, Entries, Tree, has_verbs, parts
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -36,13 +36,13 @@ class Slip:
         formula: the definition or the formula without it.
         words: what was changed.
         cost: how unlikely it is.
-        places: in how many places what was changed stands.
+        definition: of what it is, where it is one.
     """
 
     formula: str
     words: str
     cost: float
-    places: int = 1
+    definition: str = ""
 
 
 @dataclass(frozen=True)
@@ -72,8 +72,7 @@ class Repair:
                 break
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
                 text = to_text(one.tree)
-                inside = Slip(text, one.words, one.cost)
-                found.append(self._of_definition(where, inside) if where else inside)
+                found.append(_of_definition(where, text, one) if where else Slip(text, one.words, one.cost))
         return found
 
     @cached_property
@@ -90,11 +89,6 @@ class Repair:
             yield from ((name, candidate) for candidate in single_edits(tree, others))
         if _is_worked_out(self.formula):
             yield from ((FORMULA, candidate) for candidate in single_edits(self.formula.tree, kinds))
-
-    def _of_definition(self, name: str, slip: Slip) -> Slip:
-        trees = (self.formula.tree, *self._definitions.values())
-        places = sum(node == Name(name) for tree in trees for _, node in walk(tree))
-        return Slip(f"{name} = {slip.formula}", f"let {name}: {slip.words}", slip.cost, places)
 
     def _confirmation(self, where: str, tree: Tree) -> Callable[[], bool]:
         return lambda: self._is_right(where, tree)
@@ -156,6 +150,16 @@ class Repair:
             return tuple(float(evaluate([p[s.name] for s in self.symbols]).entries[0]) for p in points)
         except (ArithmeticError, KeyError, TypeError, ValueError):
             return None
+
+
+def has_inside(formula: Printed) -> bool:
+    """Whether there is more in a formula than its entries and plain definitions: there other searches do not look."""
+    definitions = formula.names.definitions_in(formula.tree).keys() - formula.names.definitions.keys()
+    return _is_worked_out(formula) or bool(definitions)
+
+
+def _of_definition(name: str, text: str, one: Candidate) -> Slip:
+    return Slip(f"{name} = {text}", f"in the definition of {name}: {one.words}", one.cost, name)
 
 
 def _near(one: Number, other: Number) -> bool:

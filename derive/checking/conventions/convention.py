@@ -1,0 +1,225 @@
+"""Conventions in which a formula may be printed: what they change in the print, and in what is expected of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import chain, combinations
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.conventions.altered_question import Asked
+from radartrack.derive.checking.question.conditions import under, when_zero
+from radartrack.derive.language.tensor import Index
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import RADIAN, Unit
+
+IN_DEGREES = sp.Integer(180) / sp.pi
+PER_RADIAN = RADIAN**-1
+ONE, NOTHING = sp.Integer(1), sp.Integer(0)
+
+
+@dataclass(frozen=True)
+class Convention:
+    """How a print may differ from ours without being wrong.
+
+    Attributes:
+        replaced: what is put for what, in words.
+        notes: what that means, in words.
+        changes: what stands in the print for symbols.
+        inverse: what stands in ours for the symbols of the print.
+        vanishing: the correlations that are zero.
+        factors: by which an entry of what is derived is multiplied first.
+        offsets: and what is added to it then.
+        cost: how unlikely it is that the print follows it, on the scale of edits.
+        is_slip: whether a slip may have done the same to a formula in which it changes one place.
+    """
+
+    replaced: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    changes: Mapping[Symbol, Expr] = field(default_factory=dict)
+    inverse: Mapping[Symbol, Expr] = field(default_factory=dict)
+    vanishing: tuple[Symbol, ...] = ()
+    factors: Mapping[Index, Expr] = field(default_factory=dict)
+    offsets: Mapping[Index, Expr] = field(default_factory=dict)
+    cost: float = 0.0
+    is_slip: bool = False
+
+    @property
+    def words(self) -> str:
+        """The convention in words after "equal"; nothing for ours."""
+        replaced = f" with {' and '.join(self.replaced)}" if self.replaced else ""
+        notes = f": {'; '.join(dict.fromkeys(self.notes))}" if self.notes else ""
+        return f"{replaced}{when_zero(self.vanishing)}{notes}"
+
+    @property
+    def is_ours(self) -> bool:
+        """Whether it changes nothing."""
+        return not (self.changes or self.vanishing or self.factors or self.offsets)
+
+    def expected(self, place: Index, entry: Expr) -> Expr:
+        """What is printed for an entry of what was derived."""
+        return self.factors.get(place, ONE) * entry + self.offsets.get(place, NOTHING)
+
+    def __and__(self, other: Convention) -> Convention:
+        """Both together; what the other changes is changed by this one too."""
+        changes = {symbol: under(self.changes, value) for symbol, value in other.changes.items()}
+        inverse = {symbol: under(other.inverse, value) for symbol, value in self.inverse.items()}
+        places = {*self.factors, *other.factors, *self.offsets, *other.offsets}
+        factors = {p: self.factors.get(p, ONE) * other.factors.get(p, ONE) for p in places}
+        offsets = {p: self.offsets.get(p, NOTHING) * other.factors.get(p, ONE) for p in self.offsets}
+        return Convention(
+            (*self.replaced, *other.replaced),
+            (*self.notes, *other.notes),
+            {**self.changes, **changes},
+            {**other.inverse, **inverse},
+            (*self.vanishing, *other.vanishing),
+            factors,
+            {**other.offsets, **offsets},
+            self.cost + other.cost,
+            self.is_slip and other.is_slip,
+        )
+
+
+OURS = Convention()
+
+
+def conventions(asked: Asked) -> Iterator[Convention]:
+    """Ours, each other one alone, and every two that go together; each with and without correlation."""
+    angles, returned = [*_other_axes(asked)], [*_returned_angles(asked)]
+    degrees, variances = [*_degrees(asked)], [*_variances(asked)]
+    kinds = (angles, returned, degrees, variances)
+    singles = [OURS, *chain.from_iterable(kinds)]
+    pairs = (a & b for first, second in combinations(kinds, 2) for a in first for b in second)
+    free = asked.correlations
+    for one in (*singles, *pairs):
+        yield one
+        if free and not _used(asked) & set(free):
+            yield one & Convention(vanishing=tuple(free), cost=0.6, is_slip=True)
+
+
+def _used(asked: Asked) -> set[Symbol]:
+    return set[Symbol]().union(*(entry.free_symbols for entry in asked.printed)) - set(asked.conditions)
+
+
+def _other_axes(asked: Asked) -> Iterator[Convention]:
+    """Any of the printed angles counted from the other axis: derivatives by them change their sign.
+
+    A correlation with one may change its sign then; where the print has none although what was derived has, there is
+    none.
+    """
+    measured = _angles(asked)
+    names = list(dict.fromkeys(_name(one) for one in measured))
+    for turned in _subsets(names):
+        angles = [one for one in measured if _name(one) in turned]
+        if not _used(asked) & set(angles) and not _derived_by(asked, turned):
+            continue
+        replaced = tuple(f"pi/2 - {one} for {one}" for one in angles)
+        notes = ("counted from the other axis",)
+        changes: dict[Symbol, Expr] = {one: sp.pi / 2 - one for one in angles}
+        factors = _signs(asked, turned)
+        cost = 0.9 + 0.1 * len(turned)
+        yield Convention(replaced, notes, changes, changes, (), factors, {}, cost, is_slip=True)
+        if free := [one for one in asked.correlations if one in _used(asked)]:
+            opposite = {one: -one for one in free}
+            words = tuple(f"-{one} for {one}" for one in free)
+            both = {**changes, **opposite}
+            yield Convention((*replaced, *words), notes, both, both, (), factors, {}, cost + 0.1, is_slip=True)
+
+
+def _derived_by(asked: Asked, names: Sequence[str]) -> bool:
+    return any(sign != 1 for sign in _signs(asked, names).values())
+
+
+def _signs(asked: Asked, turned: Sequence[str]) -> dict[Index, Expr]:
+    """The sign of each entry, by the derivatives by turned angles in it."""
+    names = list(dict.fromkeys(_name(one) for one in _angles(asked)))
+    found = {}
+    for place, along in _along_axes(asked, PER_RADIAN):
+        count = sum(1 for ordinal in along if ordinal < len(names) and names[ordinal] in turned)
+        found[place] = sp.Integer((-1) ** count)
+    return {place: sign for place, sign in found.items() if sign != 1}
+
+
+def _returned_angles(asked: Asked) -> Iterator[Convention]:
+    """Any of the angles that are returned counted from the other axis: the derivatives of one change their sign."""
+    places = dict(_along_axes(asked, RADIAN))
+    ordinals = sorted({ordinal for along in places.values() for ordinal in along})
+    for turned in _subsets(ordinals):
+        signs = {p: sp.Integer((-1) ** sum(o in turned for o in along)) for p, along in places.items()}
+        factors = {place: sign for place, sign in signs.items() if sign != 1}
+        is_map = asked.reference.part is not None and len(asked.reference.part.quantity.shape) == 1
+        offsets = dict.fromkeys(factors, sp.pi / 2) if is_map else {}
+        replaced = tuple(f"the {_spoken(asked, ordinal)}" for ordinal in turned)
+        yield Convention(replaced, factors=factors, offsets=offsets, cost=0.9 + 0.1 * len(turned), is_slip=True)
+
+
+def _degrees(asked: Asked) -> Iterator[Convention]:
+    """Angles in degrees, with or without their deviations; those that are returned; all of them."""
+    used = _used(asked)
+    angles = [one for one in asked.reference.symbols if one.unit == RADIAN]
+    directions = [one for one in angles if one.is_angle and one in used]
+    deviations = [one for one in angles if not one.is_angle and one in used]
+    by_angle = {p: IN_DEGREES ** -len(along) for p, along in _along_axes(asked, PER_RADIAN) if along}
+    returned = {p: IN_DEGREES ** len(along) for p, along in _along_axes(asked, RADIAN) if along}
+    for chosen in (directions + deviations, directions, deviations):
+        if chosen and (chosen is not directions or deviations) and (chosen is not deviations or directions):
+            words = f"{' and '.join(map(str, chosen))} in degrees"
+            changes: dict[Symbol, Expr] = {one: IN_DEGREES * one for one in chosen}
+            factors = by_angle if any(one.is_angle for one in chosen) else {}
+            inverse: dict[Symbol, Expr] = {one: one / IN_DEGREES for one in chosen}
+            yield Convention((words,), (), changes, inverse, (), factors, {}, 1.2)
+    if returned:
+        yield Convention(("what is returned in degrees",), factors=returned, cost=1.2)
+
+
+def _variances(asked: Asked) -> Iterator[Convention]:
+    """Variances where deviations are meant: of all errors, or of one."""
+    found = [one for one in asked.reference.symbols if one.name.startswith("sigma_") and one in _used(asked)]
+    for chosen in (found, *([one] for one in found if len(found) > 1)):
+        if chosen:
+            words = tuple(f"{one}**2 for {one}" for one in chosen)
+            note = f"{'variances' if len(chosen) > 1 else 'the variance'} of what is a deviation here"
+            squares: dict[Symbol, Expr] = {one: one**2 for one in chosen}
+            roots: dict[Symbol, Expr] = {one: sp.sqrt(one) for one in chosen}
+            cost = 1.4 if len(chosen) == len(found) else 1.6
+            yield Convention(words, (note,), squares, roots, cost=cost, is_slip=True)
+
+
+def _angles(asked: Asked) -> list[Variable]:
+    return [one for one in asked.reference.symbols if one.is_angle and one not in asked.conditions]
+
+
+def _name(angle: Variable) -> str:
+    """A predicted angle is counted as the measured one is."""
+    return angle.name.removeprefix("predicted_")
+
+
+def _along_axes(asked: Asked, unit: Unit) -> Iterator[tuple[Index, tuple[int, ...]]]:
+    """For each entry, which of the parts of this unit its place along each axis is, where it is one of them."""
+    part = asked.reference.part
+    if part is None:
+        return
+    axes = part.quantity.axes
+    for index, place in part.places.items():
+        along = tuple(axis[:i].count(unit) for axis, i in zip(axes, place, strict=True) if axis[i] == unit)
+        if along:
+            yield index, along
+
+
+def _spoken(asked: Asked, ordinal: int) -> str:
+    """Which returned angle is counted otherwise, and how: what the conversion of the same radar says of its angles."""
+    part = asked.reference.part
+    model = catalogue().get(f"{part.quantity.name.split('.')[1]}.map") if part else None
+    angles = [one for one in model.symbols if one.is_angle] if model else []
+    if ordinal >= len(angles):
+        return "angle from the other axis"
+    words = angles[ordinal].meaning.partition(",")
+    other = {"x": "y", "y": "x"}.get(words[2].removesuffix(" axis")[-1:])
+    return f"{words[0]} from the {other} axis" if other else f"{words[0]} from the vertical"
+
+
+def _subsets(names: Sequence[object]) -> Iterator[tuple[object, ...]]:
+    for count in range(len(names)):
+        yield from combinations(names, count + 1)

@@ -1,0 +1,363 @@
+"""A formula in letters of its own, matched to the symbols of a quantity: by meaning, by units, by trial.
+
+A name that carries a meaning binds, however well an exchange would fit: sigma_r and sigma_theta are never exchanged.
+Only letters without a meaning are free. Each symbol is meant by one letter at most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+from types import MappingProxyType
+
+from radartrack.derive.checking.question.compared_quantity import Reference
+from radartrack.derive.checking.question.formula_entries import entries_of
+from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
+from radartrack.derive.checking.question.letter_meanings import Role, meaning_of, meanings, means
+from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.evaluation.floating_point import RoughEvaluator
+from radartrack.derive.evaluation.points import Point, generic_points
+from radartrack.derive.evaluation.tree_values import Program, close
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, parts
+from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.text import read_text
+from radartrack.derive.symbolic import Expr, Symbol
+
+POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
+LONGEST = 40  # characters of a letter; what is longer is a word
+MOST = 5040  # assignments that are tried: all of seven letters
+KEPT = 5  # assignments of a wrong formula that are looked at closely
+STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
+
+
+@dataclass(frozen=True)
+class Letter:
+    """What a letter stands for: a symbol, or its square where the letter is a variance."""
+
+    symbol: Variable
+    power: int = 1
+    rank: int = 0
+
+    @property
+    def value(self) -> Expr:
+        """The same as an expression."""
+        return self.symbol**self.power
+
+    @property
+    def dimension(self) -> Dimension:
+        """Its dimension."""
+        return Dimension.of(self.symbol.unit) ** self.power
+
+    def __str__(self) -> str:
+        return str(self.value)
+
+
+Letters = Mapping[str, Letter]
+NO_LETTERS: Letters = MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Letters with what they stand for.
+
+    Attributes:
+        letters: those that are no symbols of the quantity, or are read as another symbol than that of their name.
+        wrong: how many entries have other values than the quantity at some points, as far as floating point tells.
+        rank: how far-fetched the meanings are together.
+        fits: whether the units of the formula are those of the quantity.
+    """
+
+    letters: Letters
+    wrong: int = 0
+    rank: int = 0
+    fits: bool = True
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """With what it was read: "theta for beta"."""
+        return tuple(f"{name} for {letter}" for name, letter in self.letters.items())
+
+
+AS_TYPED = Reading({})
+
+
+@dataclass(frozen=True)
+class Typed:
+    """A formula and definitions that are read before it is known what the names in them mean.
+
+    Attributes:
+        reference: what the formula is compared with.
+        entries: those of the formula.
+        definitions: the trees of what is defined, in their order.
+        conditions: under which both are compared.
+    """
+
+    reference: Reference
+    entries: Tensor[Tree]
+    definitions: Mapping[str, Tree]
+    conditions: Mapping[Symbol, Expr]
+
+    def readings(self) -> list[Reading]:
+        """What the letters may stand for, the likeliest first: with the units of the quantity, where any has them.
+
+        One that makes the formula right stands alone. Nothing where the quantity has too few symbols.
+        """
+        own = {symbol.name for symbol in self.reference.symbols}
+        unknown = [name for name in self.used if name not in own]
+        fixed = [name for name in self.used if name in own]
+        doubtful = [name for name in fixed if self._other_meanings(name)]
+        if any(len(name) > LONGEST for name in unknown):
+            return []
+        if not unknown and (not doubtful or self._fits({})):
+            return [AS_TYPED]
+        found = self._judged(self._assignments(unknown, fixed))
+        if doubtful and not any(reading.fits for reading in found):
+            free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
+            found = [reading for reading in free if reading.fits] or found
+        fitting = [reading for reading in found if reading.fits] or found
+        ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
+        return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
+
+    @cached_property
+    def used(self) -> tuple[str, ...]:
+        """The names that occur and are not defined, in the order of the formula."""
+        trees = [*self.entries, *(self.definitions[name] for name in self._needed)]
+        names = dict.fromkeys(node.name for node in parts(*trees) if isinstance(node, Name))
+        return tuple(name for name in names if name not in self.definitions)
+
+    @cached_property
+    def _needed(self) -> list[str]:
+        """The definitions that the formula rests on, in their order."""
+        needed = set[str]().union(*map(names_of, self.entries))
+        for name in reversed(self.definitions):
+            if name in needed:
+                needed |= names_of(self.definitions[name])
+        return [name for name in self.definitions if name in needed]
+
+    def _other_meanings(self, name: str) -> list[tuple[Variable, int]]:
+        """What a symbol of the quantity may mean if not itself."""
+        return [(one, power) for one, power in means(name, self.reference.symbols) if one.name != name]
+
+    def _assignments(self, unknown: Sequence[str], fixed: Sequence[str]) -> Iterator[Letters]:
+        taken = frozenset((name, 1) for name in fixed)
+        candidates = {name: self._candidates(name, taken) for name in unknown}
+        order = sorted(unknown, key=lambda name: len(candidates[name]))
+        yield from islice(_distinct(order, candidates, taken), MOST)
+
+    def _candidates(self, name: str, taken: frozenset[tuple[str, int]]) -> list[Letter]:
+        """What a letter may stand for, the likeliest first."""
+        symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
+        if strong := means(name, symbols):
+            return [Letter(symbol, power, STRONG) for symbol, power in strong]
+        role = meanings(name).role
+        weak = {symbol for symbol, _ in means(name, symbols, weak=True)}
+        found = [Letter(s, _power(role), _rank(name, s, weak)) for s in symbols if _may_play(role, s)]
+        return sorted(found, key=lambda letter: letter.rank)
+
+    def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
+        found = []
+        known: dict[tuple[Dimension, ...], bool] = {}
+        for letters in assignments:
+            kinds = tuple(letter.dimension for letter in letters.values())
+            if kinds not in known:
+                known[kinds] = self._fits(letters)
+            rank = sum(letter.rank for letter in letters.values())
+            found.append(Reading(dict(sorted(letters.items())), len(self.entries.entries), rank, known[kinds]))
+        if any(reading.fits for reading in found):
+            found = [reading for reading in found if reading.fits]
+        judged = []
+        for reading in sorted(found, key=lambda reading: reading.rank):
+            judged.append(Reading(reading.letters, self._wrong(reading.letters), reading.rank, reading.fits))
+            if not judged[-1].wrong:
+                break
+        return judged
+
+    def _fits(self, letters: Letters) -> bool:
+        """Whether the formula has the units of the quantity."""
+        known = {symbol.name: Dimension.of(symbol.unit) for symbol in self.reference.symbols}
+        known |= {name: letter.dimension for name, letter in letters.items()}
+        try:
+            for name in self._needed:
+                known[name] = dimensions(known)(self.definitions[name])
+            fold = dimensions(known)
+            for entry, expected in zip(self.entries, self.reference.dimensions, strict=True):
+                check_dimension(fold(entry), expected)
+        except (WrongDimensions, KeyError):
+            return False
+        return True
+
+    def _wrong(self, letters: Letters) -> int:
+        """How many entries have other values than the quantity."""
+        return sum(
+            1
+            for place, program in enumerate(self._programs)
+            if not all(
+                close(self._value(program, letters, point), values[place])
+                for point, values in zip(self._points, self._derived, strict=True)
+            )
+        )
+
+    def _value(self, program: Program, letters: Letters, point: Point) -> tuple[float, ...] | None:
+        known = point | {name: point[one.symbol.name] ** one.power for name, one in letters.items()}
+        for name, definition in self._definition_programs.items():
+            value = definition(known)
+            if value is None:
+                return None
+            known[name] = value[0]
+        return program(known)
+
+    @cached_property
+    def _programs(self) -> list[Program]:
+        return [Program(entry) for entry in self.entries]
+
+    @cached_property
+    def _definition_programs(self) -> dict[str, Program]:
+        return {name: Program(self.definitions[name]) for name in self._needed}
+
+    @cached_property
+    def _points(self) -> list[Point]:
+        """Values of all symbols, with which the conditions hold."""
+        return [self._conditioned(point) for point in generic_points(self.reference.symbols, POINTS)]
+
+    def _conditioned(self, point: Point) -> Point:
+        symbols = self.reference.symbols
+        found = RoughEvaluator(list(self.conditions.values()), symbols)([point[one.name] for one in symbols])
+        values = zip(self.conditions, found or (), strict=False)
+        return point | {symbol.name: value for symbol, (value, _) in values}
+
+    @cached_property
+    def _derived(self) -> list[list[tuple[float, ...] | None]]:
+        """What the entries of the quantity are worth at the points."""
+        symbols = self.reference.symbols
+        rough = [RoughEvaluator([entry], symbols) for entry in self.reference.entries]
+        found = []
+        for point in self._points:
+            values = [one([point[symbol.name] for symbol in symbols]) for one in rough]
+            found.append([value and (value[0][0],) for value in values])
+        return found
+
+
+def _distinct(
+    order: Sequence[str], candidates: Mapping[str, Sequence[Letter]], taken: frozenset[tuple[str, int]]
+) -> Iterator[dict[str, Letter]]:
+    """Every way to give the letters different meanings."""
+    if not order:
+        yield {}
+        return
+    for letter in candidates[order[0]]:
+        if (one := (letter.symbol.name, letter.power)) not in taken:
+            for rest in _distinct(order[1:], candidates, taken | {one}):
+                yield {order[0]: letter} | rest
+
+
+def _may_play(role: Role | None, symbol: Variable) -> bool:
+    own = meaning_of(symbol).role
+    if role in {Role.DEVIATION, Role.VARIANCE}:
+        return own is Role.DEVIATION
+    return own is Role.CORRELATION if role is Role.CORRELATION else True
+
+
+def _power(role: Role | None) -> int:
+    return 2 if role is Role.VARIANCE else 1
+
+
+def _rank(name: str, symbol: Variable, weak: set[Variable]) -> int:
+    if symbol in weak:
+        return WEAK
+    if name[0].lower() == symbol.name[0].lower():
+        return LIKE
+    return ANY + (meaning_of(symbol).role is not Role.VALUE)
+
+
+def letter_readings(
+    formula: str, reference: Reference, let: Mapping[str, str], conditions: Mapping[Symbol, Expr], *, latex: bool
+) -> list[Reading]:
+    """What the letters of a formula may stand for, the likeliest first; `AS_TYPED` alone where it has none of its own.
+
+    A formula that cannot be read, whatever its names mean, is left to who reads it then, and so is one in which
+    something is worked out: its parts have values only when their letters are known.
+    """
+    own = [symbol.name for symbol in reference.symbols]
+    try:
+        tree, _ = trimmed(read_loosely(formula, [*own, *let], latex=latex), reference.shape)
+        entries, parts = entries_of(tree, _UNREAD)
+        definitions = _needed_by(tree, let, own)
+    except (FormulaError, ValueError):
+        return [AS_TYPED]
+    if parts or entries.shape != reference.shape or definitions.keys() & set(own):
+        return [AS_TYPED]
+    return Typed(reference, entries, definitions, conditions).readings() or [AS_TYPED]
+
+
+def _needed_by(tree: Tree, let: Mapping[str, str], own: Sequence[str]) -> dict[str, Tree]:
+    """The definitions that a formula rests on, each after those that it rests on itself."""
+    found: dict[str, Tree] = {}
+    path = [(name, iter(sorted(names_of(tree) & let.keys()))) for name in [""]]
+    trees = {"": tree}
+    while path:
+        name, needed = path[-1]
+        below = next((one for one in needed if one not in found), None)
+        if below is None:
+            path.pop()
+            if name:
+                found[name] = trees[name]
+        elif below in trees:
+            raise FormulaError(f"let {below}: it is defined by itself")
+        else:
+            trees[below] = read_loosely(let[below], [*own, *let])
+            path.append((below, iter(sorted(names_of(trees[below]) & let.keys()))))
+    return found
+
+
+class _Unread:
+    """Names of which it is not known what they mean: numbers."""
+
+    def __contains__(self, name: object) -> bool:
+        return False
+
+    def __getitem__(self, name: str) -> Expr:
+        raise KeyError(name)
+
+    def read(self, tree: Tree) -> Expr:
+        """Nothing is worked out before it is known what letters mean."""
+        raise FormulaError("worked out", span=tree.span)
+
+    def dimension_of_part(self, node: Tree) -> Dimension:
+        """Likewise."""
+        raise FormulaError("worked out", span=node.span)
+
+
+_UNREAD = _Unread()
+
+
+def read_loosely(formula: str, names: Sequence[str], *, latex: bool = False) -> Tree:
+    """A formula in which names may occur that nobody has said the meaning of.
+
+    Raises:
+        FormulaError: when it cannot be read whatever they mean.
+    """
+    read: Callable[..., Tree] = read_latex if latex else read_text
+    return _east(read(formula, names, any_name=True))
+
+
+def _east(tree: Tree) -> Tree:
+    """The tree with the letter e for the constant where a power of it is of no other use than as one of a letter."""
+    bases = [node.base for node in parts(tree) if isinstance(node, Power) and not isinstance(node.exponent, Number)]
+    euler = Constant("e")
+    count = sum(node == euler for node in parts(tree))
+    if not count or count == sum(base == euler for base in bases):
+        return tree
+    return rebuild(tree, lambda node: Name("e", span=node.span) if node == euler else node)
+
+
+def ambiguous(readings: Sequence[Reading]) -> FormulaError:
+    """What to say where several readings explain a formula equally well, which none of them makes right."""
+    options = [" ".join(f"--let {name}={letter}" for name, letter in one.letters.items()) for one in readings]
+    return FormulaError(f"the letters of the formula may mean more than one thing; say which: {', or '.join(options)}")

@@ -1,0 +1,64 @@
+"""A matrix that is printed with rows or columns of zeros that are too many: of states that do not enter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+from radartrack.derive.formula.shape import shape
+from radartrack.derive.formula.tree import Array, Number, Tree
+from radartrack.derive.language.tensor import Index
+
+
+def trimmed(tree: Tree, expected: Index) -> tuple[Tree, str]:
+    """The formula without rows and columns of zeros that are too many, where there are such, and what was left out."""
+    found = without_padding(tree, expected) if shape(tree) != expected else None
+    return found or (tree, "")
+
+
+def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:
+    """The matrix without what is zero and too many, and what was left out in words; None where that is not clear.
+
+    Where more is zero than is too many, the last rows and columns are left out.
+    """
+    if not isinstance(tree, Array) or len(expected) != 2 or len(shape(tree)) != 2:
+        return None
+    rows, columns = shape(tree)
+    surplus = rows - expected[0], columns - expected[1]
+    if min(surplus) < 0:
+        return None
+    for out_rows, out_columns in _choices(tree, surplus):
+        return _without(tree, out_rows, out_columns), _spoken(out_rows, out_columns)
+    return None
+
+
+def _choices(tree: Array, surplus: tuple[int, int]) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
+    """Which rows and columns may be left out, the last first."""
+    entries = [list(row.entries) for row in tree.entries if isinstance(row, Array)]
+    rows = [place for place, row in enumerate(entries) if all(map(_is_zero, row))]
+    columns = [place for place in range(len(entries[0])) if all(_is_zero(row[place]) for row in entries)]
+    for out_rows in combinations(reversed(rows), surplus[0]):
+        for out_columns in combinations(reversed(columns), surplus[1]):
+            yield tuple(sorted(out_rows)), tuple(sorted(out_columns))
+
+
+def _without(tree: Array, rows: Sequence[int], columns: Sequence[int]) -> Array:
+    kept = [row for place, row in enumerate(tree.entries) if place not in rows and isinstance(row, Array)]
+    return replace(
+        tree,
+        entries=tuple(
+            replace(row, entries=tuple(one for place, one in enumerate(row.entries) if place not in columns))
+            for row in kept
+        ),
+    )
+
+
+def _is_zero(tree: Tree) -> bool:
+    return isinstance(tree, Number) and not tree.value
+
+
+def _spoken(rows: Sequence[int], columns: Sequence[int]) -> str:
+    named = ((rows, "row"), (columns, "column"))
+    parts = [f"{kind}{'s' if len(out) > 1 else ''} {', '.join(map(str, out))}" for out, kind in named if out]
+    return f"without {' and '.join(parts)}, which {'are' if len(rows) + len(columns) > 1 else 'is'} zero"
