@@ -26,6 +26,7 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
+    has_verbs,
     with_span,
 )
 
@@ -171,7 +172,11 @@ def place(parts: Sequence[Part]) -> Span:
 
 
 def finished(
-    tree: Tree, resolved: Callable[[Tree], Tree] = lambda node: node, shapes: Mapping[str, Shape] = NO_SHAPES
+    tree: Tree,
+    resolved: Callable[[Tree], Tree] = lambda node: node,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
 ) -> Tree:
     """A tree as a parser made it, let through when it is safe to work on, with one object for all equal parts.
 
@@ -179,12 +184,17 @@ def finished(
         tree: the formula.
         resolved: makes of each node what it means.
         shapes: of the names that stand for arrays.
+        strangers: whether names of which nothing is known may stand for arrays.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(shared(tree, resolved), magnitudes(), shapes)
+    one = shared(tree, resolved)
+    magnitudes()(one)
+    if not (strangers and has_verbs(one)):
+        shape(one, shapes)
+    return one
 
 
 def check_tree(tree: Tree, measure: Fold[Measure] | None = None, shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
