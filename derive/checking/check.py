@@ -34,6 +34,7 @@ from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.notation import LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 
 SHOWN_ENTRIES = 4  # of a tensor that differs in many, how many get suggestions
@@ -45,6 +46,8 @@ def check(
     formula: str,
     *,
     latex: bool = False,
+    code: str = "",
+    function: str = "",
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
 ) -> Verdict:
@@ -55,6 +58,8 @@ def check(
             `polar.covariance.linear[0,1]`; a slice, `polar.hessian[:,0,1]`; or an expression over several.
         formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
         latex: whether it is LaTeX.
+        code: the language, where it is code: python, c, cpp or matlab.
+        function: of code, the function that is meant.
         given: conditions under which to compare, `{"rho": "0"}`.
         let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
 
@@ -63,7 +68,7 @@ def check(
         UnknownEntry: for an entry that the quantity does not have.
         FormulaError: when the formula, a condition or a definition cannot be read.
     """
-    *_, verdict = ask(name, formula, latex=latex, given=given, let=let).answers()
+    *_, verdict = ask(name, formula, latex=latex, code=code, function=function, given=given, let=let).answers()
     return verdict
 
 
@@ -72,6 +77,8 @@ def ask(
     formula: str,
     *,
     latex: bool = False,
+    code: str = "",
+    function: str = "",
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
 ) -> Question:
@@ -79,7 +86,8 @@ def ask(
     reference = refer(name)
     names = names_for(reference, let or {})
     conditions = conditions_for(reference, given or {})
-    question = Question(reference, read_printed(formula, names, reference.shape, latex=latex), conditions)
+    notation = code or (LATEX if latex else TEXT)
+    question = Question(reference, read_printed(formula, names, reference.shape, notation, function), conditions)
     exact = meant(question.printed)
     if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
         return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
@@ -149,10 +157,11 @@ class Question:
             reason=_reason(worst, findings, conditions),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
+            remarks=self.printed.remarks,
         )
         if self.rounding:
             reason, remark = f"{verdict.reason}, at the printed digits", f"at the printed digits: {self.rounding.words}"
-            verdict = replace(verdict, printed=self.rounding.printed, reason=reason, remarks=(remark,))
+            verdict = replace(verdict, printed=self.rounding.printed, reason=reason, remarks=(*verdict.remarks, remark))
         yield verdict
         for words, addition in self._additions(worst, wrong):
             verdict = _with(verdict, words, addition)
@@ -273,7 +282,10 @@ class Question:
         symbols = [symbol for symbol in self.reference.symbols if symbol in free]
         derived = under(conditions, self.reference.entries[entry])
         found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
-        return [Suggestion(one.formula, one.edit, entry, one.proved) for one in found[:SUGGESTIONS]]
+        return [
+            Suggestion(one.formula, self.printed.line_of(one.span) + one.edit, entry, one.proved)
+            for one in found[:SUGGESTIONS]
+        ]
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)

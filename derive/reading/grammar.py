@@ -190,36 +190,40 @@ def finished(
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    one = shared(tree, resolved)
-    magnitudes()(one)
-    if not (strangers and has_verbs(one)):
-        shape(one, shapes)
-    return one
+    return _check_meaning(shared(tree, resolved), magnitudes(), shapes, strangers=strangers)
 
 
-def check_tree(tree: Tree, measure: Fold[Measure] | None = None, shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
+def check_tree(
+    tree: Tree,
+    measure: Fold[Measure] | None = None,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
+) -> Tree:
     """Let through a tree that is safe to work on.
 
     Args:
         tree: the formula.
         measure: the magnitudes of formulas that share parts with it.
         shapes: of the names that stand for arrays.
+        strangers: whether names of which nothing is known may stand for arrays.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(tree, measure or magnitudes(), shapes)
+    return _check_meaning(tree, measure or magnitudes(), shapes, strangers=strangers)
 
 
-def _check_meaning(tree: Tree, measure: Fold[Measure], shapes: Mapping[str, Shape]) -> Tree:
+def _check_meaning(tree: Tree, measure: Fold[Measure], shapes: Mapping[str, Shape], *, strangers: bool) -> Tree:
     """Let through a tree of allowed size that has a meaning.
 
     Raises:
         FormulaError: when it has none, or its powers and numbers are too large.
     """
     measure(tree)
-    shape(tree, shapes)
+    if not (strangers and has_verbs(tree)):
+        shape(tree, shapes)
     return tree
 
 

@@ -10,7 +10,7 @@ from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, bound_names, names
 from radartrack.derive.reading.code.source_code import LANGUAGES, read_code
 from radartrack.derive.reading.latex import read_latex
-from radartrack.derive.reading.printed_text import is_printed, read_printed
+from radartrack.derive.reading.printed_text import is_printed, read_printed_text
 from radartrack.derive.reading.text import read_text
 
 TEXT, LATEX, PRINTED = "text", "latex", "printed"
@@ -65,7 +65,7 @@ def read_formula(
         tree = code.tree
         remarks = tuple(f"line {_line(text, one.span[0])}: {one.words}" for one in code.remarks)
     elif notation in {TEXT, LATEX, PRINTED}:
-        read = {TEXT: read_text, LATEX: read_latex, PRINTED: read_printed}[notation]
+        read = {TEXT: read_text, LATEX: read_latex, PRINTED: read_printed_text}[notation]
         tree = read(text, known, shapes, strangers=strangers)
     else:
         raise ValueError(f"notation: {notation!r} is not read; it is one of {', '.join(NOTATIONS)}")
@@ -77,4 +77,4 @@ def _line(text: str, at: int) -> int:
     return text.count("\n", 0, at) + 1
 
 
-__all__ = ["LATEX", "NOTATIONS", "PRINTED", "TEXT", "FormulaError", "Reading", "read_formula"]
+__all__ = ["LANGUAGES", "LATEX", "NOTATIONS", "PRINTED", "TEXT", "FormulaError", "Reading", "read_formula"]

@@ -43,7 +43,8 @@ _SIGNS = MappingProxyType(
 _FUNCTIONS = "|".join(sorted((*SPELLINGS, "tg", "ctg", "diag", "det", "tr"), key=len, reverse=True))
 _TOKEN = re.compile(
     rf"""
-    (?P<name> [A-Za-z][A-Za-z0-9]*_[A-Za-z0-9_]+ )
+    (?P<accented> [A-Za-z](?=[\u0302-\u0305\u0307\u0308]) )
+    | (?P<name> [A-Za-z][A-Za-z0-9]*_[A-Za-z0-9_]+ )
     | (?P<word> [A-Za-z]+ )
     | (?P<decimal> (?:\d+\.\d+|\d+) )
     | (?P<power> \*\* | \^ )
@@ -63,7 +64,7 @@ def is_printed(text: str) -> bool:
     return any(_known(character) for character in set(_NOT_ASCII.findall(text)))
 
 
-def read_printed(
+def read_printed_text(
     text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
 ) -> Tree:
     """Read text that was copied from a page.
@@ -136,6 +137,10 @@ def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[s
             yield "}", max(end - 1, at)
             at = end
             continue
+        elif kind == "accented":
+            yield f"{_COMBINING[text[at + 1]]}{{{said}}}", at
+            at += 2
+            continue
         else:
             latex, length = _sign(text, at, names, free=free)
             yield latex, at
@@ -156,7 +161,12 @@ def _word(said: str, at: int, names: frozenset[str], *, free: bool) -> Iterator[
     elif applied:
         function = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}.get(applied["function"], applied["function"])
         yield applied["letter"], at
-        yield rf"\operatorname{{{function}}}" if function in {"atan2", "abs", "hypot", "expm1", "sqrt"} else f"\\{function} ", at
+        yield (
+            rf"\operatorname{{{function}}}"
+            if function in {"atan2", "abs", "hypot", "expm1", "sqrt"}
+            else f"\\{function} ",
+            at,
+        )
     elif len(said) > 1 and (free or not set(said) <= names):
         yield _name(said), at
     else:
@@ -196,6 +206,8 @@ def _sign(text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str
         return _SIGNS[character], 1
     if character.isascii():
         return character, 1
+    if fraction := re.fullmatch(r"(\d+)\N{FRACTION SLASH}(\d+)", unicodedata.normalize("NFKC", character)):
+        return f"\\frac{{{fraction[1]}}}{{{fraction[2]}}}", 1
     if place := _place(character):
         end = at
         while end < len(text) and _place(text[end]) == place:
@@ -220,7 +232,12 @@ def _continues(text: str, at: int) -> bool:
 
 
 def _known(character: str) -> bool:
-    return character in _SIGNS or character in _COMBINING or character == "√" or bool(_place(character) or _greek(character))
+    is_sign = character in _SIGNS or character in _COMBINING or character == "√"
+    return (
+        is_sign
+        or unicodedata.decomposition(character).startswith("<fraction>")
+        or bool(_place(character) or _greek(character))
+    )
 
 
 def _place(character: str) -> str:

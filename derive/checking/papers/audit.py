@@ -41,8 +41,15 @@ def decisions(claim: Claim) -> Iterator[Verdict]:
         if not claim.is_formula:
             yield check_number(claim)
             return
-        formula, latex = claim.formula or claim.latex, bool(claim.latex)
-        yield from ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let).answers()
+        yield from ask(
+            claim.quantity,
+            claim.formula or claim.latex or claim.code,
+            latex=bool(claim.latex),
+            code=claim.language,
+            function=claim.function,
+            given=claim.given,
+            let=claim.let,
+        ).answers()
     except (FormulaError, UnknownQuantity, UnknownEntry) as error:
         raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
+from radartrack.derive.reading.code.source_code import LANGUAGES
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
@@ -46,6 +47,9 @@ class Claim:
         quantity: what the formula or number claims to be: a quantity, an entry, or an expression over several.
         formula: as typed.
         latex: the formula in LaTeX instead.
+        code: the formula as code instead.
+        language: of the code: python, c, cpp or matlab.
+        function: of the code, the one that is meant.
         value: a printed number instead, with its digits; or the number at a maximum.
         unit: of the number; without one it is in SI units.
         significant: how many of its digits count, where the last ones are zeros that round.
@@ -70,6 +74,9 @@ class Claim:
     quantity: str = ""
     formula: str = ""
     latex: str = ""
+    code: str = ""
+    language: str = ""
+    function: str = ""
     value: str = ""
     unit: str = ""
     significant: int | None = None
@@ -92,7 +99,7 @@ class Claim:
     @property
     def is_formula(self) -> bool:
         """Whether a formula is compared, not a number."""
-        return bool(self.formula or self.latex)
+        return bool(self.formula or self.latex or self.code)
 
     @property
     def printed(self) -> str:
@@ -100,7 +107,7 @@ class Claim:
         bounds = (("at_most", "at most"), ("at_least", "at least"), ("crosses", "crosses"))
         said = [f"{words} {self._in_unit(getattr(self, name))}" for name, words in bounds if getattr(self, name)]
         parts = [
-            self.formula or self.latex,
+            self.formula or self.latex or self.code,
             self._in_unit(self.value) if self.value else "",
             f"at {self.maximum_over[0]} = {self.attained_at}" if self.attained_at and self.maximum_over else "",
             self.trend,
@@ -252,6 +259,8 @@ def _misplaced(claim: Claim) -> Iterator[str]:
         yield "along of a crossing has two values: before it and after it"
     if claim.along and (claim.value or claim.attained_at):
         yield "along belongs to trend, crosses, at_most and at_least; a value has at"
+    if bool(claim.code) != bool(claim.language) or (claim.function and not claim.code):
+        yield f"code and language stand together; the languages are {', '.join(LANGUAGES)}"
     if claim.significant is not None and not claim.value:
         yield "significant needs value"
     if claim.is_formula and (claim.at or claim.along or claim.maximum_over):
@@ -271,7 +280,7 @@ def _contradictory(claim: Claim) -> Iterator[str]:
         yield f"significant = {claim.significant} leaves digits of {claim.value} that are not zero"
 
 
-_KINDS = ("formula", "latex", "value", "attained_at", "trend", "crosses", "at_most", "at_least", "undecided")
+_KINDS = ("formula", "latex", "code", "value", "attained_at", "trend", "crosses", "at_most", "at_least", "undecided")
 
 
 def _kinds(claim: Claim) -> list[str]:
@@ -284,6 +293,11 @@ def _text(value: object, where: str) -> str:
     if not isinstance(value, str) or not value.strip():
         raise ClaimsError(f"{where} must be text, given {_shown(value)}")
     return value.strip()
+
+
+def _code(value: object, where: str) -> str:
+    _text(value, where)
+    return str(value)  # with the spaces before its lines
 
 
 def _id(value: object, where: str) -> str:
@@ -357,6 +371,9 @@ _FIELDS: Mapping[str, Callable[[object, str], Any]] = {
     "quantity": _text,
     "formula": _text,
     "latex": _text,
+    "code": _code,
+    "language": _one_of(LANGUAGES),
+    "function": _text,
     "value": _number,
     "unit": _one_of(UNITS),
     "significant": _positive,

@@ -11,7 +11,7 @@ from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import NOTHING, Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.single_number import only_scalar
-from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.printing import to_text
@@ -21,7 +21,7 @@ from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quo
 from radartrack.derive.formula.unknown_names import unusable
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.notation import LANGUAGES, TEXT, read_formula
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr, Symbol
 
@@ -71,17 +71,27 @@ class Printed:
         entries: its entries as trees.
         expressions: the entries in the quantity's symbols.
         names: what its names stand for.
+        source: what was read, where places in it are told by lines.
+        remarks: what the reader has to say.
     """
 
     tree: Tree
     entries: Tensor[Tree]
     expressions: Tensor[Expr]
     names: Names
+    source: str = ""
+    remarks: tuple[str, ...] = ()
 
     @property
     def text(self) -> str:
         """The formula as it was read."""
         return to_text(self.tree)
+
+    def line_of(self, span: Span | None) -> str:
+        """The line of the code in words; nothing where there is but one."""
+        if span is None or "\n" not in self.source.strip("\n"):
+            return ""
+        return f"line {self.source.count(chr(10), 0, span[0]) + 1}: "
 
     @property
     def dimensions(self) -> Tensor[Dimension | None]:
@@ -136,19 +146,21 @@ def conditions_for(reference: Reference, given: Mapping[str, str]) -> dict[Symbo
     return found
 
 
-def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) -> Printed:
-    """Read a formula of the expected shape.
+def read_printed(formula: str, names: Names, expected: Index, notation: str = TEXT, function: str = "") -> Printed:
+    """Read a formula of the expected shape, in one of the `NOTATIONS`; of code, perhaps one function.
 
     Raises:
         FormulaError: when it cannot be read, or has another shape.
     """
-    tree = (read_latex if latex else read_text)(formula, names.values)
+    reading = read_formula(formula, notation, names.values, function=function)
+    tree = reading.tree
     found = shape(tree)
     if found != expected:
         raise FormulaError(f"the formula is {_spoken(found)}, the quantity is {_spoken(expected)}")
     entries = Tensor.build(expected, lambda *index: entry_of(tree, index))
     try:
-        return Printed(tree, entries, entries.map(names.read), names)
+        source = formula if reading.notation in LANGUAGES else ""
+        return Printed(tree, entries, entries.map(names.read), names, source, reading.remarks)
     except FormulaError as error:
         raise error.within(formula) from None
 

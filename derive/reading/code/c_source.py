@@ -36,7 +36,9 @@ _UNREAD = {
     "do_statement": "loops are not read: write the lines out",
     "update_expression": "++ and -- have no place in a formula",
 }
-_SKIPPED = frozenset({"comment", "preproc_include", "using_declaration", ";", "preproc_def", "type_definition", "{", "}"})
+_SKIPPED = frozenset(
+    {"comment", "preproc_include", "using_declaration", ";", "preproc_def", "type_definition", "{", "}"}
+)
 
 
 def read_c(text: str, language: str, space: Workspace, function: str = "") -> Value:
@@ -60,7 +62,9 @@ def read_c(text: str, language: str, space: Workspace, function: str = "") -> Va
             fault = fault if fault and not before else _shifted(error, len(before), len(text))
         elif before != _EXPRESSION[0] or _is_expression(root):
             chosen = _function(root, function)
-            if before == _BLOCK[0] and any(node.type == "function_definition" for node in field(chosen, "body").children):
+            if before == _BLOCK[0] and any(
+                node.type == "function_definition" for node in field(chosen, "body").children
+            ):
                 continue  # C has functions in functions
             reader = _CReader(space, len(before))
             return reader.block(root.children) if chosen is None else reader.function(chosen)

@@ -88,9 +88,7 @@ def _power(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 
 
 def _raised(exponent: str) -> Maker:
-    return lambda space, arguments, span: space.power(
-        arguments[0], space.number(exponent, span), span, of_entries=True
-    )
+    return lambda space, arguments, span: space.power(arguments[0], space.number(exponent, span), span, of_entries=True)
 
 
 def _reciprocal(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
@@ -174,7 +172,9 @@ def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
     {
         **dict.fromkeys(("pow", "power", "float_power"), (2, 2, _power)),
-        **dict.fromkeys(("array", "asarray", "matrix", "mat", "float", "double", "float64", "single", "Matrix"), (1, 2, _itself)),
+        **dict.fromkeys(
+            ("array", "asarray", "matrix", "mat", "float", "double", "float64", "single", "Matrix"), (1, 2, _itself)
+        ),
         **dict.fromkeys(("radians", "deg2rad"), (1, 1, _radians)),
         **dict.fromkeys(("degrees", "rad2deg"), (1, 1, _degrees)),
         **dict.fromkeys(("dot", "matmul", "mtimes"), (2, 2, _product)),

@@ -205,9 +205,7 @@ class _PythonReader:
         terms: list[Value] = []
         while isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
             term = self.value(node.right)
-            terms.append(
-                self._space.negated(term, self._span(node.right)) if isinstance(node.op, ast.Sub) else term
-            )
+            terms.append(self._space.negated(term, self._span(node.right)) if isinstance(node.op, ast.Sub) else term)
             node = node.left
         return [self.value(node), *reversed(terms)]
 
@@ -312,5 +310,3 @@ def _digits(value: float, span: Span) -> str:
     if text in {"inf", "nan"} or len(text) > 400:
         raise FormulaError("this number is not read", span=span)
     return text
-
-

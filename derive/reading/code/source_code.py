@@ -18,7 +18,7 @@ from radartrack.derive.reading.code.c_source import read_c
 from radartrack.derive.reading.code.matlab_source import read_matlab
 from radartrack.derive.reading.code.python_source import read_python
 from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
-from radartrack.derive.reading.grammar import finished
+from radartrack.derive.reading.grammar import check_tree
 
 Reader: TypeAlias = Callable[[str, Workspace, str], Value]
 
@@ -90,7 +90,8 @@ def read_code(
         plain = _plain(text, language, allowed)
         _check_nesting(plain)
         tree = read(plain, space, function).tree
-        return ReadCode(finished(tree, shapes=shapes, strangers=strangers), tuple(space.remarks))
+        # Equal parts stay apart: each knows the line that it stands in.
+        return ReadCode(check_tree(tree, shapes=shapes, strangers=strangers), tuple(space.remarks))
     except FormulaError as error:
         raise error.within(text) from None
     except RecursionError:
