@@ -62,10 +62,10 @@ def read_latex(
     try:
         found = equations(text)
         rights = [LatexTokens(one.right, allowed, shapes, strangers=strangers) for one in found]
-        lefts = [_letter(one.left, allowed) for one in found]
+        lefts = [_letter(one.left, allowed) if len(found) > 1 else None for one in found]
         letters = [letter for tokens in rights for letter in tokens.letters]
         spelling = Names([*letters, *filter(None, lefts)], allowed, strangers=strangers)
-        defined = [spelling.of(letter) if letter and len(found) > 1 else "" for letter in lefts]
+        defined = [spelling.of(letter) if letter else "" for letter in lefts]
         trees = [_parse(tokens.named(spelling, {*defined} - {""}), len(text)) for tokens in rights]
         tree = combined([Definition(name, tree) for name, tree in zip(defined, trees, strict=True)])
         return finished(tree, shapes=shapes, strangers=strangers)

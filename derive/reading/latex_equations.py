@@ -113,14 +113,14 @@ def _lines(bare: str, *, aligned: bool) -> Iterator[tuple[list[Span], list[Span]
         raise FormulaError(f"a formula has at most {MAX_ROWS} rows", span=rows[MAX_ROWS])
     commas = [span for kind, span in found if kind == "comma"]
     joined: list[list[Span]] = []  # the stretches of an equation, one or more rows
+    aligned_away = _overwritten(bare, marks)
     for start, end in _between(rows, len(bare)):
-        if _BLANK.fullmatch(bare, start, end):
+        if _BLANK.fullmatch(aligned_away, start, end):
             continue
-        blank = _overwritten(bare, marks)[start:end]
-        goes_on = joined and (
-            not _within(relations, (start, end)) or _BLANK.fullmatch(bare, start, _first(relations, start, end))
-        )
-        if goes_on and (_CONTINUES.match(blank) or _within(relations, (start, end))):
+        first = _first(relations, start, end)
+        is_chained = first < end and bool(_BLANK.fullmatch(aligned_away, start, first))
+        goes_on = first == end and bool(_CONTINUES.match(aligned_away, start, end))
+        if joined and (is_chained or goes_on):
             joined[-1].append((start, end))
         else:
             joined.append([(start, end)])

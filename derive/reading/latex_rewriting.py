@@ -74,9 +74,11 @@ def _without_fonts(found: list[Piece]) -> list[Piece]:
             bold_to = max(bold_to, end) if piece.text in BOLD else bold_to
             upright_to = max(upright_to, end) if piece.kind == "roman" else upright_to
         elif index not in dropped:
-            is_word = index <= upright_to and piece.kind == "letter"
+            is_upright = index <= upright_to
+            is_word = is_upright and piece.kind == "letter"
             before = result[-1] if result else None
-            if is_word and before and before.kind == "word" and before.span[1] == piece.span[0]:
+            goes_on = before is not None and before.kind == "word" and before.span[1] == piece.span[0]
+            if before and goes_on and is_upright and piece.kind in {"letter", "digit"}:
                 result[-1] = replace(before, text=before.text + piece.text, span=_span(before, piece))
             else:
                 result.append(replace(piece, kind="word" if is_word else piece.kind, is_bold=index <= bold_to))

@@ -19,6 +19,7 @@ from radartrack.derive.formula.tree import Tree, with_span
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
 from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.latex_pieces import FUNCTIONS, VERB_WORDS
 
 _SIGNS = MappingProxyType(
     {
@@ -42,10 +43,10 @@ _SIGNS = MappingProxyType(
 )
 _FUNCTIONS = "|".join(sorted((*SPELLINGS, "tg", "ctg", "diag", "det", "tr"), key=len, reverse=True))
 _TOKEN = re.compile(
-    rf"""
+    r"""
     (?P<accented> [A-Za-z](?=[\u0302-\u0305\u0307\u0308]) )
     | (?P<name> [A-Za-z][A-Za-z0-9]*_[A-Za-z0-9_]+ )
-    | (?P<word> [A-Za-z]+ )
+    | (?P<word> atan2 | expm1 | [A-Za-z]+\d* )
     | (?P<decimal> (?:\d+\.\d+|\d+) )
     | (?P<power> \*\* | \^ )
     | (?P<lowered> _ )
@@ -154,23 +155,28 @@ def _name(said: str) -> str:
 
 
 def _word(said: str, at: int, names: frozenset[str], *, free: bool) -> Iterator[tuple[str, int]]:
-    """A known name, a function, a letter before one (rcos), or letters side by side."""
-    applied = _FUNCTION_BEHIND.fullmatch(said)
+    """A known name, a function, a letter before one (rcos), or letters side by side, perhaps with digits behind."""
+    letters = said.rstrip("0123456789")
     if said in names and len(said) > 1:
         yield _name(said), at
-    elif applied:
-        function = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}.get(applied["function"], applied["function"])
+    elif said in SPELLINGS:
+        yield _function(said), at
+    elif letters != said:
+        yield from _word(letters, at, names, free=free)
+        yield said[len(letters) :], at + len(letters)
+    elif applied := _FUNCTION_BEHIND.fullmatch(said):
         yield applied["letter"], at
-        yield (
-            rf"\operatorname{{{function}}}"
-            if function in {"atan2", "abs", "hypot", "expm1", "sqrt"}
-            else f"\\{function} ",
-            at,
-        )
+        yield _function(applied["function"]), at + len(applied["letter"])
     elif len(said) > 1 and (free or not set(said) <= names):
         yield _name(said), at
     else:
         yield said, at
+
+
+def _function(name: str) -> str:
+    """A function in LaTeX, by the command that it has."""
+    command = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}.get(name, name)
+    return f"\\{command} " if command in FUNCTIONS or command in VERB_WORDS else rf"\operatorname{{{command}}}"
 
 
 def _argument(text: str, at: int) -> int:

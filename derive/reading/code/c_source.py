@@ -289,6 +289,9 @@ class _CReader:
                 raise FormulaError(self._unread(node), span=span)
 
     def _number(self, text: str, span: Span) -> Value:
+        if text[0] in "+-":  # a sign that the grammar takes for part of the number
+            number = self._number(text[1:], (span[0] + 1, span[1]))
+            return self._space.negated(number, span) if text[0] == "-" else number
         found = _NUMBER.fullmatch(text.replace("'", ""))
         if not found or (len(found["digits"]) > 1 and found["digits"].isdigit() and found["digits"][0] == "0"):
             raise FormulaError(f"{text[:40]} is no decimal number", span=span)

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _ENTRYWISE = frozenset({".*"})
 _PRODUCTS = frozenset({"*", ".*", "/", "./"})
-_SKIPPED = frozenset({"comment", ";", ",", "\n", "line_continuation", "clear_statement", "command"})
+_SKIPPED = frozenset({"comment", ";", ",", "\n", "line_continuation", "clear_statement"})
+_COMMANDS = frozenset({"clc", "clear", "close", "clearvars", "format", "hold", "more", "warning"})  # of no effect here
 _UNREAD = {
     "if_statement": "formulas have no cases: give the lines of the branch that is meant",
     "switch_statement": "formulas have no cases: give the lines of the branch that is meant",
@@ -39,17 +40,22 @@ def read_matlab(text: str, space: Workspace, function: str = "") -> Value:
     Raises:
         FormulaError: for what formulas do not have, and what is not MATLAB.
     """
+    offset = 0
     root = parsed("matlab", text + "\n")
+    if [node.type for node in named(root)] == ["command"]:  # x -1 is x with the option -1, unless in brackets
+        offset = 1
+        root = parsed("matlab", f"({text.rstrip().rstrip(';')}\n)\n")
     error = first_error(root)
     if error is not None:
         start = min(error.start_byte, len(text))
         raise FormulaError("this is not MATLAB", span=(start, min(max(error.end_byte, start), len(text))))
-    return _MatlabReader(space).file(root, function)
+    return _MatlabReader(space, offset).file(root, function)
 
 
 class _MatlabReader:
-    def __init__(self, space: Workspace) -> None:
+    def __init__(self, space: Workspace, offset: int) -> None:
         self._space = space
+        self._offset = offset
         self._chain = Chain(space)
         self._depth = 0
 
@@ -70,22 +76,25 @@ class _MatlabReader:
         first = output.children[0]
         first = named(first)[0] if first.type == "multioutput_variable" else first
         if not self._space.is_defined(text_of(first)):
-            raise FormulaError(f"{text_of(first)} is not computed here", span=_span(first))
-        return self._space.name(text_of(first), _span(first))
+            raise FormulaError(f"{text_of(first)} is not computed here", span=self._span(first))
+        return self._space.name(text_of(first), self._span(first))
 
     def _block(self, statements: Sequence[Node]) -> Value | None:
         last: Value | None = None
         for node in statements:
-            if node.type in _SKIPPED | {"function_definition"}:
+            if node.type in _SKIPPED | {"function_definition"} or self._is_idle(node):
                 continue
             if node.type == "assignment":
                 self._assign(node)
                 last = None
             elif node.type in _UNREAD:
-                raise FormulaError(_UNREAD[node.type], span=_span(node))
+                raise FormulaError(_UNREAD[node.type], span=self._span(node))
             else:
                 last = self.value(node)
         return last
+
+    def _is_idle(self, node: Node) -> bool:
+        return node.type == "command" and text_of(node).split()[0] in _COMMANDS
 
     def _assign(self, node: Node) -> None:
         left = field(node, "left")
@@ -95,11 +104,11 @@ class _MatlabReader:
         value = self.value(right)
         if left.type == "function_call":
             places = [self._place(one) for one in self._arguments(left)]
-            self._space.assign_entry(text_of(field(left, "name")), places, value, _span(left))
+            self._space.assign_entry(text_of(field(left, "name")), places, value, self._span(left))
         elif name := self._name(left):
             self._space.assign(name, value)
         else:
-            raise FormulaError("this cannot be assigned to", span=_span(left))
+            raise FormulaError("this cannot be assigned to", span=self._span(left))
 
     def _name(self, node: Node) -> str:
         """A name, or that of a field: plot.x is plot_x."""
@@ -112,16 +121,16 @@ class _MatlabReader:
         """What an expression is worth."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
-            raise FormulaError(f"the formula is nested more than {MAX_DEPTH} deep", span=_span(node))
+            raise FormulaError(f"the formula is nested more than {MAX_DEPTH} deep", span=self._span(node))
         try:
             return self._value(node)
         except FormulaError as error:
-            raise FormulaError(error.message, span=error.span or _span(node)) from None
+            raise FormulaError(error.message, span=error.span or self._span(node)) from None
         finally:
             self._depth -= 1
 
     def _value(self, node: Node) -> Value:
-        span = _span(node)
+        span = self._span(node)
         match node.type:
             case "number":
                 if not _NUMBER.fullmatch(text_of(node)):
@@ -172,11 +181,11 @@ class _MatlabReader:
     def _exponents(self, node: Node) -> list[Node]:
         """Exponents behind each other, taken from the left in MATLAB: a^b^c is (a^b)^c."""
         if node.type == "unary_operator" and _is_power(field(node, "operand")):
-            raise FormulaError("put the exponent in brackets", span=_span(node))
+            raise FormulaError("put the exponent in brackets", span=self._span(node))
         found: list[Node] = []
         while _is_power(node):
             found.append(field(node, "left"))
-            self._space.remarks.append(Remark(_span(node), "a^b^c is (a^b)^c in MATLAB, and a^(b^c) in mathematics"))
+            self._space.remarks.append(Remark(self._span(node), "a^b^c is (a^b)^c in MATLAB, and a^(b^c) in mathematics"))
             node = field(node, "right")
         return [*found, node]
 
@@ -185,9 +194,9 @@ class _MatlabReader:
         found: list[tuple[str, Value, Span]] = []
         while node.type == "binary_operator" and (sign := _sign(node)) in signs:
             right = field(node, "right")
-            found.append((sign, self.value(right), _span(right)))
+            found.append((sign, self.value(right), self._span(right)))
             node = field(node, "left")
-        return [("+" if "+" in signs else "*", self.value(node), _span(node)), *reversed(found)]
+        return [("+" if "+" in signs else "*", self.value(node), self._span(node)), *reversed(found)]
 
     def _matrix(self, node: Node, span: Span) -> Value:
         """Rows; one row, and one column, are a vector."""
@@ -196,7 +205,7 @@ class _MatlabReader:
             return self._space.array(rows[0], span)
         if all(len(row) == 1 for row in rows):
             return self._space.array([row[0] for row in rows], span)
-        made = [self._space.array(row, _span(one)) for row, one in zip(rows, named(node), strict=True)]
+        made = [self._space.array(row, self._span(one)) for row, one in zip(rows, named(node), strict=True)]
         return self._space.array(made, span)
 
     def _transposed(self, value: Value, span: Span) -> Value:
@@ -230,9 +239,12 @@ class _MatlabReader:
         if not text.isdigit() or len(text) > 3:
             name = text_of(field(node.parent.parent, "name")) if node.parent and node.parent.parent else ""
             raise FormulaError(
-                f"{name} is no function here, and an entry is picked by a whole number", span=_span(node)
+                f"{name} is no function here, and an entry is picked by a whole number", span=self._span(node)
             )
         return int(text)
+
+    def _span(self, node: Node) -> Span:
+        return max(node.start_byte - self._offset, 0), max(node.end_byte - self._offset, 0)
 
 
 def _is_power(node: Node) -> bool:
@@ -247,9 +259,5 @@ def _sign(node: Node) -> str:
 def _only(node: Node) -> Node:
     parts = named(node)
     if not parts:
-        raise FormulaError("a value is missing here", span=_span(node))
+        raise FormulaError("a value is missing here")
     return parts[0]
-
-
-def _span(node: Node) -> Span:
-    return node.start_byte, node.end_byte

@@ -131,6 +131,8 @@ class Workspace:
     def entry(self, name: str, places: Sequence[Place], span: Span) -> Value:
         """An entry of an array, counted as the language does; of one that is not known, a name of its own: x[0] is x_0."""
         counted = tuple(places)
+        for place in counted:
+            self._from_zero(place, span)  # refuses one before the first
         if name in self._entries and name not in self._values:
             found = self._entries[name].get(_numbers(counted))
             if found is None:
@@ -165,7 +167,7 @@ class Workspace:
             if place < self.first:
                 raise FormulaError(f"entries are counted from {self.first} in {self.language}", span=span)
             return place - self.first
-        start, end = place
+        start, end = place  # of a slice
         return (None if start is None else start - self.first), end  # MATLAB's last one is in, others' end is out
 
     def sum(self, terms: Sequence[Value], span: Span) -> Value:
