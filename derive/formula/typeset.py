@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from radartrack.derive.formula.functions import SQUARED_BY_NAME
 from radartrack.derive.formula.latex_names import GREEK
+from radartrack.derive.formula.printing import text_of_place
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -18,33 +21,20 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
 )
-from radartrack.derive.formula.printing import text_of_place
 
 _LETTERS = dict(
-    zip(
-        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi "
-        "omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega".split(),
-        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩ",
-        strict=True,
-    )
-)
+    zip(GREEK.values(), "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩ", strict=False)
+)  # variants of letters come last there
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def to_typeset(tree: Tree) -> str:
     """The tree for the eye: Greek letters, raised exponents, products without a sign where none is needed."""
     match tree:
-        case Number(text):
-            return text
-        case Constant(name):
-            return {"pi": "π", "inf": "∞"}.get(name, name)
-        case Name(name):
-            return _name(name)
+        case Number() | Constant() | Name():
+            return _leaf(tree)
         case Sum(terms):
-            shown = _term(terms[0])
-            for term in terms[1:]:
-                shown += f" − {_term(term.operand)}" if isinstance(term, Negation) else f" + {_term(term)}"
-            return shown
+            return _sum(terms)
         case Negation(operand):
             return f"−{_in_term(operand)}"
         case Product(factors):
@@ -53,16 +43,35 @@ def to_typeset(tree: Tree) -> str:
             return f"{_in_term(numerator)}/{_factor(denominator)}"
         case Power(base, exponent):
             return _power(base, exponent)
-        case Call("sqrt", (radicand,)):
-            return f"√({to_typeset(radicand)})"
-        case Call("transpose", (operand,)):
-            return f"{_factor(operand)}ᵀ"
         case Call(function, arguments):
-            return f"{function}({', '.join(map(to_typeset, arguments))})"
+            return _call(function, arguments)
         case Array(entries):
             return f"[{', '.join(map(to_typeset, entries))}]"
         case Entries(array, places):
             return f"{_factor(array)}[{', '.join(map(text_of_place, places))}]"
+
+
+def _leaf(tree: Number | Constant | Name) -> str:
+    match tree:
+        case Number(text):
+            return text
+        case Constant(name):
+            return {"pi": "π", "inf": "∞"}.get(name, name)
+        case Name(name):
+            return _name(name)
+
+
+def _sum(terms: Sequence[Tree]) -> str:
+    shown = _term(terms[0])
+    for term in terms[1:]:
+        shown += f" − {_term(term.operand)}" if isinstance(term, Negation) else f" + {_term(term)}"
+    return shown
+
+
+def _call(function: str, arguments: Sequence[Tree]) -> str:
+    if function == "transpose":
+        return f"{_factor(arguments[0])}ᵀ"
+    return f"{'√' if function == 'sqrt' else function}({', '.join(map(to_typeset, arguments))})"
 
 
 def _name(name: str) -> str:

@@ -1,7 +1,8 @@
 """Reads printed formulas, typed, in LaTeX or as code, as data: nothing in them is ever evaluated as Python.
 
-`read_formula` is the door for all notations; `read_text`, `read_latex` and `read_code` give a tree that keeps what was printed; `to_text` and `to_latex` print it again,
-and `to_expression` makes algebra of it. What cannot be read, is ambiguous or too large raises `FormulaError`.
+`read_formula` is the door for all notations; `read_text`, `read_latex` and `read_code` give a tree that keeps what was
+printed. `to_text` and `to_latex` print it again, and `to_expression` makes algebra of it. What cannot be read, is
+ambiguous or too large raises `FormulaError`.
 """
 
 from radartrack.derive.formula.error import FormulaError

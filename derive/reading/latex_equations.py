@@ -61,7 +61,7 @@ _NULL = re.compile(r"\\(?P<side>left|right)\s*\.")
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """The sides of an equation, each as long as what it was cut from, with spaces for all else; no left side is empty."""
+    """The sides of an equation, as long as what it was cut from, with spaces for all else; the left may be empty."""
 
     left: str
     right: str
@@ -99,8 +99,8 @@ def _without_setting(source: str) -> str:
 def _lines(bare: str, *, aligned: bool) -> Iterator[tuple[list[Span], list[Span]]]:
     """Of each equation the columns and relations within it, and the stretches between relations.
 
-    A row that begins with a sign goes on with the equation before it; rows without any relation are left to the grammar,
-    which refuses them.
+    A row that begins with a sign goes on with the equation before it; rows without any relation are left to the
+    grammar, which refuses them.
     """
     found = list(_outer(bare))
     relations = [span for kind, span in found if kind == "relation"]

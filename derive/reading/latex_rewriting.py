@@ -1,7 +1,8 @@
 r"""Brings pieces of LaTeX into the one form that the grammar reads, whatever the dialect.
 
 Fonts are taken off and remembered for matrices, braces that group nothing are dropped (`{{\sin }^{2}}\theta`), primes
-and stars become decorations, `{a \over b}` becomes a fraction, and the parts of a sum or an integral are put in one order.
+and stars become decorations, `{a \over b}` becomes a fraction, and the parts of a sum or an integral are put in one
+order.
 """
 
 from __future__ import annotations

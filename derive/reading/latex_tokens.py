@@ -379,7 +379,7 @@ class _Tokenizer:
         before = self.pieces[index - 1] if index else self.pieces[index]
         letter = self.letters.get(len(self.tokens) - 1)
         is_array = letter is not None and (letter.is_bold or letter.base in self.shapes)
-        if is_array or before.text in {"]"} or before.text.startswith("\\end"):
+        if is_array or before.text == "]" or before.text.startswith("\\end"):
             return True
         if "T" in self.names:
             return False

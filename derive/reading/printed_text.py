@@ -55,8 +55,18 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
+_WITH_ARGUMENT = MappingProxyType({"power": "^{", "lowered": "_{", "root": r"\sqrt{"})
 _FUNCTION_BEHIND = re.compile(rf"(?P<letter>[A-Za-z]?)(?P<function>{_FUNCTIONS})")
-_COMBINING = MappingProxyType({"\u0302": r"\hat", "\u0304": r"\bar", "\u0303": r"\tilde", "\u0307": r"\dot", "\u0308": r"\ddot", "\u0305": r"\bar"})  # fmt: skip
+_COMBINING = MappingProxyType(
+    {
+        "\u0302": r"\hat",
+        "\u0303": r"\tilde",
+        "\u0304": r"\bar",
+        "\u0305": r"\bar",
+        "\u0307": r"\dot",
+        "\u0308": r"\ddot",
+    }
+)
 _NOT_ASCII = re.compile(r"[^\x00-\x7f]")
 
 
@@ -118,32 +128,16 @@ def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[s
             yield _name(said), at
         elif kind == "word":
             yield from _word(said, at, names, free=free)
-        elif kind == "decimal":
-            yield said, at
-        elif kind in {"power", "lowered"}:
-            argument = _argument(text, found.end())
-            sign = "^" if kind == "power" else "_"
-            inside = text[found.end() : argument]
-            yield sign + "{", at
-            for latex, place in _pieces(inside.strip(), names, free=free):
-                yield latex, found.end() + place
-            yield "}", max(argument - 1, at)
-            at = argument
-            continue
-        elif kind == "root":
-            end = _root_end(text, found.end())
-            yield r"\sqrt{", at
+        elif kind in _WITH_ARGUMENT:
+            end = (_root_end if kind == "root" else _argument)(text, found.end())
+            yield _WITH_ARGUMENT[kind], at
             for latex, place in _pieces(text[found.end() : end], names, free=free):
                 yield latex, found.end() + place
             yield "}", max(end - 1, at)
             at = end
             continue
-        elif kind == "accented":
-            yield f"{_COMBINING[text[at + 1]]}{{{said}}}", at
-            at += 2
-            continue
         else:
-            latex, length = _sign(text, at, names, free=free)
+            latex, length = (said, len(said)) if kind == "decimal" else _sign(text, at, names, free=free)
             yield latex, at
             at += length
             continue
@@ -207,7 +201,9 @@ def _closing(text: str, at: int) -> int:
 
 def _sign(text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str, int]:
     """A sign or a letter that is no ASCII, in LaTeX, and how many characters it takes."""
-    character = text[at]
+    character, after = text[at], text[at + 1 : at + 2]
+    if character.isalpha() and character.isascii() and after in _COMBINING:
+        return f"{_COMBINING[after]}{{{character}}}", 2
     if character in _SIGNS:
         return _SIGNS[character], 1
     if character.isascii():
@@ -222,7 +218,12 @@ def _sign(text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str
     greek = _greek(character)
     if not greek:
         _refuse(text, at, names)
-    after = text[at + 1] if at + 1 < len(text) else ""
+    return _greek_letter(greek, text, at, names, free=free)
+
+
+def _greek_letter(greek: str, text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str, int]:
+    """A Greek letter with what stands over it, a deviation with what it is of; and how many characters that takes."""
+    after = text[at + 1 : at + 2]
     if after in _COMBINING:
         return f"{_COMBINING[after]}{{{greek}}}", 2
     if greek == r"\sigma" and (below := _greek(after) or (after if after.isascii() and after.isalpha() else "")):

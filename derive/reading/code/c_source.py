@@ -20,7 +20,9 @@ _EXPRESSION = "void f(){return (", "\n);}"
 _BLOCK = "void f(){", "\n;}"
 _FILE = "", "\n"
 _NUMBER = re.compile(r"(?P<digits>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)(?P<suffix>[fFlLuU]*)")
-_WHOLE_TYPES = frozenset({"int", "long", "short", "unsigned", "size_t", "char", "int32_t", "int64_t", "uint32_t", "uint64_t", "bool"})  # fmt: skip
+_WHOLE_TYPES = frozenset(
+    ("int", "long", "short", "unsigned", "size_t", "char", "bool", "int32_t", "int64_t", "uint32_t", "uint64_t")
+)
 _SIZED = re.compile(r"(?:Eigen::)?(?:Matrix|Vector|Array)(?P<rows>\d)?(?:x(?P<columns>\d))?[dfi]")
 _UNREAD_OPERATORS = {
     "^": "^ is exclusive or in {language}, and a power in mathematics: write pow(x, n) for the power",
@@ -62,13 +64,16 @@ def read_c(text: str, language: str, space: Workspace, function: str = "") -> Va
             fault = fault if fault and not before else _shifted(error, len(before), len(text))
         elif before != _EXPRESSION[0] or _is_expression(root):
             chosen = _function(root, function)
-            if before == _BLOCK[0] and any(
-                node.type == "function_definition" for node in field(chosen, "body").children
-            ):
-                continue  # C has functions in functions
+            if before == _BLOCK[0] and _has_functions(chosen):
+                continue  # C lets them stand in functions
             reader = _CReader(space, len(before))
             return reader.block(root.children) if chosen is None else reader.function(chosen)
     raise FormulaError(f"this is not {space.language}", span=fault)
+
+
+def _has_functions(function: Node | None) -> bool:
+    inside = function.child_by_field_name("body") if function is not None else None
+    return inside is not None and any(node.type == "function_definition" for node in inside.children)
 
 
 def _is_expression(root: Node) -> bool:
@@ -270,10 +275,7 @@ class _CReader:
                 return self._space.name(text_of(node), span, whole=self._is_whole(text_of(node)))
             case "parenthesized_expression":
                 return self.value(_only(node))
-            case "unary_expression" if text_of(field(node, "operator")) in {"-", "+"}:
-                operand = self.value(field(node, "argument"))
-                return operand if text_of(field(node, "operator")) == "+" else self._space.negated(operand, span)
-            case "binary_expression":
+            case "unary_expression" | "binary_expression":
                 return self._operation(node, span)
             case "field_expression" | "qualified_identifier":
                 return self._member(node, span)
@@ -300,6 +302,9 @@ class _CReader:
 
     def _operation(self, node: Node, span: Span) -> Value:
         sign = text_of(field(node, "operator"))
+        if node.type == "unary_expression" and sign in {"+", "-"}:
+            operand = self.value(field(node, "argument"))
+            return operand if sign == "+" else self._space.negated(operand, span)
         if sign in {"+", "-"}:
             return self._chain.sum(self._parts(node, {"+", "-"}), span)
         if sign in {"*", "/"}:

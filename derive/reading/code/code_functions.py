@@ -84,7 +84,7 @@ def _itself(_space: Workspace, arguments: Sequence[Value], _span: Span) -> Value
 
 
 def _power(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
-    return space.power(*arguments, span, of_entries=True)
+    return space.power(arguments[0], arguments[1], span, of_entries=True)
 
 
 def _raised(exponent: str) -> Maker:

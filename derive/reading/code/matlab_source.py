@@ -185,7 +185,9 @@ class _MatlabReader:
         found: list[Node] = []
         while _is_power(node):
             found.append(field(node, "left"))
-            self._space.remarks.append(Remark(self._span(node), "a^b^c is (a^b)^c in MATLAB, and a^(b^c) in mathematics"))
+            self._space.remarks.append(
+                Remark(self._span(node), "a^b^c is (a^b)^c in MATLAB, and a^(b^c) in mathematics")
+            )
             node = field(node, "right")
         return [*found, node]
 

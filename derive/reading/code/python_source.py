@@ -13,7 +13,25 @@ from radartrack.derive.formula.tree import Place
 from radartrack.derive.reading.code.code_functions import applied
 from radartrack.derive.reading.code.workspace import Value, Workspace
 
-_MODULES = frozenset({"np", "numpy", "math", "cmath", "jnp", "jax", "torch", "sp", "sympy", "scipy", "linalg", "la", "casadi", "ca", "cp"})  # fmt: skip
+_MODULES = frozenset(
+    (
+        "np",
+        "numpy",
+        "math",
+        "cmath",
+        "jnp",
+        "jax",
+        "torch",
+        "sp",
+        "sympy",
+        "scipy",
+        "linalg",
+        "la",
+        "casadi",
+        "ca",
+        "cp",
+    )
+)
 _CONSTANTS = {"pi": "pi", "e": "e"}
 _XOR = "^ is exclusive or in Python, and a power in mathematics: write ** for the power"
 _UNREAD: dict[type[ast.AST], str] = {
@@ -171,16 +189,13 @@ class _PythonReader:
                 return self._space.number(_digits(value, span), span)
             case ast.Name(name):
                 return self._space.name(name, span)
-            case ast.UnaryOp(ast.USub(), operand):
-                return self._space.negated(self.value(operand), span)
-            case ast.UnaryOp(ast.UAdd(), operand):
-                return self.value(operand)
+            case ast.UnaryOp(ast.USub() | ast.UAdd() as sign, operand):
+                value = self.value(operand)
+                return value if isinstance(sign, ast.UAdd) else self._space.negated(value, span)
             case ast.BinOp():
                 return self._operation(node, span)
             case ast.List(entries) | ast.Tuple(entries):
                 return self._space.array([self.value(entry) for entry in entries], span)
-            case ast.Attribute(array, "T"):
-                return self._space.call("transpose", [self.value(array)], span)
             case ast.Attribute():
                 return self._attribute(node, span)
             case ast.Subscript():
@@ -230,6 +245,8 @@ class _PythonReader:
         return factors[0] if len(factors) == 1 else self._space.product(factors, span, of_entries=of_entries)
 
     def _attribute(self, node: ast.Attribute, span: Span) -> Value:
+        if node.attr == "T":
+            return self._space.call("transpose", [self.value(node.value)], span)
         path = _path(node)
         if path[0] in _MODULES and node.attr in _CONSTANTS:
             return self._space.constant(_CONSTANTS[node.attr], span)

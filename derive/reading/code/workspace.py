@@ -129,7 +129,7 @@ class Workspace:
         return name in self._values or name in self._entries
 
     def entry(self, name: str, places: Sequence[Place], span: Span) -> Value:
-        """An entry of an array, counted as the language does; of one that is not known, a name of its own: x[0] is x_0."""
+        """An entry of an array, counted as the language does; of an unknown one, a name of its own: x[0] is x_0."""
         counted = tuple(places)
         for place in counted:
             self._from_zero(place, span)  # refuses one before the first

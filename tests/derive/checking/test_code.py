@@ -48,7 +48,10 @@ def test_integer_division_is_told_as_the_slip_with_its_line():
     code = "c1 = x*x + y*y;\nJ(0,0) = x*x*x/pow(c1, 3/2) + x*y*y/pow(c1, 3/2);"
     verdict = check("observe.polar.jacobian[0,0]", code, code="cpp")
     assert verdict.verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
-    assert "line 2: 3/2 is 1 in C++, where whole numbers divide without remainder: 3.0/2 is the fraction" in verdict.remarks
+    assert (
+        "line 2: 3/2 is 1 in C++, where whole numbers divide without remainder: 3.0/2 is the fraction"
+        in verdict.remarks
+    )
     assert check("observe.polar.jacobian[0,0]", code.replace("3/2", "1.5"), code="cpp").verdict is Outcome.EQUAL
 
 

@@ -64,11 +64,13 @@ def test_what_only_sets_a_formula_changes_nothing(before: str, after: str):
     ],
 )
 def test_a_dialect_is_read_as_plain_latex(latex: str):
-    assert echo(latex).replace("(r)", "r") in {"r*cos(theta)**2"}
+    assert echo(latex) == "r*cos(theta)**2"
     assert to_text(read_latex(latex, None)) == "r*cos(theta)**2"
 
 
-@pytest.mark.parametrize(("decoration", "word"), [(r"\hat", "hat"), (r"\bar", "bar"), (r"\tilde", "tilde"), ("'", "prime"), ("^*", "star")])
+@pytest.mark.parametrize(
+    ("decoration", "word"), [(r"\hat", "hat"), (r"\bar", "bar"), (r"\tilde", "tilde"), ("'", "prime"), ("^*", "star")]
+)
 @pytest.mark.parametrize(("letter", "name"), [("r", "r"), (r"\lambda", "lambda")])
 def test_a_decoration_is_kept_where_a_letter_occurs_in_two_ways(decoration: str, word: str, letter: str, name: str):
     decorated = f"{decoration}{{{letter}}}" if decoration.startswith("\\") else letter + decoration
@@ -79,7 +81,10 @@ def test_a_decoration_is_kept_where_a_letter_occurs_in_two_ways(decoration: str,
 
 
 def test_a_subscript_goes_with_the_decoration():
-    assert echo(r"\lambda_\theta' + \lambda_\theta", "lambda_theta", "lambda_theta_prime") == "lambda_theta_prime + lambda_theta"
+    assert (
+        echo(r"\lambda_\theta' + \lambda_\theta", "lambda_theta", "lambda_theta_prime")
+        == "lambda_theta_prime + lambda_theta"
+    )
     assert echo(r"\lambda_\theta^{\prime}", "lambda_theta") == "lambda_theta"
     assert echo(r"\sigma_{\hat\theta}^2") == "sigma_theta**2"
     assert names(read_latex(r"\hat{x}_{k|k} - \hat{x}_{k|k-1}", None)) == {"x_hat_k_k", "x_hat_k_km1"}

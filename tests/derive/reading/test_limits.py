@@ -98,7 +98,7 @@ HOSTILE_LATEX = {
     "sums": "\\sum_{j=1}^{k} " * 900 + "j",
     "integrals": "\\int_0^1 " * 900 + "r \\, dr" * 900,
     "equations": "r = r," * 3_000,
-    "rows": "\\begin{align} r" + " + r \\\\" * 2_000 + "\\end{align}",
+    "rows of a display": "\\begin{align} r" + " + r \\\\" * 2_000 + "\\end{align}",
     "definitions": ", ".join(f"a_{{{n + 1}}} = a_{{{n}}} a_{{{n}}}" for n in range(50)) + ", a_0 = r",
     "fractions over fractions": "{" * 400 + "r" + " \\over r}" * 400,
     "fonts": "\\mathbf{" * 2_000 + "r" + "}" * 2_000,

@@ -7,7 +7,20 @@ from hypothesis import strategies as st
 from radartrack.derive.reading import FormulaError, read_formula, to_text
 
 KNOWN = ("r", "beta", "epsilon", "rho", "sigma_r", "sigma_beta", "x", "y", "T", "q")
-PIECES = (*"σβεθρλΔπ²³⁻¹₁₂√·×−÷½′ᵀ()+-/^_=,. 12rxyTe", "sin", "cos ", "exp(", "σβ²", "sin²", "atan2(", "x\u0302", "\u200b", "а", "∫", "∑")
+PIECES = (
+    *"σβεθρλΔπ²³⁻¹₁₂√·×−÷½′ᵀ()+-/^_=,. 12rxyTe",
+    "sin",
+    "cos ",
+    "exp(",
+    "σβ²",
+    "sin²",
+    "atan2(",
+    "x\u0302",
+    "\u200b",
+    "а",
+    "∫",
+    "∑",
+)
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ VALUES = {"x": Fraction(7, 3), "y": Fraction(-2, 5), "r": Fraction(11, 4)}
 
 
 @pytest.fixture(autouse=True)
-def _parsers(request: pytest.FixtureRequest):
+def _parsers(request: pytest.FixtureRequest) -> None:
     if "python" not in request.node.name:
         pytest.importorskip("tree_sitter")
 
@@ -119,7 +119,9 @@ def test_whole_numbers_divide_towards_zero_in_c_and_it_is_said(language: str, ab
     assert to_expression(read.tree, {"x": Rational(1, 1)}) == drops
     assert [f"{above}/{below} is {drops} in" in remark.words for remark in read.remarks] == [True]
     for spelled in (f"({above})/({below}.0)", f"(double)({above})/({below})", f"({above}.f)/({below})"):
-        assert to_expression(read_code(spelled, language, None).tree, {}) == Rational(exact.numerator, exact.denominator)
+        assert to_expression(read_code(spelled, language, None).tree, {}) == Rational(
+            exact.numerator, exact.denominator
+        )
 
 
 @dataclass(frozen=True)
@@ -134,7 +136,7 @@ class Written:
 
     def around(self, least: int) -> tuple[str, str, str]:
         texts = self.python, self.c, self.matlab
-        return texts if self.binds >= least else (f"({texts[0]})", f"({texts[1]})", f"({texts[2]})")  # type: ignore[return-value]
+        return texts if self.binds >= least else (f"({texts[0]})", f"({texts[1]})", f"({texts[2]})")
 
 
 def _joined(left: Written, sign: str, right: Written) -> Written:
@@ -259,7 +261,7 @@ def test_a_language_that_is_not_read_is_named():
 def test_without_the_parsers_it_is_said_how_to_get_them(monkeypatch: pytest.MonkeyPatch):
     from radartrack.derive.reading.code import syntax_trees  # noqa: PLC0415
 
-    def missing(name: str):
+    def missing(name: str) -> None:
         raise ImportError(name)
 
     syntax_trees._parser.cache_clear()
