@@ -123,7 +123,7 @@ def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[s
         found = _TOKEN.match(text, at)
         if found is None:
             break
-        kind, said = found.lastgroup, found.group()
+        kind, said = found.lastgroup or "", found.group()
         if kind == "name":
             yield _name(said), at
         elif kind == "word":

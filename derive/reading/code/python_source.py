@@ -190,8 +190,8 @@ class _PythonReader:
             case ast.Name(name):
                 return self._space.name(name, span)
             case ast.UnaryOp(ast.USub() | ast.UAdd() as sign, operand):
-                value = self.value(operand)
-                return value if isinstance(sign, ast.UAdd) else self._space.negated(value, span)
+                found = self.value(operand)
+                return found if isinstance(sign, ast.UAdd) else self._space.negated(found, span)
             case ast.BinOp():
                 return self._operation(node, span)
             case ast.List(entries) | ast.Tuple(entries):
