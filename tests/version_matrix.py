@@ -13,7 +13,18 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[1]
 ENVIRONMENTS_FOLDER = ROOT / "build" / "matrix"
-OPTIONAL = {"dask", "distributed", "gmpy2", "matplotlib", "numba", "python-flint"}
+OPTIONAL = {
+    "dask",
+    "distributed",
+    "gmpy2",
+    "matplotlib",
+    "numba",
+    "python-flint",
+    "tree-sitter",
+    "tree-sitter-c",
+    "tree-sitter-cpp",
+    "tree-sitter-matlab",
+}
 
 
 class Environment(NamedTuple):

@@ -31,7 +31,7 @@ from radartrack.derive.checking.question.compared_quantity import Reference, Unk
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
-from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous, letter_readings
+from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous, letter_readings, read_loosely
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
@@ -50,10 +50,12 @@ from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.notation import LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
@@ -63,6 +65,8 @@ def check(
     formula: str,
     *,
     latex: bool = False,
+    code: str = "",
+    function: str = "",
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
     models: Iterable[Model] = (),
@@ -76,6 +80,8 @@ def check(
             itself, in place of its name, is compared whole.
         formula: as typed, or as printed in LaTeX; vectors and matrices as nested lists.
         latex: whether it is LaTeX.
+        code: the language, where it is code: python, c, cpp or matlab.
+        function: of code, the function that is meant.
         given: conditions under which to compare, `{"rho": "0"}`.
         let: the paper's own names, `{"D_beta": "sigma_beta**2"}`.
         models: of one's own, whose quantities may be named.
@@ -89,7 +95,8 @@ def check(
     """
     world = having_models(models, world)
     try:
-        *_, verdict = ask(quantity, formula, latex=latex, given=given, let=let, world=world).answers()
+        question = ask(quantity, formula, latex=latex, code=code, function=function, given=given, let=let, world=world)
+        *_, verdict = question.answers()
     except NoClosedForm as error:
         return too_much(quantity if isinstance(quantity, str) else quantity.name, formula, error)
     return verdict
@@ -105,6 +112,8 @@ def ask(
     formula: str,
     *,
     latex: bool = False,
+    code: str = "",
+    function: str = "",
     given: Mapping[str, str] | None = None,
     let: Mapping[str, str] | None = None,
     world: World = CATALOGUE,
@@ -115,16 +124,17 @@ def ask(
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
-    paper = Paper(formula, latex, given or {}, let or {}, world, sense)
+    paper = Paper(formula, code or (LATEX if latex else TEXT), function, given or {}, let or {}, world, sense)
     return replace(paper.ask(quantity), paper=paper)
 
 
 @dataclass(frozen=True)
 class Paper:
-    """A formula as it stands in print, with what is said about it there, and in which sense."""
+    """A formula as it stands in print, in a notation, with what is said about it there, and in which sense."""
 
     formula: str
-    latex: bool
+    notation: str
+    function: str
     given: Mapping[str, str]
     let: Mapping[str, str]
     world: World
@@ -138,7 +148,12 @@ class Paper:
         conditions: Mapping[Symbol, Expr] = {}
         with suppress(FormulaError):  # in letters of the paper, or wrong: then it is told where the question is asked
             conditions = conditions_for(reference, self.given)
-        readings = letter_readings(self.formula, reference, definitions, conditions, latex=self.latex)
+        readings = letter_readings(
+            lambda own: read_loosely(self.formula, own, self.notation, self.function),
+            reference,
+            definitions,
+            conditions,
+        )
         return _likeliest([self._question(reference, reading) for reading in readings])
 
     def is_right(self, name: str) -> Question | None:
@@ -149,10 +164,15 @@ class Paper:
             return None
         return question if question.is_equal else None
 
+    def _read_loosely(self, names: Sequence[str]) -> Tree:
+        return read_loosely(self.formula, names, self.notation, self.function)
+
     def _question(self, reference: Reference, reading: Reading) -> Question:
-        texts = ["" if self.latex else self.formula, *self.given.values()]
+        texts = [self.formula if self.notation == TEXT else "", *self.given.values()]
         names = names_for(reference, self.let, self.world, texts, reading.letters)
-        question = asked(reference, self.formula, names, self.given, self.world, latex=self.latex, sense=self.sense)
+        reference = reference.with_symbols(names.symbols.values())
+        printed = read_printed(self.formula, names, reference.shape, self.notation, self.function)
+        question = asked(reference, printed, self.given, self.world, self.sense)
         return replace(question, reading=reading)
 
 
@@ -171,19 +191,9 @@ def _likeliest(questions: Sequence[Question]) -> Question:
     return best
 
 
-def asked(
-    reference: Reference,
-    formula: str,
-    names: Names,
-    given: Mapping[str, str],
-    world: World,
-    *,
-    latex: bool = False,
-    sense: Sense = EXACTLY,
-) -> Question:
-    """A formula in these names compared with that; raises as `ask`."""
-    reference = reference.with_symbols(names.symbols.values())
-    printed = read_printed(formula, names, reference.shape, latex=latex)
+def asked(reference: Reference, printed: Printed, given: Mapping[str, str], world: World, sense: Sense) -> Question:
+    """A formula as it was read, compared with that; raises as `ask`."""
+    names = printed.names
     both = {**applying(world.given, reference, printed), **given} if world.given else given
     conditions = conditions_for(reference, both, names)
     reference, printed = (
@@ -223,7 +233,8 @@ def ask_identity(
     texts = [left, right, *(given or {}).values(), *(let or {}).values()]
     symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
     names = Names(symbols, definitions, world)
-    return asked(of_formula(left, names), right, names, given or {}, world, sense=sense)
+    reference = of_formula(left, names).with_symbols(names.symbols.values())
+    return asked(reference, read_printed(right, names, reference.shape), given or {}, world, sense)
 
 
 @dataclass(frozen=True)
@@ -292,7 +303,7 @@ class Question:
             reason=_reason(worst, findings, conditions, self.sense),
             counterexample=_example(worst, self.symbols) if wrong else None,
             conditions=conditions,
-            remarks=(self.printed.padding,) if self.printed.padding else (),
+            remarks=self.printed.remarks,
             reading=self.reading.words,
         )
         if self.rounding:
@@ -466,7 +477,7 @@ class Question:
 
     @cached_property
     def _print(self) -> Print:
-        return Print(self._asked, self.printed.entries, self.printed.names, self._is_compared)
+        return Print(self._asked, self.printed, self._is_compared)
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)

@@ -57,6 +57,15 @@ def shapes(names: Mapping[str, Shape]) -> Fold[Shape]:
     return Fold(step)
 
 
+def shape_of_node(tree: Tree, shapes: Sequence[Shape]) -> Shape:
+    """The shape of a formula whose parts have these shapes; a name is a scalar.
+
+    Raises:
+        FormulaError: as `shape`.
+    """
+    return _shape(tree, shapes)
+
+
 def product_shape(first: Shape, second: Shape) -> Shape | None:
     """The shape of a product; None where there is none."""
     if not first or not second:

@@ -1,7 +1,8 @@
-"""Reads printed formulas, typed or in LaTeX, as data: nothing in them is ever evaluated as Python.
+"""Reads printed formulas, typed, in LaTeX or as code, as data: nothing in them is ever evaluated as Python.
 
-`read_text` and `read_latex` give a tree that keeps what was printed; `to_text` and `to_latex` print it again,
-and `to_expression` makes algebra of it. What cannot be read, is ambiguous or too large raises `FormulaError`.
+`read_formula` is the door for all notations; `read_text`, `read_latex` and `read_code` give a tree that keeps what was
+printed. `to_text` and `to_latex` print it again, and `to_expression` makes algebra of it. What cannot be read, is
+ambiguous or too large raises `FormulaError`.
 """
 
 from radartrack.derive.formula.error import FormulaError
@@ -28,10 +29,14 @@ from radartrack.derive.formula.tree import (
     walk,
     with_children,
 )
+from radartrack.derive.reading.code.source_code import LANGUAGES, read_code
 from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.notation import NOTATIONS, Reading, read_formula
 from radartrack.derive.reading.text import read_text
 
 __all__ = [
+    "LANGUAGES",
+    "NOTATIONS",
     "Array",
     "Call",
     "Constant",
@@ -43,10 +48,13 @@ __all__ = [
     "Power",
     "Product",
     "Quotient",
+    "Reading",
     "Sum",
     "Tree",
     "children",
     "names",
+    "read_code",
+    "read_formula",
     "read_latex",
     "read_text",
     "rebuild",

@@ -26,6 +26,7 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
+    has_verbs,
     with_span,
 )
 
@@ -171,7 +172,11 @@ def place(parts: Sequence[Part]) -> Span:
 
 
 def finished(
-    tree: Tree, resolved: Callable[[Tree], Tree] = lambda node: node, shapes: Mapping[str, Shape] = NO_SHAPES
+    tree: Tree,
+    resolved: Callable[[Tree], Tree] = lambda node: node,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
 ) -> Tree:
     """A tree as a parser made it, let through when it is safe to work on, with one object for all equal parts.
 
@@ -179,37 +184,46 @@ def finished(
         tree: the formula.
         resolved: makes of each node what it means.
         shapes: of the names that stand for arrays.
+        strangers: whether names of which nothing is known may stand for arrays.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(shared(tree, resolved), magnitudes(), shapes)
+    return _check_meaning(shared(tree, resolved), magnitudes(), shapes, strangers=strangers)
 
 
-def check_tree(tree: Tree, measure: Fold[Measure] | None = None, shapes: Mapping[str, Shape] = NO_SHAPES) -> Tree:
+def check_tree(
+    tree: Tree,
+    measure: Fold[Measure] | None = None,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
+) -> Tree:
     """Let through a tree that is safe to work on.
 
     Args:
         tree: the formula.
         measure: the magnitudes of formulas that share parts with it.
         shapes: of the names that stand for arrays.
+        strangers: whether names of which nothing is known may stand for arrays.
 
     Raises:
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(tree, measure or magnitudes(), shapes)
+    return _check_meaning(tree, measure or magnitudes(), shapes, strangers=strangers)
 
 
-def _check_meaning(tree: Tree, measure: Fold[Measure], shapes: Mapping[str, Shape]) -> Tree:
+def _check_meaning(tree: Tree, measure: Fold[Measure], shapes: Mapping[str, Shape], *, strangers: bool) -> Tree:
     """Let through a tree of allowed size that has a meaning.
 
     Raises:
         FormulaError: when it has none, or its powers and numbers are too large.
     """
     measure(tree)
-    shape(tree, shapes)
+    if not (strangers and has_verbs(tree)):
+        shape(tree, shapes)
     return tree
 
 

@@ -9,43 +9,78 @@ from itertools import pairwise
 from lark import Lark, Token, UnexpectedToken
 
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.shape import NO_SHAPES, Shape
+from radartrack.derive.formula.functions import VERBS
+from radartrack.derive.formula.shape import NO_SHAPES, Shape, shape
 from radartrack.derive.formula.tree import (
     Array,
     Call,
     Constant,
+    Name,
     Number,
     Power,
+    Product,
     Quotient,
     Tree,
+    with_span,
 )
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import check_characters
-from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
+from radartrack.derive.reading.definitions import Definition, combined
+from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees, verb
+from radartrack.derive.reading.latex_equations import equations
 from radartrack.derive.reading.latex_hints import hint
-from radartrack.derive.reading.latex_tokens import WORDS, tokens
+from radartrack.derive.reading.latex_letters import Letter, Names
+from radartrack.derive.reading.latex_tokens import WORDS, LatexTokens
+
+_OF_ANGLES = frozenset({"acos", "asin", "atan", "cos", "cot", "csc", "sec", "sin", "tan"})
 
 
 def read_latex(
-    text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, any_name: bool = False
+    text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
 ) -> Tree:
-    r"""Read a formula in these symbols; what print leaves ambiguous is refused.
+    r"""Read a formula in these symbols, or the equations of a display; what print leaves ambiguous is refused.
 
-    A symbol is named by its letters: \sigma_{\beta} is sigma_beta, \dot{r} is rdot, \mathrm{abc} is abc.
-    Letters side by side are a product, and so is a letter before a bracket: show the reading, `to_text` of
-    the tree, to whoever asked. \pi, \mathrm{e} and e are the constants where no symbol has their name. A
-    matrix of one column is a vector. With `any_name` other names may occur as well, whatever they mean.
+    A symbol is named by its letters: \sigma_{\beta} is sigma_beta, \dot{r} is rdot, \mathrm{abc} is abc. Hats, bars
+    and primes are kept in the name where one letter occurs in two ways, and dropped elsewhere. Letters side by side
+    are a product, and so is a letter before a bracket: show the reading, `to_text` of the tree, to whoever asked. \pi,
+    \mathrm{e} and e are the constants where no symbol has their name. A matrix of one column or row is a vector.
+    Of an equation the right side is read; of several, the one that the others define, or all.
+
+    Args:
+        text: the formula, with or without delimiters and environments.
+        names: the symbols; None where none are known, and every name is let through.
+        shapes: of those that stand for arrays.
+        strangers: whether names that are not known are let through.
 
     Raises:
         FormulaError: when it is no such formula, is ambiguous, or too large.
         ValueError: when one of the names is a function's.
     """
-    allowed = check_names(names)
+    allowed = check_names(names or ())
+    strangers = strangers or names is None
     check_characters(text, allowed, latex=True)
     try:
-        return finished(_parse(tokens(text, allowed, any_name=any_name), len(text)), shapes=shapes)
+        found = equations(text)
+        rights = [LatexTokens(one.right, allowed, shapes, strangers=strangers) for one in found]
+        lefts = [_letter(one.left, allowed) if len(found) > 1 else None for one in found]
+        letters = [letter for tokens in rights for letter in tokens.letters]
+        spelling = Names([*letters, *filter(None, lefts)], allowed, strangers=strangers)
+        defined = [spelling.of(letter) if letter else "" for letter in lefts]
+        trees = [_parse(tokens.named(spelling, {*defined} - {""}), len(text)) for tokens in rights]
+        tree = combined([Definition(name, tree) for name, tree in zip(defined, trees, strict=True)])
+        return finished(tree, shapes=shapes, strangers=strangers)
     except FormulaError as error:
         raise error.within(text) from None
+
+
+def _letter(left: str, names: frozenset[str]) -> Letter | None:
+    """The letter that stands left of an equals sign, if nothing else does."""
+    if not left.strip():
+        return None
+    try:
+        return LatexTokens(left, names, strangers=True).only_letter
+    except FormulaError:
+        return None  # a left side may say anything
 
 
 class _LatexBuilder(TreeBuilder):
@@ -62,9 +97,25 @@ class _LatexBuilder(TreeBuilder):
     def call(self, parts: Sequence[Part]) -> Tree:
         r"""A function, with or without brackets; \cos^2\beta is the square of the cosine."""
         span = place(parts)
-        applied = call(WORDS[str(parts[0])], trees(parts), span)
+        function = WORDS[str(parts[0])]
+        applied = (verb if function in VERBS else call)(function, trees(parts), span)
+        self._check_power_of_argument(applied, parts)
         exponents = [part for part in parts if isinstance(part, Token) and part.type == "NUMBER"]
         return Power(applied, self.number(exponents), span=span) if exponents else applied
+
+    def _check_power_of_argument(self, applied: Tree, parts: Sequence[Part]) -> None:
+        r"""Refuse \sin\theta^2; of \cosh\sigma^2 the square is that of a deviation, which is a variance."""
+        has_brackets = any(isinstance(part, Token) and part.type in {"LPAR", "LBAR", "LBRACE"} for part in parts[1:2])
+        if has_brackets or not isinstance(applied, Call) or applied.function not in _OF_ANGLES:
+            return
+        argument = applied.arguments[-1]
+        last = argument.factors[-1] if isinstance(argument, Product) else argument
+        if isinstance(last, Power):
+            raise FormulaError(
+                f"this may be the power of \\{parts[0]} or of its argument: write \\{parts[0]}^{{n}} x for the first, "
+                f"\\{parts[0]}(x^{{n}}) for the second",
+                span=place(parts),
+            )
 
     def call_of_absolute(self, parts: Sequence[Part]) -> Tree:
         r"""A function of something between bars, \log|r|."""
@@ -93,6 +144,40 @@ class _LatexBuilder(TreeBuilder):
                 )
         return super().product(parts)
 
+    def power(self, parts: Sequence[Part]) -> Tree:
+        """A base and an exponent; a T behind an array is no exponent."""
+        base, exponent = trees(parts)
+        if exponent == Name("T") and _is_array(base):
+            return self.transposed([base, with_span(base, exponent.span)])
+        return super().power(parts)
+
+    def transposed(self, parts: Sequence[Part]) -> Tree:
+        """A matrix with rows for columns; one row becomes a vector."""
+        array = next(iter(trees(parts)))
+        if isinstance(array, Array) and len(array.entries) == 1 and isinstance(array.entries[0], Array):
+            return with_span(array.entries[0], place(parts))
+        return Call("transpose", (array,), span=place(parts))
+
+    def listed(self, parts: Sequence[Part]) -> Tree:
+        """Entries of a vector between square brackets."""
+        comma = next(part for part in parts if isinstance(part, Token) and part.type == "COMMA")
+        if parts[0] == "(":
+            raise FormulaError("a comma stands only between a function's arguments", span=place([comma]))
+        return Array(tuple(trees(parts)), span=place(parts))
+
+    column = listed
+
+    def summed(self, parts: Sequence[Part]) -> Tree:
+        """A sum over an index."""
+        index, lower, upper, term = trees(parts)
+        return verb("sum", (term, index, lower, upper), place(parts))
+
+    def integral(self, parts: Sequence[Part]) -> Tree:
+        """An integral between limits."""
+        lower, upper, integrand = trees(parts)
+        variable = parts[-1]
+        return verb("integral", (integrand, Name(str(variable), span=place([variable])), lower, upper), place(parts))
+
     def row(self, parts: Sequence[Part]) -> Tree:
         """A row of a matrix."""
         return self.array(parts)
@@ -103,6 +188,10 @@ class _LatexBuilder(TreeBuilder):
         if all(len(row.entries) == 1 for row in rows):
             return Array(tuple(row.entries[0] for row in rows), span=place(parts))
         return Array(tuple(rows), span=place(parts))
+
+
+def _is_array(tree: Tree) -> bool:
+    return bool(shape(tree))
 
 
 def _is_fraction_of_numbers(part: Part) -> bool:

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.functions import VERBS
 from radartrack.derive.formula.latex_names import ACCENTS, GREEK
+from radartrack.derive.reading.latex_letters import DECORATIONS, SAYS_NOTHING
 
 FUNCTIONS = MappingProxyType(
     {
@@ -36,6 +38,11 @@ FUNCTIONS = MappingProxyType(
         "th": "tanh",
     }
 )
+VERB_WORDS = MappingProxyType(
+    {name: name for name in ("det", "diag", "expm", "eye", "inv", "outer", "trace", "transpose") if name in VERBS}
+    | {"tr": "trace", "Tr": "trace"}
+)
+BOLD = frozenset({"\\mathbf", "\\boldsymbol", "\\bm", "\\pmb", "\\bf"})
 CLOSERS = MappingProxyType(
     {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "\\lvert": "\\rvert"}
     | {f"\\begin{{{name}}}": f"\\end{{{name}}}" for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "array")}
@@ -49,8 +56,11 @@ _BRACKETS = frozenset(CLOSERS) | frozenset(CLOSERS.values())
 _PIECE = re.compile(
     r"""
     (?P<space> \s+ | ~ | \\[,;:!>\ \n]
-        | \\(?:quad|qquad|displaystyle|textstyle|limits|nolimits)(?![A-Za-z])
-        | \\(?:left|right|[bB]igg?[lr]?)(?![A-Za-z])
+        | \\(?:quad|qquad|enspace|thinspace|negthinspace|medspace|thickspace|displaystyle|textstyle|scriptstyle
+            |limits|nolimits|hfill|strut|relax|mathop|mathrel|mathord|mathstrut)(?![A-Za-z])
+        | \\(?:hspace|vspace|phantom|hphantom|vphantom|mspace)\*?\s*\{[^{}]*\}
+        | \\(?:text|mbox|textrm)\s*\{\s*\}
+        | \\(?:left|right|[bB]igg?[lrm]?)(?![A-Za-z])
           (?=\s*(?:[()\[\]]|\\[{}]|\\[lr](?:vert|brace|brack|paren)(?![A-Za-z]))) )
     | (?P<left_bar> \\(?:left|[bB]igg?l)\s*(?:\||\\vert(?![A-Za-z])) )
     | (?P<right_bar> \\(?:right|[bB]igg?r)\s*(?:\||\\vert(?![A-Za-z])) )
@@ -68,10 +78,15 @@ _PIECE = re.compile(
 )
 _COMMANDS = MappingProxyType(
     dict.fromkeys(GREEK, "greek")
-    | dict.fromkeys(ACCENTS, "accent")
-    | {f"\\{name}": "function" for name in FUNCTIONS}
+    | dict.fromkeys((*ACCENTS, *DECORATIONS, *SAYS_NOTHING), "accent")
+    | {f"\\{name}": "function" for name in (*FUNCTIONS, *VERB_WORDS)}
+    | dict.fromkeys((*BOLD, "\\mathcal", "\\mathbb", "\\mathscr", "\\mathnormal", "\\cal", "\\it", "\\sf"), "font")
+    | dict.fromkeys(("\\mathit", "\\mathsf", "\\mathrm", "\\textbf", "\\operatorname"), "font")
+    | dict.fromkeys(("\\top", "\\intercal", "\\dagger", "\\ast", "\\star"), "beside")
     | dict.fromkeys(("\\frac", "\\dfrac", "\\tfrac", "\\cfrac"), "fraction")
-    | {"\\sqrt": "root", "\\cdot": "times", "\\times": "times", "\\rm": "roman"}
+    | {"\\sqrt": "root", "\\cdot": "times", "\\times": "times", "\\rm": "roman", "\\prime": "prime"}
+    | {"\\sum": "bigsum", "\\int": "integral", "\\over": "over"}
+    | dict.fromkeys(("\\mid", "\\vert"), "bar")
 )
 _SIGNS = MappingProxyType(
     {
@@ -83,31 +98,26 @@ _SIGNS = MappingProxyType(
         "_": "lowered",
         ",": "comma",
         "&": "column",
+        "'": "prime",
+        "=": "equals",
     }
 )
 _UNREAD = MappingProxyType(
     dict.fromkeys(("\\pm", "\\mp"), "a formula has one sign: write + or -")
     | dict.fromkeys(
-        ("\\sum", "\\prod", "\\int", "\\lim", "\\partial", "\\ldots", "\\cdots"),
+        ("\\prod", "\\lim", "\\partial", "\\ldots", "\\cdots", "\\iint", "\\oint"),
         "write it out in closed form",
-    )
-    | dict.fromkeys(("\\hat", "\\bar", "\\tilde", "\\vec", "\\widehat", "\\overline"), "leave the accent out")
-    | dict.fromkeys(
-        ("\\mathbf", "\\boldsymbol", "\\bm", "\\mathcal", "\\bf"),
-        "write the letter plain, or in \\mathrm{...}",
     )
     | dict.fromkeys(("\\circ", "\\degree"), "angles are in radians")
     | dict.fromkeys(("\\left", "\\right", "\\middle"), "a bracket follows it: ( ) [ ] \\{ \\} or |")
-    | dict.fromkeys(("\\mathrm", "\\text", "\\operatorname"), "it holds one word of letters and digits")
-    | dict.fromkeys(("\\tag", "\\label", "\\nonumber", "$", "\\(", "\\)", "\\[", "\\]"), "leave it out")
+    | dict.fromkeys(("\\text", "\\textrm", "\\mbox"), "it holds one word of letters and digits")
+    | dict.fromkeys(("\\tag", "\\label"), "leave it out")
     | dict.fromkeys(("\\|", "\\Vert", "\\lVert", "\\rVert"), "norms are not read: write the root of a sum of squares")
     | {
         "\\lg": "write \\frac{\\ln x}{\\ln 10}",
-        "\\over": "write \\frac{...}{...}",
         "\\div": "write \\frac{...}{...}",
-        "=": "give the right-hand side alone",
-        "%": "comments have no place in a formula",
-        "'": "primes are not read: write \\dot{r} or a name of its own",
+        "\\begin{cases}": "give the branch that is meant",
+        "\\begin{dcases}": "give the branch that is meant",
         "!": "factorials are not read",
     }
 )
@@ -115,11 +125,12 @@ _UNREAD = MappingProxyType(
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A piece of LaTeX: what it is, what it says, where it stands."""
+    """A piece of LaTeX: what it is, what it says, where it stands, whether it is set bold."""
 
     kind: str
     text: str
     span: Span
+    is_bold: bool = False
 
 
 def pieces(source: str) -> list[Piece]:
@@ -155,15 +166,22 @@ def _piece(found: re.Match[str]) -> Piece:
 
 
 def _sided(found: Iterable[Piece]) -> Iterator[Piece]:
-    """Tell plain bars apart: one closes when the innermost open bracket is a plain bar, else it opens."""
+    """Tell plain bars apart: one closes when the innermost open bracket is a plain bar, else it opens.
+
+    In a subscript, as in k|k-1, a bar is neither.
+    """
     waiting: list[str] = []
+    before = ""
     for piece in found:
         kind, text = piece.kind, piece.text
+        if kind == "bar" and ("subscript" in waiting or before == "lowered"):
+            kind, text = "given", "|"
         if kind == "bar":
             closes = bool(waiting) and waiting[-1] == "bar"
             kind, text = ("close", "\\rvert") if closes else ("open", "\\lvert")
         if kind == "open":
-            waiting.append(piece.kind)
+            waiting.append("subscript" if before == "lowered" else piece.kind)
         elif kind == "close" and waiting:
             waiting.pop()
+        before = kind
         yield Piece(kind, text, piece.span)

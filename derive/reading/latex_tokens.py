@@ -8,16 +8,20 @@ the printed page is the grammar's business.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
+from functools import cached_property
 
 from lark import Token
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS, SQUARED_BY_NAME
-from radartrack.derive.formula.latex_names import ACCENTS, GREEK, resolve
-from radartrack.derive.formula.limits import MAX_PRINTED, check_brackets, check_count
+from radartrack.derive.formula.latex_names import ACCENTS, GREEK
+from radartrack.derive.formula.limits import MAX_PRINTED, check_count
+from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.unknown_names import unknown_function, unknown_name
-from radartrack.derive.reading.latex_pieces import CLOSERS, FUNCTIONS, Piece, pieces
+from radartrack.derive.reading.latex_letters import DECORATIONS, SAYS_NOTHING, Letter, Names, spelled
+from radartrack.derive.reading.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
+from radartrack.derive.reading.latex_rewriting import partners, rewritten
 
 _BRACKET_TOKENS = {
     **dict.fromkeys(("(", "[", "\\{"), "LPAR"),
@@ -35,37 +39,102 @@ _SIGN_TOKENS = {
     "comma": "COMMA",
     "column": "AMPERSAND",
     "newline": "NEWLINE",
+    "differential": "DIFFERENTIAL",
+    "integral": "INTEGRAL",
+    "transposed": "TRANSPOSED",
 }
 _CONSTANT_TOKENS = {"e": "EULER", "pi": "CONSTANT"}
-WORDS = {**SPELLINGS, **FUNCTIONS}
+WORDS = {**SPELLINGS, **FUNCTIONS, **VERB_WORDS}
+INVERSES = {"cos": "acos", "sin": "asin", "tan": "atan"}  # \\tan^{-1} is the inverse in every paper
 _OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAME", "NUMBER", "ROOT"})
-_INVISIBLE = frozenset({"{", "}", "\\rm"})
+_INVISIBLE = frozenset({"{", "}"})
+_IN_SUBSCRIPTS = frozenset({"letter", "digit", "greek", "accent", "word"})
+_OF_INDICES = frozenset({"given", "plus", "minus", "slash"})  # k|k-1, k/k
+MOST_ACCENTS = 4  # over one letter
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
 _SINGLE = frozenset({"digit", "letter", "greek", "word"})  # what may be an argument without braces
 
 
-def tokens(source: str, names: frozenset[str], *, any_name: bool = False) -> list[Token]:
-    """The tokens of a formula in LaTeX.
+class LatexTokens:
+    """The tokens of a formula in LaTeX; its letters have names when all formulas beside it are known too.
+
+    Args:
+        source: the formula.
+        known: the symbols that are known.
+        shapes: of those that stand for arrays.
+        strangers: whether other names are let through.
 
     Raises:
-        FormulaError: for what is not read, for unknown symbols, and for brackets without partners.
+        FormulaError: for what is not read, and for brackets without partners.
     """
-    return _Tokenizer(pieces(source), names, any_name=any_name).run()
+
+    def __init__(
+        self, source: str, known: frozenset[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+    ) -> None:
+        self._tokenizer = _Tokenizer(rewritten(pieces(source)), known, shapes, strangers=strangers)
+        self._tokens = self._tokenizer.run()
+        self._strangers = strangers
+        self._known = known
+
+    @property
+    def letters(self) -> Collection[Letter]:
+        """All letters that may be symbols."""
+        return self._tokenizer.letters.values()
+
+    @property
+    def only_letter(self) -> Letter | None:
+        """The letter that the formula is, if it is nothing else."""
+        return self._tokenizer.letters.get(0) if len(self._tokens) == 1 else None
+
+    def named(self, names: Names, defined: Collection[str] = ()) -> list[Token]:
+        """The tokens, with names for the letters.
+
+        Raises:
+            FormulaError: for the first name that is not known, unless strangers are let through.
+        """
+        found = list(self._tokens)
+        for index, letter in self._tokenizer.letters.items():
+            found[index] = self._named(found[index], letter, names.of(letter), defined)
+        return found
+
+    def _named(self, token: Token, letter: Letter, name: str, defined: Collection[str]) -> Token:
+        known = self._known | set(defined) | self._tokenizer.bound
+        if name in known and name == "e" and letter.is_upright:
+            raise FormulaError("e is a symbol here: write \\exp(...) for powers of Euler's number", span=letter.span)
+        if name in known:
+            return token.update(type="NAME", value=name)
+        if name in _CONSTANT_TOKENS:
+            return token.update(type=_CONSTANT_TOKENS[name], value=name)
+        if letter.is_upright and letter.is_applied:
+            raise FormulaError(unknown_function(name), span=letter.span)
+        if not self._strangers:
+            raise FormulaError(unknown_name(name, self._known), span=letter.span)
+        return token.update(type="NAME", value=name)
 
 
 class _Tokenizer:
     """One pass over the pieces; what an earlier piece says of later ones is kept by their index."""
 
-    def __init__(self, found: list[Piece], names: frozenset[str], *, any_name: bool) -> None:
+    def __init__(
+        self, found: list[Piece], names: frozenset[str], shapes: Mapping[str, Shape], *, strangers: bool
+    ) -> None:
         self.pieces = found
         self.names = names
-        self.any_name = any_name
-        self.partner = _partners(found)
+        self.shapes = shapes
+        self.strangers = strangers
+        self.partner = partners(found)
         self.alone: set[int] = set()  # arguments without braces
         self.taken: dict[int, int] = {}  # subscripts that stand behind an exponent, with where they end
         self.roots: set[int] = set()  # the brackets around the index of a root
         self.tokens: list[Token] = []
+        self.letters: dict[int, Letter] = {}  # by the tokens that they are
+        self.bound: set[str] = set()  # indices of sums and variables of integration
         self.operands = 0
+        for index, piece in enumerate(found):
+            if piece.kind == "differential":
+                self.bound.add(piece.text)
+            elif piece.kind == "bigsum" and index + 1 < len(found):
+                self.bound.add(GREEK.get(found[index + 1].text, found[index + 1].text))
 
     def run(self) -> list[Token]:
         index = 0
@@ -83,7 +152,7 @@ class _Tokenizer:
         return after
 
     def _handler(self, piece: Piece) -> Callable[[int], int]:
-        if piece.kind == "function" or (piece.kind == "word" and piece.text in WORDS.keys() - self.names):
+        if piece.kind == "function" or (piece.kind == "word" and self._is_function(piece.text)):
             return self._function
         handlers = {
             "digit": self._number,
@@ -96,8 +165,12 @@ class _Tokenizer:
             "raised": self._raised,
             "fraction": self._fraction,
             "root": self._root,
+            "bigsum": self._sum,
         }
         return handlers.get(piece.kind, self._sign)
+
+    def _is_function(self, word: str) -> bool:
+        return word in WORDS and word not in self.names
 
     def _number(self, index: int) -> int:
         """Digits that touch, or the single digit that an argument without braces is."""
@@ -139,79 +212,126 @@ class _Tokenizer:
         return self._kind(index) == "digit" and self._touches(index)
 
     def _symbol(self, index: int) -> int:
-        """A letter with its subscript."""
-        base, after = self._base(index)
-        below, after = ("", after) if index in self.alone else self._subscript_behind(after)
-        name = resolve(base, below, self.names)
-        span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
-        upright = self.pieces[index].kind == "word"
-        if name in self.names and name == "e" and upright:
-            raise FormulaError("e is a symbol here: write \\exp(...) for powers of Euler's number", span=span)
-        if name in self.names:
-            self._emit("NAME", name, span)
-        elif name in _CONSTANT_TOKENS:
-            self._emit(_CONSTANT_TOKENS[name], name, span)
-        elif upright and self._kind(after) == "open":
-            raise FormulaError(unknown_function(name), span=span)
-        elif self.any_name:
-            self._emit("NAME", name, span)
-        else:
-            raise FormulaError(unknown_name(name, self.names), span=span)
+        """A letter with all that is over, below and beside it."""
+        letter, after = self._letter_at(index)
+        self.letters[len(self.tokens)] = letter
+        self._emit("NAME", letter.base, letter.span)
         return after
 
-    def _subscript_behind(self, index: int) -> tuple[str, int]:
+    def _letter_at(self, index: int) -> tuple[Letter, int]:
+        base, decorations, below, after = self._base(index)
+        if index not in self.alone:
+            after = self._joined(index, after)
+            base = base if after == index + 1 or base != "Delta" else f"Delta_{self._base(after - 1)[0]}"
+            after = self._primes(after, decorations)
+            if not below:
+                below, after = self._subscript_behind(after, decorations)
+                after = self._primes(after, decorations)
+            if _is_of_time(below):
+                decorations, below = [*decorations, _as_name(below)], ""
+        piece = self.pieces[index]
+        letter = Letter(
+            base,
+            _as_name(below),
+            tuple(decorations),
+            (piece.span[0], max(self.pieces[after - 1].span[1], piece.span[1])),
+            is_upright=piece.kind == "word",
+            is_applied=self._kind(after) == "open",
+            is_bold=piece.is_bold,
+        )
+        if letter.is_bold and "prime" in decorations:
+            raise FormulaError(
+                "a prime at a matrix may mean its transpose or another matrix: write ^{\\top}, or another letter",
+                span=letter.span,
+            )
+        return letter, after
+
+    def _joined(self, index: int, after: int) -> int:
+        r"""Where \Delta t ends, which is one symbol unless there is one called Delta."""
+        is_delta = self.pieces[index].text == "\\Delta" and "Delta" not in self.names
+        return after + 1 if is_delta and self._kind(after) in {"letter", "greek"} else after
+
+    def _primes(self, index: int, decorations: list[str]) -> int:
+        while self._kind(index) == "prime":
+            decorations.append(self.pieces[index].text.replace("'", "prime").replace("\\prime", "prime"))
+            index += 1
+        return index
+
+    def _subscript_behind(self, index: int, decorations: list[str]) -> tuple[str, int]:
         """The subscript of a letter that ends here, be it behind an exponent, and where the letter ends."""
         if self._kind(index) == "lowered":
-            return self._subscript(index)
+            return self._subscript(index, decorations)
         if self._kind(index) == "raised" and self._kind(end := self._argument_end(index)) == "lowered":
-            below, self.taken[end] = self._subscript(end)
+            below, self.taken[end] = self._subscript(end, decorations)
             return below, index
         return "", index
 
-    def _base(self, index: int) -> tuple[str, int]:
-        """The name of a letter, dotted or not, and where it ends."""
+    def _base(self, index: int, above: int = 0) -> tuple[str, list[str], str, int]:
+        """The name of a letter, dotted or not, what is over it, a subscript that is there too, and where it ends."""
         piece = self.pieces[index]
         if piece.kind != "accent":
-            return GREEK.get(piece.text, piece.text), index + 1
+            return GREEK.get(piece.text, piece.text), [], "", index + 1
         inner = index + 1
         braced = self._kind(inner) == "open" and self.pieces[inner].text == "{"
         inner += braced
-        after = inner + 1 + braced
-        if self._kind(inner) not in {"letter", "greek"} or (braced and self.partner[index + 1] != inner + 1):
+        if self._kind(inner) not in {"letter", "greek", "accent", "word"} or above > MOST_ACCENTS:
             raise FormulaError(f"{piece.text} stands over one letter: {piece.text}{{r}}", span=piece.span)
-        return self._base(inner)[0] + ACCENTS[piece.text], after
+        base, decorations, below, after = self._base(inner, above + 1)
+        if braced:
+            after = self._primes(after, decorations)
+            if self._kind(after) == "lowered":
+                below, after = self._subscript(after, decorations)
+            if self.partner[index + 1] != after:
+                raise FormulaError(f"{piece.text} stands over one letter: {piece.text}{{r}}", span=piece.span)
+            after += 1
+        if piece.text in ACCENTS:
+            return base + ACCENTS[piece.text], decorations, below, after
+        over = [] if piece.text in SAYS_NOTHING else [DECORATIONS[piece.text]]
+        return base, [*decorations, *over], below, after
 
-    def _subscript(self, index: int) -> tuple[str, int]:
-        """What a subscript says, and where it ends: letters side by side are a word, commas part words."""
+    def _subscript(self, index: int, decorations: list[str]) -> tuple[str, int]:
+        """What a subscript says, and where it ends: letters side by side are a word, commas part words.
+
+        What stands over its letters decorates the letter that it is below.
+        """
         end = self._argument_end(index)
         said = ""
         index += 1
         while index < end:
             piece = self.pieces[index]
-            if piece.kind in {"letter", "digit", "greek", "accent", "word"}:
-                part, index = self._base(index)
-                said += part
+            if piece.kind in _IN_SUBSCRIPTS:
+                part, over, below, index = self._base(index)
+                said += part + below
+                decorations += over
                 continue
-            if piece.kind != "comma" and piece.text not in _INVISIBLE:
+            is_bracket = piece.text in {"(", ")"}
+            if piece.kind not in _OF_INDICES | {"comma"} and piece.text not in _INVISIBLE and not is_bracket:
                 raise FormulaError("a subscript is made of letters, digits and commas", span=piece.span)
-            said += "_" if piece.kind == "comma" else ""
+            said += piece.text if piece.kind in _OF_INDICES else "_" if piece.kind == "comma" else ""
             index += 1
         return said, end
 
     def _function(self, index: int) -> int:
         piece = self.pieces[index]
         function = piece.text.removeprefix("\\")
-        self._emit("FUNCTION", function, piece.span)
         if self._kind(index + 1) == "lowered":
             raise FormulaError(f"{function} has no subscript; a logarithm is the natural one", span=piece.span)
         if self._kind(index + 1) == "raised":
+            end = self._argument_end(index + 1)
+            if function in INVERSES and self._exponent(index + 1) == "-1":
+                self._emit("FUNCTION", INVERSES[function], (piece.span[0], self.pieces[end - 1].span[1]))
+                return end
             self._check_raised_function(function, index + 1)
+        self._emit("FUNCTION", function, piece.span)
         return index + 1
 
+    def _exponent(self, index: int) -> str:
+        inside = self.pieces[index + 1 : self._argument_end(index)]
+        return "".join(piece.text for piece in inside if piece.text not in _INVISIBLE)
+
     def _check_raised_function(self, function: str, index: int) -> None:
-        end = self._argument_end(index)
-        exponent = "".join(piece.text for piece in self.pieces[index + 1 : end] if piece.text not in _INVISIBLE)
-        span = (self.pieces[index].span[0], self.pieces[end - 1].span[1])
+        exponent = self._exponent(index)
+        span = (self.pieces[index].span[0], self.pieces[self._argument_end(index) - 1].span[1])
         if exponent.startswith("-"):
             raise FormulaError(
                 f"^{exponent} may mean the inverse or the reciprocal: write \\arc... or \\frac{{1}}{{...}}",
@@ -225,10 +345,26 @@ class _Tokenizer:
         kind = _BRACKET_TOKENS.get(piece.text) or ("BEGIN" if piece.kind == "open" else "END")
         if index in self.roots:
             kind = "LINDEX" if piece.kind == "open" else "RINDEX"
-        self._emit(kind, piece.text, piece.span)
+        text = piece.text
+        if text == "(" and self._is_transpose(self.partner[index] + 1):
+            text = "["  # (x, y)^T is a column
+        self._emit(kind, text, piece.span)
         return index + 1
 
+    def _is_transpose(self, index: int) -> bool:
+        """Whether a transpose stands here, be it a T that could be a symbol."""
+        return self._kind(index) == "transposed" or (self._kind(index) == "raised" and self._exponent_is_t(index))
+
+    def _exponent_is_t(self, index: int) -> bool:
+        inside = [piece for piece in self.pieces[index + 1 : index + 4] if piece.text not in _INVISIBLE]
+        is_braced = self._kind(index + 1) == "open"
+        return bool(inside) and inside[0].text == "T" and (not is_braced or self._argument_end(index) == index + 4)
+
     def _raised(self, index: int) -> int:
+        if self._exponent_is_t(index) and self._is_of_matrix(index):
+            end = self._argument_end(index)
+            self._emit("TRANSPOSED", "T", (self.pieces[index].span[0], self.pieces[end - 1].span[1]))
+            return end
         end = self._argument(index)
         digit = end - 1
         if digit in self.alone and self._kind(digit) == self._kind(end) == "digit" and self._touches(end):
@@ -238,10 +374,46 @@ class _Tokenizer:
         self._emit("RAISED", "^", self.pieces[index].span)
         return index + 1
 
+    def _is_of_matrix(self, index: int) -> bool:
+        """Whether a T that is raised is no symbol, judged by what it is raised behind."""
+        before = self.pieces[index - 1] if index else self.pieces[index]
+        letter = self.letters.get(len(self.tokens) - 1)
+        is_array = letter is not None and (letter.is_bold or letter.base in self.shapes)
+        if is_array or before.text == "]" or before.text.startswith("\\end"):
+            return True
+        if "T" in self.names:
+            return False
+        if self._has_symbol_t and (letter is None or letter.base != "e"):
+            raise FormulaError(
+                "^T may mean a transpose or a power by T: write ^{\\top} for the transpose",
+                span=self.pieces[index].span,
+            )
+        return letter is None or letter.base != "e"
+
+    @cached_property
+    def _has_symbol_t(self) -> bool:
+        """Whether a T stands elsewhere than raised alone."""
+        all_ts = sum(piece.text == "T" and piece.kind in {"letter", "word"} for piece in self.pieces)
+        raised = sum(piece.kind == "raised" and self._exponent_is_t(at) for at, piece in enumerate(self.pieces))
+        return all_ts > raised
+
+    def _sum(self, index: int) -> int:
+        """A sum, then its index, which is no factor of it."""
+        self._emit("BIGSUM", self.pieces[index].text, self.pieces[index].span)
+        return index + 1
+
     def _fraction(self, index: int) -> int:
+        self._check_derivative(index)
         self._emit("FRACTION", self.pieces[index].text, self.pieces[index].span)
         self._argument(self._argument(index) - 1)
         return index + 1
+
+    def _check_derivative(self, index: int) -> None:
+        end = self.partner.get(index + 1, index + 1)
+        above, below = self.pieces[index + 1 : index + 3], self.pieces[end + 1 : end + 4]
+        parts = [[piece for piece in part if piece.text != "{"] for part in (above, below)]
+        if all(part and part[0].text == "d" for part in parts) and len(parts[1]) > 1 and "d" not in self.names:
+            raise FormulaError("this may be a derivative: write it out, or \\dot{x}", span=self.pieces[index].span)
 
     def _root(self, index: int) -> int:
         self._emit("ROOT", self.pieces[index].text, self.pieces[index].span)
@@ -256,8 +428,10 @@ class _Tokenizer:
         piece = self.pieces[index]
         if piece.kind == "lowered":
             raise FormulaError("a subscript stands only behind a letter", span=piece.span)
+        if piece.kind == "equals":
+            raise FormulaError("= is not read: give the right-hand side alone", span=piece.span)
         if piece.kind not in _SIGN_TOKENS:
-            raise FormulaError(f"{piece.text} stands only in a subscript", span=piece.span)
+            raise FormulaError(f"{piece.text} stands only behind a letter, or in a subscript", span=piece.span)
         self._emit(_SIGN_TOKENS[piece.kind], piece.text, piece.span)
         return index + 1
 
@@ -290,8 +464,10 @@ class _Tokenizer:
         self.tokens.append(Token(kind, value, start_pos=span[0], end_pos=span[1]))
 
 
-def _partners(found: list[Piece]) -> dict[int, int]:
-    """Where the bracket that a piece opens is closed."""
-    places = [index for index, piece in enumerate(found) if piece.kind in {"open", "close"}]
-    pairs = check_brackets([(found[index].text, found[index].span) for index in places], CLOSERS)
-    return {places[opener]: places[closer] for opener, closer in pairs.items()}
+def _is_of_time(below: str) -> bool:
+    """Whether a subscript is an index of time with a sign in it, k|k-1, and not a word."""
+    return any(sign in below for sign in "|+-/")
+
+
+def _as_name(below: str) -> str:
+    return "".join(map(spelled, below))

@@ -14,7 +14,6 @@ from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_brackets, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Tree, bound_names
-from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
@@ -25,30 +24,29 @@ _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\
 
 
 def read_text(
-    text: str, names: Collection[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, any_name: bool = False
+    text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
 ) -> Tree:
     """Read a formula in these symbols, and `pi`, `e` and `E` where they are not among them.
 
     Args:
         text: the formula.
-        names: the symbols.
+        names: the symbols; None where none are known, and every name is let through.
         shapes: of those that stand for arrays.
-        any_name: whether names that are no symbols may occur as well, whatever they mean.
+        strangers: whether names that are not known are let through.
 
     Raises:
         FormulaError: when it is no such formula, or too large.
         ValueError: when one of the names is a function's.
     """
-    allowed = check_names(names)
+    allowed = check_names(names or ())
+    strangers = strangers or names is None
     check_characters(text, allowed)
     try:
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
-        tree = _parse(text, allowed)
+        tree = _parse(text, None if strangers else allowed)
         known = allowed | bound_names(tree)
-        if any_name:
-            known |= names_of(tree) - constants(allowed).keys()
-        return finished(tree, lambda node: _resolved(node, known), shapes)
+        return finished(tree, lambda node: _resolved(node, known, strangers=strangers), shapes, strangers=strangers)
     except FormulaError as error:
         raise error.within(text) from None
 
@@ -75,12 +73,13 @@ def _function_or_name(token: Token) -> Token:
     return token.update(type="FUNCTION") if token in SPELLINGS else token
 
 
-def _parse(text: str, names: Collection[str]) -> Tree:
+def _parse(text: str, names: Collection[str] | None) -> Tree:
     try:
         tree: Tree = _parser().parse(text)  # type: ignore[assignment]  # the transformer makes trees of ours
     except UnexpectedInput as error:
         start, end = _fault(error, text)
-        _check_words(text[:end], text[end:], names)
+        if names is not None:
+            _check_words(text[:end], text[end:], names)
         raise FormulaError(hint(text[:start], text[start:end], text[end:]), span=(start, end)) from None
     return tree
 
@@ -105,7 +104,7 @@ def _fault(error: UnexpectedInput, text: str) -> Span:
     return place([error.token])
 
 
-def _resolved(node: Tree, names: Collection[str]) -> Tree:
+def _resolved(node: Tree, names: Collection[str], *, strangers: bool) -> Tree:
     """A name as the symbol or the constant that it means."""
     if not isinstance(node, Name) or node.name in names:
         return node
@@ -114,4 +113,6 @@ def _resolved(node: Tree, names: Collection[str]) -> Tree:
     if "." in node.name and not any("." in name for name in names):  # names of quantities are not read here
         at = (node.span or (0, 0))[0] + node.name.index(".")
         raise FormulaError(hint(node.name, ".", ""), span=(at, at + 1))
+    if strangers:
+        return node
     raise FormulaError(unknown_name(node.name, names), span=node.span)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 from rich.text import Text
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.code_argument import code_argument
 from radartrack.commands.model_file import ModelFile, declared
 from radartrack.commands.seconds import seconds
 
@@ -19,6 +20,10 @@ def check(
     name: Annotated[str, typer.Argument(help="A quantity, one entry of it, or an expression over quantities.")],
     formula: Annotated[str, typer.Argument(help="The printed formula; arrays as nested lists.")],
     latex: Annotated[bool, typer.Option("--latex", help="The formula is LaTeX.")] = False,
+    code: Annotated[
+        Literal["python", "c", "cpp", "matlab"] | None,
+        typer.Option(help="The formula is code, or FILE:function, or FILE:first-last."),
+    ] = None,
     given: Annotated[list[str] | None, typer.Option(help="A condition: rho=0. May be repeated.")] = None,
     let: Annotated[
         list[str] | None, typer.Option(help="The paper's own name: D_beta=sigma_beta**2. May be repeated.")
@@ -36,10 +41,16 @@ def check(
     from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
     from radartrack.derive.checking.papers.deadline import Decider
 
+    if latex and code:
+        raise typer.BadParameter("a formula is LaTeX or code, not both", param_hint="--code")
+    source, function = code_argument(formula) if code else ("", "")
     claim = Claim(
         id="formula",
         quantity=name,
-        formula="" if latex else formula,
+        formula="" if latex or code else formula,
+        code=source,
+        language=code or "",
+        function=function,
         latex=formula if latex else "",
         given=pairs(given or [], "--given"),
         let=pairs(let or [], "--let"),
@@ -54,7 +65,7 @@ def check(
     if as_json:
         terminal.say(output_files.json_text(record).rstrip())
     else:
-        _tell(terminal.shown(record), latex=latex)
+        _tell(terminal.shown(record), echo=bool(latex or code or not formula.isascii()))
     raise typer.Exit(EXIT[record["verdict"]])
 
 
@@ -71,15 +82,26 @@ def pairs(given: list[str], option: str) -> dict[str, str]:
     return pairs
 
 
-def _tell(record: dict[str, object], *, latex: bool) -> None:
+def _tell(record: dict[str, object], *, echo: bool) -> None:
     from radartrack._reports import audit_text
 
     verdict = str(record["verdict"])
-    if latex:
-        terminal.say(f"read as: {record['printed']}")
+    if echo:
+        terminal.say(f"read as: {_typeset(str(record['printed']))}")
     words, rest = audit_text.headline(record)
     terminal.console().print(Text.assemble((words, f"bold {COLOURS.get(verdict, '')}"), rest), soft_wrap=True)
     if verdict != "equal" and record["derived"]:
         terminal.say(f"derived: {record['derived']}")
     for heading, text in audit_text.explanation(record):
         terminal.say(f"{heading}: {text}")
+
+
+def _typeset(formula: str) -> str:
+    """A formula for the eye, where it is one."""
+    from radartrack.derive.formula.typeset import to_typeset
+    from radartrack.derive.reading import FormulaError, read_text
+
+    try:
+        return to_typeset(read_text(formula, None))
+    except FormulaError:
+        return formula

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
+from radartrack.derive.reading.code.source_code import LANGUAGES
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
@@ -59,6 +60,9 @@ class Claim:
         limit: where symbols go, for a formula that is right in the limit.
         within: from where to where symbols lie.
         error_at_most: how much the formula differs at most there, as a number with a unit.
+        code: the formula as code instead.
+        language: of the code: python, c, cpp or matlab.
+        function: of the code, the one that is meant.
         value: a printed number instead, with its digits; or the number at a maximum.
         unit: of the number; without one it is in SI units.
         significant: how many of its digits count, where the last ones are zeros that round.
@@ -90,6 +94,9 @@ class Claim:
     limit: Mapping[str, str] = field(default_factory=dict)
     within: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     error_at_most: str = ""
+    code: str = ""
+    language: str = ""
+    function: str = ""
     value: str = ""
     unit: str = ""
     significant: int | None = None
@@ -112,7 +119,7 @@ class Claim:
     @property
     def is_formula(self) -> bool:
         """Whether formulas are compared, not numbers."""
-        return bool(self.formula or self.latex or self.is_identity)
+        return bool(self.formula or self.latex or self.code or self.is_identity)
 
     @property
     def is_identity(self) -> bool:
@@ -125,7 +132,7 @@ class Claim:
         bounds = (("at_most", "at most"), ("at_least", "at least"), ("crosses", "crosses"))
         said = [f"{words} {self._in_unit(getattr(self, name))}" for name, words in bounds if getattr(self, name)]
         parts = [
-            self.formula or self.latex or self.right or " = ".join(self.chain),
+            self.formula or self.latex or self.code or self.right or " = ".join(self.chain),
             self._in_unit(self.value) if self.value else "",
             f"at {self.maximum_over[0]} = {self.attained_at}" if self.attained_at and self.maximum_over else "",
             self.trend,
@@ -314,6 +321,8 @@ def _misplaced(claim: Claim) -> Iterator[str]:
         yield "along of a crossing has two values: before it and after it"
     if claim.along and (claim.value or claim.attained_at):
         yield "along belongs to trend, crosses, at_most and at_least; a value has at"
+    if bool(claim.code) != bool(claim.language) or (claim.function and not claim.code):
+        yield f"code and language stand together; the languages are {', '.join(LANGUAGES)}"
     if claim.significant is not None and not claim.value:
         yield "significant needs value"
     if claim.is_formula and (claim.at or claim.along or claim.maximum_over):
@@ -342,7 +351,8 @@ def _contradictory(claim: Claim) -> Iterator[str]:
 
 
 _KINDS = (
-    "formula", "latex", "left", "chain", "value", "attained_at", "trend", "crosses", "at_most", "at_least", "undecided",
+    "formula", "latex", "code", "left", "chain", "value", "attained_at", "trend", "crosses", "at_most", "at_least",
+    "undecided",
 )  # fmt: skip
 
 
@@ -356,6 +366,11 @@ def _text(value: object, where: str) -> str:
     if not isinstance(value, str) or not value.strip():
         raise ClaimsError(f"{where} must be text, given {_shown(value)}")
     return value.strip()
+
+
+def _code(value: object, where: str) -> str:
+    _text(value, where)
+    return str(value)  # with the spaces before its lines
 
 
 def _id(value: object, where: str) -> str:
@@ -477,6 +492,9 @@ _FIELDS: Mapping[str, Callable[[object, str], Any]] = {
     "limit": _formulas,
     "within": _within,
     "error_at_most": _bound,
+    "code": _code,
+    "language": _one_of(LANGUAGES),
+    "function": _text,
     "value": _number,
     "unit": _unit,
     "significant": _positive,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from radartrack.derive.checking.check import ask, ask_identity, too_much
+from radartrack.derive.checking.check import Question, ask, ask_identity, too_much
 from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.papers.error_claims import bounded
 from radartrack.derive.checking.papers.implicit_claims import asked_of_equations, solution_verdicts
@@ -30,15 +30,7 @@ def formula_verdicts(claim: Claim, world: World) -> Iterator[Verdict]:
         if (implicit := asked_of_equations(claim, world)) is not None:
             yield from solution_verdicts(claim, *implicit, world)
         elif not claim.is_identity:
-            yield from ask(
-                claim.quantity,
-                claim.formula or claim.latex,
-                latex=bool(claim.latex),
-                given=claim.given,
-                let=claim.let,
-                world=world,
-                sense=sense_of(claim),
-            ).answers()
+            yield from _question(claim, world).answers()
         elif len(steps) == 1:
             yield from _step(claim, *steps[0], world)
         else:
@@ -59,13 +51,26 @@ def _step(claim: Claim, left: str, right: str, world: World) -> Iterator[Verdict
 
 def bound_verdict(claim: Claim, world: World) -> Verdict:
     """Whether the error of an approximation stays within what is said of it."""
+    if not claim.is_identity:
+        return bounded(_question(claim, world), claim.error_at_most)
     sense = sense_of(claim)
-    if claim.is_identity:
-        question = ask_identity(claim.left, claim.right, given=claim.given, let=claim.let, world=world, sense=sense)
-    else:
-        formula, latex = claim.formula or claim.latex, bool(claim.latex)
-        question = ask(claim.quantity, formula, latex=latex, given=claim.given, let=claim.let, world=world, sense=sense)
+    question = ask_identity(claim.left, claim.right, given=claim.given, let=claim.let, world=world, sense=sense)
     return bounded(question, claim.error_at_most)
+
+
+def _question(claim: Claim, world: World) -> Question:
+    """Whether the formula of a claim is its quantity."""
+    return ask(
+        claim.quantity,
+        claim.formula or claim.latex or claim.code,
+        latex=bool(claim.latex),
+        code=claim.language,
+        function=claim.function,
+        given=claim.given,
+        let=claim.let,
+        world=world,
+        sense=sense_of(claim),
+    )
 
 
 def _chain(claim: Claim, steps: list[tuple[str, str]], world: World) -> Iterator[Verdict]:

@@ -26,8 +26,7 @@ from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, 
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.latex import read_latex
-from radartrack.derive.reading.text import read_text
+from radartrack.derive.reading.notation import TEXT, read_formula
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
@@ -277,16 +276,25 @@ def _rank(name: str, symbol: Variable, weak: set[Variable]) -> int:
 
 
 def letter_readings(
-    formula: str, reference: Reference, let: Mapping[str, str], conditions: Mapping[Symbol, Expr], *, latex: bool
+    read: Callable[[Sequence[str]], Tree],
+    reference: Reference,
+    let: Mapping[str, str],
+    conditions: Mapping[Symbol, Expr],
 ) -> list[Reading]:
     """What the letters of a formula may stand for, the likeliest first; `AS_TYPED` alone where it has none of its own.
 
     A formula that cannot be read, whatever its names mean, is left to who reads it then, and so is one in which
     something is worked out: its parts have values only when their letters are known.
+
+    Args:
+        read: the formula as it is read where names are known, and others are let through.
+        reference: what it is compared with.
+        let: definitions, in any order.
+        conditions: of the comparison.
     """
     own = [symbol.name for symbol in reference.symbols]
     try:
-        tree, _ = trimmed(read_loosely(formula, [*own, *let], latex=latex), reference.shape)
+        tree, _ = trimmed(read([*own, *let]), reference.shape)
         entries, parts = entries_of(tree, _UNREAD)
         definitions = _needed_by(tree, let, own)
     except (FormulaError, ValueError):
@@ -337,14 +345,13 @@ class _Unread:
 _UNREAD = _Unread()
 
 
-def read_loosely(formula: str, names: Sequence[str], *, latex: bool = False) -> Tree:
+def read_loosely(formula: str, names: Sequence[str], notation: str = TEXT, function: str = "") -> Tree:
     """A formula in which names may occur that nobody has said the meaning of.
 
     Raises:
         FormulaError: when it cannot be read whatever they mean.
     """
-    read: Callable[..., Tree] = read_latex if latex else read_text
-    return _east(read(formula, names, any_name=True))
+    return _east(read_formula(formula, notation, names, strangers=True, function=function).tree)
 
 
 def _east(tree: Tree) -> Tree:

@@ -38,8 +38,8 @@ from radartrack.derive.formula.unknown_names import unknown_name, unusable
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.latex import read_latex
-from radartrack.derive.reading.text import read_text
+from radartrack.derive.reading.notation import LATEX, TEXT, Reading, read_formula
+from radartrack.derive.reading.printed_text import is_printed
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 from radartrack.derive.verbs.table import VERBS
@@ -140,21 +140,25 @@ class Names(Mapping[str, Expression]):
         return self._known[name]
 
     def tree(self, text: str, *, latex: bool = False) -> Tree:
-        """A formula in these names.
+        """A formula in these names, as typed or in LaTeX; raises as `reading`."""
+        return self.reading(text, LATEX if latex else TEXT).tree
+
+    def reading(self, text: str, notation: str = TEXT, function: str = "") -> Reading:
+        """A formula in these names, in one of the `NOTATIONS`; of code, perhaps one function.
 
         Raises:
             FormulaError, UnknownQuantity: when it cannot be read, names what there is not, or becomes too large.
         """
-        words = set(self.let) if latex else set(WORD.findall(text)) & self.let.keys()
-        mentioned = set() if latex else set(QUANTITY.findall(text))
+        typed = notation == TEXT and not is_printed(text)
+        words = set(WORD.findall(text)) & self.let.keys() if typed else set(self.let)
+        mentioned = set(QUANTITY.findall(text)) if typed else set()
         for word in mentioned:
             self.meaning(word)
         self._mentioned |= mentioned
-        shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=latex)
-        read = read_latex if latex else read_text
-        tree = read(text, {*self, *mentioned}, shapes)
-        self.largeness(tree)
-        return tree
+        shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=not typed)
+        found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function)
+        self.largeness(found.tree)
+        return found
 
     def read(self, tree: Tree) -> Expr:
         """A tree that is a number, in symbols."""

@@ -14,11 +14,12 @@ from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
 from radartrack.derive.checking.question.padding import trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
-from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.notation import LANGUAGES, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 
 NOTHING: Mapping[str, str] = MappingProxyType({})
@@ -34,7 +35,8 @@ class Printed:
         expressions: the entries in the quantity's symbols.
         names: what its names stand for.
         worked_out: the names in the entries that stand for parts that are worked out.
-        padding: which rows and columns of zeros were left out, in words.
+        source: what was read, where places in it are told by lines.
+        remarks: what the reader has to say, such as which rows and columns of zeros were left out.
     """
 
     tree: Tree
@@ -42,12 +44,19 @@ class Printed:
     expressions: Tensor[Expr]
     names: Names
     worked_out: frozenset[str] = frozenset()
-    padding: str = ""
+    source: str = ""
+    remarks: tuple[str, ...] = ()
 
     @property
     def text(self) -> str:
         """The formula as it was read."""
         return to_text(self.tree)
+
+    def line_of(self, span: Span | None) -> str:
+        """The line of the code in words; nothing where there is but one."""
+        if span is None or "\n" not in self.source.strip("\n"):
+            return ""
+        return f"line {self.source.count(chr(10), 0, span[0]) + 1}: "
 
     @property
     def dimensions(self) -> Tensor[Dimension | None]:
@@ -130,17 +139,19 @@ def applying(conditions: Mapping[str, str], reference: Reference, printed: Print
     return {name: value for name, value in conditions.items() if name in occurring}
 
 
-def read_printed(formula: str, names: Names, expected: Index, *, latex: bool) -> Printed:
-    """Read a formula of the expected shape.
+def read_printed(formula: str, names: Names, expected: Index, notation: str = TEXT, function: str = "") -> Printed:
+    """Read a formula of the expected shape, in one of the `NOTATIONS`; of code, perhaps one function.
 
     Raises:
         FormulaError: when it cannot be read, or has another shape.
         NoClosedForm: when it cannot be worked out.
     """
     try:
-        tree = names.tree(formula, latex=latex)
-        inner, padding = trimmed(tree, expected)
-        return replace(printed(inner, names, expected), tree=tree, padding=padding)
+        reading = names.reading(formula, notation, function)
+        inner, padding = trimmed(reading.tree, expected)
+        source = formula if reading.notation in LANGUAGES else ""
+        remarks = (*reading.remarks, *((padding,) if padding else ()))
+        return replace(printed(inner, names, expected), tree=reading.tree, source=source, remarks=remarks)
     except FormulaError as error:
         raise error.within(formula) from None
 

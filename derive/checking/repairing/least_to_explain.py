@@ -13,6 +13,7 @@ from radartrack.derive.checking.conventions.explanation import Explanation, expl
 from radartrack.derive.checking.conventions.other_quantity import siblings
 from radartrack.derive.checking.question.conditions import also_zero, under, when_zero
 from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.question.printed_formula import Printed
 from radartrack.derive.checking.repairing.definition_slips import Formula, mended_definitions
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
@@ -57,15 +58,23 @@ class Print:
 
     Attributes:
         asked: the entries in the quantity's symbols, and what they are compared with.
-        trees: the entries as printed.
-        names: what is said in them.
+        printed: as it was read.
         is_compared: whether what is compared is what is printed, and no polynomial or limit of it.
     """
 
     asked: Asked
-    trees: Tensor[Tree]
-    names: Names
+    printed: Printed
     is_compared: bool = True
+
+    @property
+    def trees(self) -> Tensor[Tree]:
+        """The entries as printed."""
+        return self.printed.entries
+
+    @property
+    def names(self) -> Names:
+        """What is said in them."""
+        return self.printed.names
 
     def account(self, wrong: Sequence[Index]) -> Account:
         """The account that leaves the least to explain; ours has these wrong entries."""
@@ -170,7 +179,10 @@ class Print:
     def _edits(self, one: Explanation | None, index: Index) -> list[_Edit]:
         expected, conditions = self._expected(one, index)
         found = suggest(self.trees[index], self._all_names, expected, self._symbols(conditions), conditions)
-        return [_Edit(edit.formula, edit.edit, edit.cost, edit.proved) for edit in found[:SUGGESTIONS]]
+        line_of = self.printed.line_of
+        return [
+            _Edit(edit.formula, line_of(edit.span) + edit.edit, edit.cost, edit.proved) for edit in found[:SUGGESTIONS]
+        ]
 
     def _mended(self, one: Explanation | None, wrong: Sequence[Index]) -> list[_Edit]:
         if not self.names.definitions or not wrong:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
@@ -17,12 +17,12 @@ from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Screen, Values
-from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Name, Number, Power, Product, Sum, Tree, parts
+from radartrack.derive.formula.tree import Call, Name, Number, Power, Product, Sum, Tree, children, parts
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -40,12 +40,13 @@ FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
 
 @dataclass(frozen=True)
 class Edited:
-    """A formula after an edit that makes it right."""
+    """A formula after an edit that makes it right, and where the edit is in the text, if that is known."""
 
     formula: str
     edit: str
     cost: float
     proved: bool
+    span: Span | None = None
 
 
 def suggest(
@@ -60,7 +61,20 @@ def suggest(
     screen = Screen({name: value for name, value in values.items() if value is not None}, len(points))
     search = Search(screen, target, names, printed, _derived_trees(derived, names))
     found = search.edits(printed)
-    return list(_confirmed(found, names, derived, Domain(symbols, conditions)))
+    confirmed = _confirmed(found, names, derived, Domain(symbols, conditions))
+    return [replace(edited, span=first_difference(printed, tree)) for edited, tree in confirmed]
+
+
+def first_difference(printed: Tree, edited: Tree) -> Span | None:
+    """Where a formula was edited: the smallest part of it that has all that differs."""
+    span = printed.span
+    while type(printed) is type(edited) and len(children(printed)) == len(children(edited)):
+        pairs = [(one, other) for one, other in zip(children(printed), children(edited), strict=True) if one != other]
+        if len(pairs) != 1:
+            break
+        printed, edited = pairs[0]
+        span = printed.span or span
+    return span
 
 
 def _derived_trees(derived: Expr, names: Names) -> list[Tree]:
@@ -95,8 +109,8 @@ def _confirmed(
     names: Names,
     derived: Expr,
     domain: Domain,
-) -> Iterator[Edited]:
-    """Those that can be read and are right, the best first; those that are not proved are said to be so.
+) -> Iterator[tuple[Edited, Tree]]:
+    """Those that can be read and are right with their trees, the best first; what is not proved is said to be so.
 
     Each formula comes once, in whatever order its terms and factors stand.
     """
@@ -117,7 +131,7 @@ def _confirmed(
         proved = proved_equal(expression, derived)
         if proved or _confirmed_by_numbers(expression, derived, domain):
             best = min(best, candidate.cost)
-            yield Edited(to_text(tidied), candidate.words, candidate.cost, proved)
+            yield Edited(to_text(tidied), candidate.words, candidate.cost, proved), candidate.tree
 
 
 def _in_any_order(node: Tree, below: Sequence[str]) -> str:

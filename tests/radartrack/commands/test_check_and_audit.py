@@ -117,7 +117,7 @@ def test_the_verdict_comes_first_in_the_same_words(arguments: tuple[str, ...], c
 
 
 def test_check_repeats_how_latex_was_read() -> None:
-    assert "read as: r*cos(beta)" in _run("check", "polar.map[0]", r"r\cos\beta", "--latex").output
+    assert "read as: r cos(β)" in _run("check", "polar.map[0]", r"r\cos\beta", "--latex").output
 
 
 def test_check_prints_json() -> None:
@@ -155,3 +155,50 @@ def test_audit_exits_2_where_a_file_cannot_be_read(tmp_path: Path, replaced: str
     assert result.exit_code == 2
     assert said in result.output
     assert str(file.name) in result.output.replace("\n", "")
+
+
+CODE = """import numpy as np
+
+
+def bias(r, beta, sigma_beta):
+    c = np.cos(beta)
+    factor = sigma_beta**2/3
+    return -r*c*factor
+
+
+def mean(r, beta):
+    return r*np.cos(beta)
+"""
+
+
+@pytest.fixture
+def source(tmp_path: Path) -> Path:
+    path = tmp_path / "code.py"
+    path.write_text(CODE)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("where", "quantity", "exit_code", "said"),
+    [
+        ("bias", "polar.bias.second_order[0]", 1, "line 6: 3 should be 2"),
+        ("5-7", "polar.bias.second_order[0]", 1, "line 6: 3 should be 2"),
+        ("mean", "polar.map[0]", 0, "read as: r cos(β)"),
+        ("11", "polar.map[0]", 0, "equal, proved"),
+        ("median", "polar.map[0]", 2, "there is no function median here"),
+        ("5-99", "polar.map[0]", 2, "lines 1 to 12"),
+    ],
+)
+def test_a_function_or_lines_of_a_file_are_checked(source: Path, where: str, quantity: str, exit_code: int, said: str):
+    given = ("--given", "rho=0") if "bias" in quantity else ()
+    result = _run("check", quantity, f"{source}:{where}", "--code", "python", *given)
+    assert (result.exit_code, said in result.output) == (exit_code, True), result.output
+
+
+def test_a_formula_is_latex_or_code_and_not_both():
+    assert _run("check", "polar.map[0]", "r", "--latex", "--code", "c").exit_code == 2
+
+
+def test_text_from_a_page_is_read_and_echoed():
+    result = _run("check", "polar.covariance.linear[0,0]", "c₁₁ = r²σβ² sin²β + σr² cos²β", "--given", "rho=0")
+    assert (result.exit_code, result.output.splitlines()[0]) == (0, "read as: r² σ_β² sin²(β) + σ_r² cos²(β)")

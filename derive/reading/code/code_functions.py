@@ -1,0 +1,195 @@
+"""The functions of Python, C, C++ and MATLAB in terms of those that formulas have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import TypeAlias
+
+from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS, VERBS
+from radartrack.derive.formula.tree import Array, Number, children
+from radartrack.derive.formula.unknown_names import unknown_function
+from radartrack.derive.reading.code.workspace import Value, Workspace
+
+Maker: TypeAlias = Callable[[Workspace, Sequence[Value], Span], Value]
+
+_SAME = MappingProxyType(
+    {
+        **SPELLINGS,
+        "arctan2": "atan2",
+        "absolute": "abs",
+        "fabs": "abs",
+        "det": "det",
+        "determinant": "det",
+        "expm": "expm",
+        "inv": "inv",
+        "inverse": "inv",
+        "outer": "outer",
+        "trace": "trace",
+        "transpose": "transpose",
+    }
+)
+
+
+def applied(space: Workspace, function: str, arguments: Sequence[Value], span: Span) -> Value:
+    """A function of code, applied.
+
+    Args:
+        space: where it is called.
+        function: its name, without module or namespace.
+        arguments: their values.
+        span: where.
+
+    Raises:
+        FormulaError: for a function that formulas do not have, and for too many or too few arguments.
+    """
+    name = _plain(function)
+    if name in _MADE:
+        fewest, most, maker = _MADE[name]
+        _check_number(function, len(arguments), fewest, most, span)
+        return maker(space, arguments, span)
+    if name not in _SAME:
+        raise FormulaError(unknown_function(function), span=span)
+    own = _SAME[name]
+    needed = NUMBER_OF_ARGUMENTS.get(own)
+    fewest, most = (needed, needed) if needed else VERBS[own]
+    _check_number(function, len(arguments), fewest, most, span)
+    return space.call(own, arguments, span)
+
+
+def is_function(function: str) -> bool:
+    """Whether code calls a function by this name, which else is an array."""
+    return _plain(function) in {*_MADE, *_SAME}
+
+
+def _plain(function: str) -> str:
+    """The name without the suffix of a type: sinf, sinl."""
+    for suffix in ("f", "l"):
+        shorter = function.removesuffix(suffix)
+        if function not in _MADE and function not in _SAME and (shorter in _MADE or shorter in _SAME):
+            return shorter
+    return function
+
+
+def _check_number(function: str, given: int, fewest: int, most: int, span: Span) -> None:
+    if not fewest <= given <= most:
+        wanted = str(fewest) if fewest == most else f"{fewest} to {most}"
+        plural = "" if wanted == "1" else "s"
+        raise FormulaError(f"{function} takes {wanted} argument{plural}, here it has {given}", span=span)
+
+
+def _itself(_space: Workspace, arguments: Sequence[Value], _span: Span) -> Value:
+    return Value(arguments[0].tree, arguments[0].shape, size=arguments[0].size)
+
+
+def _power(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.power(arguments[0], arguments[1], span, of_entries=True)
+
+
+def _raised(exponent: str) -> Maker:
+    return lambda space, arguments, span: space.power(arguments[0], space.number(exponent, span), span, of_entries=True)
+
+
+def _reciprocal(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.quotient(space.number("1", span), arguments[0], span)
+
+
+def _logarithm(base: str) -> Maker:
+    def made(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+        below = space.call("log", [space.number(base, span)], span)
+        return space.quotient(space.call("log", arguments, span), below, span)
+
+    return made
+
+
+def _of_one_more(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.call("log", [space.sum([space.number("1", span), *arguments], span)], span)
+
+
+def _cube_root(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    third = space.quotient(space.number("1", span), space.number("3", span), span)
+    return space.power(arguments[0], third, span)
+
+
+def _scaled(space: Workspace, value: Value, above: str, below: str, span: Span) -> Value:
+    """A value times pi/180, or 180/pi."""
+    parts = {name: space.constant("pi", span) if name == "pi" else space.number(name, span) for name in (above, below)}
+    return space.quotient(space.product([value, parts[above]], span), parts[below], span)
+
+
+def _radians(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return _scaled(space, arguments[0], "pi", "180", span)
+
+
+def _degrees(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return _scaled(space, arguments[0], "180", "pi", span)
+
+
+def _of_degrees(function: str) -> Maker:
+    return lambda space, arguments, span: space.call(function, [_radians(space, arguments, span)], span)
+
+
+def _in_degrees(function: str) -> Maker:
+    return lambda space, arguments, span: _degrees(space, [space.call(function, arguments, span)], span)
+
+
+def _norm(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """The root of a sum of squares, of a vector that is written out."""
+    array = arguments[0]
+    if not isinstance(array.tree, Array) or array.shape is None or len(array.shape) != 1:
+        raise FormulaError("norm takes a vector whose entries are known: write the root of the squares", span=span)
+    entries = [Value(entry, size=array.size) for entry in children(array.tree)]
+    squares = [space.power(entry, space.number("2", span), span) for entry in entries]
+    return space.call("sqrt", [space.sum(squares, span) if len(squares) > 1 else squares[0]], span)
+
+
+def _product(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    if all(one.shape and len(one.shape) == 1 for one in arguments):  # of two vectors the scalar product
+        arguments = [space.call("transpose", arguments[:1], span), *arguments[1:]]
+        product = space.product(arguments, span)
+        return space.picked(product, [space.first], span)
+    return space.product(arguments, span)
+
+
+def _unit(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.call("eye", arguments[:1], span)
+
+
+def _diagonal(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.call("diag", arguments, span)
+
+
+def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    sizes = [part for one in arguments for part in (children(one.tree) if isinstance(one.tree, Array) else [one.tree])]
+    if not all(isinstance(size, Number) and size.text.isdigit() and len(size.text) < 4 for size in sizes):
+        raise FormulaError("the size of an array is written as whole numbers", span=span)
+    shape = tuple(int(size.text) for size in sizes if isinstance(size, Number))
+    is_square = space.language == "MATLAB" and len(shape) == 1
+    return space.zeros(shape * 2 if is_square else tuple(size for size in shape if size > 1) or (1,), span)
+
+
+_MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
+    {
+        **dict.fromkeys(("pow", "power", "float_power"), (2, 2, _power)),
+        **dict.fromkeys(
+            ("array", "asarray", "matrix", "mat", "float", "double", "float64", "single", "Matrix"), (1, 2, _itself)
+        ),
+        **dict.fromkeys(("radians", "deg2rad"), (1, 1, _radians)),
+        **dict.fromkeys(("degrees", "rad2deg"), (1, 1, _degrees)),
+        **dict.fromkeys(("dot", "matmul", "mtimes"), (2, 2, _product)),
+        **dict.fromkeys(("eye", "identity"), (1, 2, _unit)),
+        **dict.fromkeys(("zeros", "zeros_like"), (1, 2, _zeros)),
+        **{f"{name}d": (1, 1, _of_degrees(name)) for name in ("sin", "cos", "tan", "sec", "csc", "cot")},
+        **{f"{name}d": (1, 1, _in_degrees(name)) for name in ("asin", "acos", "atan")},
+        "atan2d": (2, 2, _in_degrees("atan2")),
+        "cbrt": (1, 1, _cube_root),
+        "diag": (1, 12, _diagonal),
+        "log10": (1, 1, _logarithm("10")),
+        "log2": (1, 1, _logarithm("2")),
+        "log1p": (1, 1, _of_one_more),
+        "norm": (1, 1, _norm),
+        "reciprocal": (1, 1, _reciprocal),
+        "square": (1, 1, _raised("2")),
+    }
+)

@@ -1,0 +1,117 @@
+"""Reads code as a formula: an expression, a block of assignments, or a function, in Python, C, C++ or MATLAB."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TypeAlias
+
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.limits import check_brackets
+from radartrack.derive.formula.shape import NO_SHAPES, Shape
+from radartrack.derive.formula.tree import Tree
+from radartrack.derive.formula.unknown_names import check_names
+from radartrack.derive.reading.characters import MAX_CHARACTERS, check_characters
+from radartrack.derive.reading.code.c_source import read_c
+from radartrack.derive.reading.code.matlab_source import read_matlab
+from radartrack.derive.reading.code.python_source import read_python
+from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
+from radartrack.derive.reading.grammar import check_tree
+
+Reader: TypeAlias = Callable[[str, Workspace, str], Value]
+
+# What each language is called, where its arrays begin, and who reads it.
+_LANGUAGES: Mapping[str, tuple[str, int, Reader]] = MappingProxyType(
+    {
+        "python": ("Python", 0, read_python),
+        "c": ("C", 0, lambda text, space, function: read_c(text, "c", space, function)),
+        "cpp": ("C++", 0, lambda text, space, function: read_c(text, "cpp", space, function)),
+        "matlab": ("MATLAB", 1, read_matlab),
+    }
+)
+LANGUAGES = tuple(_LANGUAGES)
+_FOREIGN = re.compile(r"[^\x20-\x7e\t\n\r]")
+_COMMENTS = MappingProxyType(
+    {
+        "python": re.compile(r"(?P<kept>\"\"\"[\s\S]*?\"\"\"|'''[\s\S]*?'''|\"[^\"\n]*\"|'[^'\n]*')|#[^\n]*"),
+        "c": re.compile(r"(?P<kept>\"[^\"\n]*\")|//[^\n]*|/\*[\s\S]*?\*/"),
+        "cpp": re.compile(r"(?P<kept>\"[^\"\n]*\")|//[^\n]*|/\*[\s\S]*?\*/"),
+        "matlab": re.compile(r"(?P<kept>\"[^\"\n]*\")|%[^\n]*"),
+    }
+)
+_BRACKETS = re.compile(r"[()\[\]{}]")
+_QUOTED = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
+_CLOSERS = MappingProxyType({"(": ")", "[": "]", "{": "}"})
+
+
+@dataclass(frozen=True, slots=True)
+class ReadCode:
+    """Code as a formula, and what its language does that a formula does not: 3/2 is 1 in C."""
+
+    tree: Tree
+    remarks: tuple[Remark, ...]
+
+
+def read_code(
+    text: str,
+    language: str,
+    names: Collection[str] | None,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    function: str = "",
+    strangers: bool = False,
+) -> ReadCode:
+    """Read code in these symbols, with the arithmetic of its language. It is parsed and never run.
+
+    Of a block of assignments the last one is read, with those before it put in; where entries of an array are set, all
+    that are. Of a function, what it returns.
+
+    Args:
+        text: the code.
+        language: one of `LANGUAGES`.
+        names: the symbols; None where none are known, and every name is let through.
+        shapes: of those that stand for arrays.
+        function: the function to read, where there are several.
+        strangers: whether names that are not known are let through.
+
+    Raises:
+        FormulaError: when it is no such code, does what formulas do not, or is too large.
+        ValueError: when one of the names is a function's, or the language is none of these.
+    """
+    if language not in _LANGUAGES:
+        raise ValueError(f"language: {language!r} is not read; it is one of {', '.join(LANGUAGES)}")
+    spoken, first, read = _LANGUAGES[language]
+    allowed = check_names(names or ())
+    strangers = strangers or names is None
+    space = Workspace(spoken, first, allowed, shapes, strangers)
+    try:
+        plain = _plain(text, language, allowed)
+        _check_nesting(plain)
+        tree = read(plain, space, function).tree
+        # Equal parts stay apart: each knows the line that it stands in.
+        return ReadCode(check_tree(tree, shapes=shapes, strangers=strangers), tuple(space.remarks))
+    except FormulaError as error:
+        raise error.within(text) from None
+    except RecursionError:
+        raise FormulaError("the code is nested too deeply to be read") from None
+
+
+def _plain(text: str, language: str, names: frozenset[str]) -> str:
+    """The code without comments, if it has nothing but ASCII then."""
+    if len(text) > MAX_CHARACTERS:
+        raise FormulaError(f"the code has {len(text)} characters; at most {MAX_CHARACTERS} are read")
+
+    def blank(found: re.Match[str]) -> str:
+        return _FOREIGN.sub("?", found.group()) if found["kept"] else re.sub(r"[^\n]", " ", found.group())
+
+    plain = _COMMENTS[language].sub(blank, text)
+    check_characters(plain, names)
+    return plain
+
+
+def _check_nesting(text: str) -> None:
+    """Refuse brackets that are nested so deeply that a parser would stumble."""
+    bare = _QUOTED.sub(lambda found: " " * len(found.group()), text) if '"' in text else text
+    check_brackets([(found.group(), found.span()) for found in _BRACKETS.finditer(bare)], _CLOSERS)

@@ -1,0 +1,352 @@
+"""What a block of code makes of names, one statement after another, with the arithmetic of its language."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.latex_names import candidates
+from radartrack.derive.formula.limits import MAX_DEPTH, MAX_NODES, check_number
+from radartrack.derive.formula.shape import Shape, shape_of_node
+from radartrack.derive.formula.tree import (
+    Array,
+    Call,
+    Constant,
+    Entries,
+    Name,
+    Negation,
+    Number,
+    Place,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    children,
+)
+from radartrack.derive.formula.unknown_names import unknown_name
+
+MAX_ROWS = 12
+_PI = frozenset({"pi", "M_PI", "PI"})
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Something that the language does and a formula does not: where, and in words."""
+
+    span: Span
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """What an expression is worth.
+
+    Attributes:
+        tree: as a formula, names replaced by what was assigned to them.
+        shape: of the array; None where it is not known.
+        whole: whether it is of a type of whole numbers, in a language where those divide without remainder.
+        size: the parts and the depth of the tree with all that is shared written out.
+    """
+
+    tree: Tree
+    shape: Shape | None = ()
+    whole: bool = False
+    size: tuple[int, int] = (1, 1)
+
+
+@dataclass
+class Workspace:
+    """The names of a block and what they are worth.
+
+    Args:
+        language: its name, for messages.
+        first: the number of the first entry of an array.
+        names: the symbols that are known.
+        shapes: of those that stand for arrays.
+        strangers: whether other names are let through.
+    """
+
+    language: str
+    first: int
+    names: Collection[str]
+    shapes: Mapping[str, Shape]
+    strangers: bool
+    remarks: list[Remark] = field(default_factory=list)
+    _values: dict[str, Value] = field(default_factory=dict)
+    _entries: dict[str, dict[tuple[int, ...], Value]] = field(default_factory=dict)
+    _last: Value | str | None = None  # a value, or the name of an array of which entries are set
+
+    def made(self, tree: Tree, parts: Sequence[Value], *, whole: bool = False) -> Value:
+        """A node over values, if it has a meaning and is not too large.
+
+        Raises:
+            FormulaError: when it is, or has none.
+        """
+        nodes = 1 + sum(part.size[0] for part in parts)
+        depth = 1 + max((part.size[1] for part in parts), default=0)
+        if nodes > MAX_NODES:
+            raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=tree.span)
+        if depth > MAX_DEPTH:
+            raise FormulaError(f"the formula is nested more than {MAX_DEPTH} deep", span=tree.span)
+        shapes = [part.shape for part in parts]
+        known = [one for one in shapes if one is not None]
+        found = shape_of_node(tree, known) if len(known) == len(shapes) else None
+        return Value(tree, found, whole, (nodes, depth))
+
+    def number(self, text: str, span: Span, *, whole: bool = False) -> Value:
+        """A number as written."""
+        check_number(text, span)
+        return Value(Number(text, span=span), whole=whole)
+
+    def constant(self, name: str, span: Span) -> Value:
+        """Pi, or Euler's number."""
+        return Value(Constant(name, span=span))
+
+    def name(self, name: str, span: Span, *, whole: bool = False) -> Value:
+        """What a name is worth; `whole` where it is declared as a whole number.
+
+        Raises:
+            FormulaError: for one that is not known, unless strangers are let through.
+        """
+        if name in self._values:
+            return self._values[name]
+        if name in self._entries:
+            return self._matrix(name, span)
+        if name in _PI and name not in self.names:
+            return self.constant("pi", span)
+        if name in SPELLINGS:
+            raise FormulaError(f"{name} is a function: give its argument in brackets", span=span)
+        if name not in self.names and not self.strangers:
+            raise FormulaError(unknown_name(name, self.names), span=span)
+        is_known = name in self.names
+        return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
+
+    def is_defined(self, name: str) -> bool:
+        """Whether something was assigned to a name."""
+        return name in self._values or name in self._entries
+
+    def entry(self, name: str, places: Sequence[Place], span: Span) -> Value:
+        """An entry of an array, counted as the language does; of an unknown one, a name of its own: x[0] is x_0."""
+        counted = tuple(places)
+        for place in counted:
+            self._from_zero(place, span)  # refuses one before the first
+        if name in self._entries and name not in self._values:
+            found = self._entries[name].get(_numbers(counted))
+            if found is None:
+                raise FormulaError(f"this entry of {name} was not set", span=span)
+            return found
+        if name in self._values or name in self.shapes:
+            array = self.name(name, span)
+            return self.picked(array, places, span)
+        below = "_".join(map(str, _numbers(counted))) if all(isinstance(place, int) for place in counted) else ""
+        if not below:
+            raise FormulaError(f"the shape of {name} is not known: entries are picked from it one by one", span=span)
+        possible = candidates(name, below)
+        return self.name(next((one for one in possible if one in self.names), possible[0]), span)
+
+    def picked(self, array: Value, places: Sequence[Place], span: Span) -> Value:
+        """Entries of an array that is known."""
+        shifted = tuple(self._from_zero(place, span) for place in places)
+        if isinstance(array.tree, Array) and all(isinstance(place, int) for place in shifted):
+            return self._part(array, _numbers(shifted), span)
+        return self.made(Entries(array.tree, shifted, span=span), [array])
+
+    def _part(self, array: Value, places: tuple[int, ...], span: Span) -> Value:
+        """One entry of an array that is written out."""
+        self.made(Entries(array.tree, places, span=span), [array])  # refuses one that is not there
+        part, found = array.tree, array.shape
+        for place in places:
+            part = children(part)[place]
+        return Value(part, None if found is None else found[len(places) :], size=array.size)
+
+    def _from_zero(self, place: Place, span: Span) -> Place:
+        if isinstance(place, int):
+            if place < self.first:
+                raise FormulaError(f"entries are counted from {self.first} in {self.language}", span=span)
+            return place - self.first
+        start, end = place  # of a slice
+        return (None if start is None else start - self.first), end  # MATLAB's last one is in, others' end is out
+
+    def sum(self, terms: Sequence[Value], span: Span) -> Value:
+        """Two or more terms; a subtracted one is a negation."""
+        tree = Sum(tuple(term.tree for term in terms), span=span)
+        return self.made(tree, terms, whole=all(term.whole for term in terms))
+
+    def negated(self, value: Value, span: Span) -> Value:
+        """A value with the other sign."""
+        return self.made(Negation(value.tree, span=span), [value], whole=value.whole)
+
+    def product(self, factors: Sequence[Value], span: Span, *, of_entries: bool = False) -> Value:
+        """Two or more factors; of arrays the matrix product, unless the language takes entry by entry."""
+        if of_entries and sum(bool(factor.shape) for factor in factors) > 1:
+            raise FormulaError(
+                f"* of two arrays multiplies entry by entry in {self.language}: write the entries out", span=span
+            )
+        first = factors[0]
+        if isinstance(first.tree, Negation):  # -a*b is printed as -(a*b)
+            positive = Value(first.tree.operand, first.shape, first.whole, first.size)
+            return self.negated(self.product([positive, *factors[1:]], span, of_entries=of_entries), span)
+        tree = Product(tuple(factor.tree for factor in factors), span=span)
+        return self.made(tree, factors, whole=all(factor.whole for factor in factors))
+
+    def quotient(self, above: Value, below: Value, span: Span) -> Value:
+        """A quotient; of whole numbers, where the language says so, without the remainder."""
+        if above.whole and below.whole:
+            return self._whole_quotient(above, below, span)
+        if isinstance(above.tree, Negation):
+            positive = Value(above.tree.operand, above.shape, above.whole, above.size)
+            return self.negated(self.quotient(positive, below, span), span)
+        return self.made(Quotient(above.tree, below.tree, span=span), [above, below])
+
+    def _whole_quotient(self, above: Value, below: Value, span: Span) -> Value:
+        first, second = _whole_number(above.tree), _whole_number(below.tree)
+        if first is None or second is None:
+            raise FormulaError(
+                f"whole numbers divide without remainder in {self.language}: write 2.0 for 2 if that is not meant",
+                span=span,
+            )
+        if not second:
+            raise FormulaError("this divides by zero", span=span)
+        result = abs(first) // abs(second) * (1 if (first < 0) == (second < 0) else -1)
+        self.remarks.append(
+            Remark(
+                span,
+                f"{first}/{second} is {result} in {self.language}, where whole numbers divide without remainder: "
+                f"{first}.0/{second} is the fraction",
+            )
+        )
+        number = Value(Number(str(abs(result)), span=span), whole=True)
+        return number if result >= 0 else self.negated(number, span)
+
+    def power(self, base: Value, exponent: Value, span: Span, *, of_entries: bool = False) -> Value:
+        """A power; of a matrix the product of it with itself, unless the language takes entry by entry."""
+        if of_entries and base.shape:
+            raise FormulaError(f"a power of an array is taken entry by entry in {self.language}", span=span)
+        return self.made(Power(base.tree, exponent.tree, span=span), [base, exponent])
+
+    def array(self, entries: Sequence[Value], span: Span) -> Value:
+        """A vector, or a matrix of rows.
+
+        Raises:
+            FormulaError: for one without entries.
+        """
+        if not entries:
+            raise FormulaError("an array without entries is not read", span=span)
+        known = [Value(one.tree, one.shape or (), size=one.size) for one in entries]  # what is not known is a number
+        return self.made(Array(tuple(entry.tree for entry in entries), span=span), known)
+
+    def call(self, function: str, arguments: Sequence[Value], span: Span) -> Value:
+        """A function or a verb of formulas."""
+        return self.made(Call(function, tuple(one.tree for one in arguments), span=span), arguments)
+
+    def assign(self, name: str, value: Value) -> None:
+        """Give a name a value."""
+        self._values[name] = value
+        self._entries.pop(name, None)
+        self._last = value
+
+    def assign_entry(self, name: str, places: Sequence[Place], value: Value, span: Span) -> None:
+        """Give an entry of an array a value.
+
+        Raises:
+            FormulaError: for slices, and entries that the array does not have.
+        """
+        if not all(isinstance(place, int) for place in places):
+            raise FormulaError("entries are set one by one", span=span)
+        shifted = _numbers(tuple(self._from_zero(place, span) for place in places))
+        if name in self._values:
+            array = self._values[name]
+            self._part(array, shifted, span)
+            tree = _with_entry(array.tree, shifted, value.tree)
+            nodes = array.size[0] + value.size[0]
+            if nodes > MAX_NODES:
+                raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=span)
+            size = nodes, max(array.size[1], len(places) + value.size[1])
+            self._values[name] = self._last = Value(tree, array.shape, size=size)
+            return
+        self._entries.setdefault(name, {})[_numbers(tuple(places))] = value
+        self._last = name
+
+    def declare(self, name: str, shape: Shape) -> None:
+        """An array of this shape, zero until it is set.
+
+        Raises:
+            FormulaError: for one with too many rows or columns.
+        """
+        self._values[name] = self.zeros(shape, (0, 0))
+
+    def zeros(self, shape: Shape, span: Span) -> Value:
+        """An array of zeros."""
+        if not shape or len(shape) > 2 or not all(1 <= size <= MAX_ROWS for size in shape):
+            raise FormulaError(f"arrays have 1 to {MAX_ROWS} rows and columns", span=span)
+        zero = self.number("0", span)
+        row = self.array([zero] * shape[-1], span)
+        return row if len(shape) == 1 else self.array([row] * shape[0], span)
+
+    def result(self, value: Value | None = None) -> Value:
+        """A value that was returned, or else what was assigned last: all entries of an array, where those were set.
+
+        Raises:
+            FormulaError: when nothing was.
+        """
+        if value is not None:
+            return value
+        if self._last is None:
+            raise FormulaError("no value is assigned or returned here")
+        return self._matrix(self._last, (0, 0)) if isinstance(self._last, str) else self._last
+
+    def _matrix(self, name: str, span: Span) -> Value:
+        entries = self._entries[name]
+        if len(entries) == 1:
+            return next(iter(entries.values()))
+        ranks = {len(places) for places in entries}
+        sizes = [max(one) - self.first + 1 for one in zip(*entries, strict=False)]
+        if len(ranks) > 1 or len(sizes) > 2 or not all(1 <= size <= MAX_ROWS for size in sizes):
+            raise FormulaError(f"the entries of {name} that are set make no vector or matrix", span=span)
+        return self._filled(name, (), sizes, span)
+
+    def _filled(self, name: str, before: tuple[int, ...], sizes: Sequence[int], span: Span) -> Value:
+        if not sizes:
+            if before not in self._entries[name]:
+                raise FormulaError(f"the entry {', '.join(map(str, before))} of {name} is not set", span=span)
+            return self._entries[name][before]
+        rows = [self._filled(name, (*before, self.first + at), sizes[1:], span) for at in range(sizes[0])]
+        spans = [row.tree.span for row in rows if row.tree.span]
+        return self.array(rows, (min(one[0] for one in spans), max(one[1] for one in spans)) if spans else span)
+
+
+def _numbers(places: Sequence[Place]) -> tuple[int, ...]:
+    return tuple(place for place in places if isinstance(place, int))
+
+
+def _whole_number(tree: Tree) -> int | None:
+    """A whole number, computed from whole numbers."""
+    match tree:
+        case Number(text) if text.isdigit():
+            return int(text)
+        case Negation(operand):
+            value = _whole_number(operand)
+            return None if value is None else -value
+        case Sum(terms):
+            values = [_whole_number(term) for term in terms]
+            return sum(value for value in values if value is not None) if None not in values else None
+        case Product(factors):
+            product = 1
+            for factor in factors:
+                value = _whole_number(factor)
+                if value is None:
+                    return None
+                product *= value
+            return product
+    return None
+
+
+def _with_entry(tree: Tree, places: tuple[int, ...], new: Tree) -> Tree:
+    if not places or not isinstance(tree, Array):
+        return new
+    entries = list(tree.entries)
+    entries[places[0]] = _with_entry(entries[places[0]], places[1:], new)
+    return Array(tuple(entries), span=tree.span)

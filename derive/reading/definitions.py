@@ -1,0 +1,117 @@
+"""Several formulas with names for them, as one: definitions are put in, entries become a matrix, the rest a vector."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import Fold, rebuild
+from radartrack.derive.formula.limits import MAX_DEPTH, MAX_NODES
+from radartrack.derive.formula.tree import Array, Name, Tree, names, with_span
+
+_ENTRY = re.compile(r"(?P<base>[A-Za-z]\w*?)_?(?P<row>\d)_?(?P<column>\d)")
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """A formula and the name that stands left of it; empty where there is none."""
+
+    name: str
+    tree: Tree
+
+
+def combined(found: Sequence[Definition]) -> Tree:
+    """What several equations say together: that which no other of them uses, with the others put into it.
+
+    Several of those are the entries of a matrix where they are named so (R_11, R_12), else of a vector.
+
+    Raises:
+        FormulaError: when a name is defined by itself, or an entry of the matrix is missing.
+    """
+    if len(found) == 1:
+        return found[0].tree
+    defined = {one.name: one.tree for one in found if one.name}
+    used = set().union(*(names(one.tree) for one in found))
+    if all(one.name in used for one in found):
+        raise FormulaError(
+            "each of these equations is used by another one: none is the result", span=found[-1].tree.span
+        )
+    insert = Insertion(defined)
+    results = [Definition(one.name, insert(one.tree)) for one in found if one.name not in used]
+    return results[0].tree if len(results) == 1 else _array(results)
+
+
+class Insertion:
+    """Puts definitions into formulas, and those into each other.
+
+    Args:
+        defined: formulas by name.
+    """
+
+    def __init__(self, defined: Mapping[str, Tree]) -> None:
+        self._defined = defined
+        self._inserted: dict[str, Tree] = {}
+        self._waiting: list[str] = []
+
+    def __call__(self, tree: Tree) -> Tree:
+        """The formula without the names that are defined.
+
+        Raises:
+            FormulaError: when one is defined by itself, or the result is too large.
+        """
+        result = rebuild(tree, self._of)
+        check_expanded(result)
+        return result
+
+    def _of(self, node: Tree) -> Tree:
+        if not isinstance(node, Name) or node.name not in self._defined:
+            return node
+        name = node.name
+        if name in self._waiting:
+            raise FormulaError(f"{name} is defined by itself", span=node.span)
+        if name not in self._inserted:
+            self._waiting.append(name)
+            self._inserted[name] = self(self._defined[name])
+            self._waiting.pop()
+        return self._inserted[name]
+
+
+def check_expanded(tree: Tree) -> None:
+    """Refuse a formula that is too large when what it shares is written out; itself it may be small.
+
+    Raises:
+        FormulaError: naming the limit.
+    """
+    nodes, depth = Fold(_size)(tree)
+    if nodes > MAX_NODES:
+        raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=tree.span)
+    if depth > MAX_DEPTH:
+        raise FormulaError(f"the formula is nested more than {MAX_DEPTH} deep", span=tree.span)
+
+
+def _size(_node: Tree, below: Sequence[tuple[int, int]]) -> tuple[int, int]:
+    return 1 + sum(nodes for nodes, _ in below), 1 + max((depth for _, depth in below), default=0)
+
+
+def _array(found: Sequence[Definition]) -> Tree:
+    span = (found[0].tree.span or (0, 0))[0], (found[-1].tree.span or (0, 0))[1]
+    places = [_ENTRY.fullmatch(one.name) for one in found]
+    bases = {place["base"] for place in places if place}
+    if len(bases) != 1 or not all(places):
+        return Array(tuple(one.tree for one in found), span=span)
+    entries = {
+        (int(place["row"]), int(place["column"])): one.tree for place, one in zip(places, found, strict=True) if place
+    }
+    first, last = min(min(place) for place in entries), max(max(place) for place in entries)
+    rows = range(first, max(row for row, _ in entries) + 1)
+    columns = range(first, max(column for _, column in entries) + 1)
+    if all(row <= column for row, column in entries) or all(row >= column for row, column in entries):
+        entries |= {place[::-1]: tree for place, tree in entries.items()}  # one half of a symmetric matrix is printed
+        rows = columns = range(first, last + 1)
+    missing = [(row, column) for row in rows for column in columns if (row, column) not in entries]
+    if missing:
+        raise FormulaError(f"the entry {bases.pop()}_{missing[0][0]}{missing[0][1]} is missing", span=span)
+    made = (Array(tuple(entries[row, column] for column in columns), span=span) for row in rows)
+    return with_span(Array(tuple(made)), span)

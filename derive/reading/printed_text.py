@@ -1,0 +1,281 @@
+"""Text as it comes out of a printed page: c₁₁ = r²σβ² sin²β + σr² cos²β, with signs and letters that no keyboard has.
+
+It is put into LaTeX, whose grammar knows what belongs to what on a page; where each character came from is kept.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Collection, Iterator, Mapping
+from types import MappingProxyType
+
+from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.latex_names import GREEK
+from radartrack.derive.formula.shape import NO_SHAPES, Shape
+from radartrack.derive.formula.tree import Tree, with_span
+from radartrack.derive.formula.unknown_names import check_names
+from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
+from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.latex_pieces import FUNCTIONS, VERB_WORDS
+
+_SIGNS = MappingProxyType(
+    {
+        **dict.fromkeys("−–—‐‒", "-"),
+        **dict.fromkeys("×·⋅∙•∗⨯*", r"\cdot "),
+        **dict.fromkeys("÷∕⁄", "/"),
+        **dict.fromkeys("   \u2009\u200a\u202f\u00a0\u2002\u2003", " "),
+        **dict.fromkeys("′ʹ’", "'"),
+        "∣": "|",
+        "≈": r"\approx ",
+        "≡": r"\equiv ",
+        "≜": r"\triangleq ",
+        "∑": r"\sum ",
+        "∫": r"\int ",
+        "ᵀ": r"^{\top}",
+        "⊤": r"\top ",
+        "{": r"\{",
+        "}": r"\}",
+        "∆": r"\Delta ",
+    }
+)
+_FUNCTIONS = "|".join(sorted((*SPELLINGS, "tg", "ctg", "diag", "det", "tr"), key=len, reverse=True))
+_TOKEN = re.compile(
+    r"""
+    (?P<accented> [A-Za-z](?=[\u0302-\u0305\u0307\u0308]) )
+    | (?P<name> [A-Za-z][A-Za-z0-9]*_[A-Za-z0-9_]+ )
+    | (?P<word> atan2 | expm1 | [A-Za-z]+\d* )
+    | (?P<decimal> (?:\d+\.\d+|\d+) )
+    | (?P<power> \*\* | \^ )
+    | (?P<lowered> _ )
+    | (?P<root> √ )
+    | (?P<other> . )
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+_WITH_ARGUMENT = MappingProxyType({"power": "^{", "lowered": "_{", "root": r"\sqrt{"})
+_FUNCTION_BEHIND = re.compile(rf"(?P<letter>[A-Za-z]?)(?P<function>{_FUNCTIONS})")
+_COMBINING = MappingProxyType(
+    {
+        "\u0302": r"\hat",
+        "\u0303": r"\tilde",
+        "\u0304": r"\bar",
+        "\u0305": r"\bar",
+        "\u0307": r"\dot",
+        "\u0308": r"\ddot",
+    }
+)
+_NOT_ASCII = re.compile(r"[^\x00-\x7f]")
+
+
+def is_printed(text: str) -> bool:
+    """Whether a text has letters or signs of a printed page."""
+    return any(_known(character) for character in set(_NOT_ASCII.findall(text)))
+
+
+def read_printed_text(
+    text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+) -> Tree:
+    """Read text that was copied from a page.
+
+    Raised and lowered digits are exponents and subscripts, Greek letters are symbols, factors may stand side by side;
+    a letter that touches a σ is its subscript, as it was in print: σβ² is sigma_beta squared. Of an equation the right
+    side is read.
+
+    Args:
+        text: the formula.
+        names: the symbols; None where none are known, and every name is let through.
+        shapes: of those that stand for arrays.
+        strangers: whether names that are not known are let through.
+
+    Raises:
+        FormulaError: when it is no such formula, is ambiguous, or too large.
+    """
+    allowed = check_names(names or ())
+    if len(text) > MAX_PRINTED:
+        raise FormulaError(f"the formula has {len(text)} characters; at most {MAX_PRINTED} are read")
+    try:
+        latex, origins = _as_latex(text, allowed, free=strangers or names is None)
+    except FormulaError as error:
+        raise error.within(text) from None
+    try:
+        tree = read_latex(latex, names, shapes, strangers=strangers)
+    except FormulaError as error:
+        raise FormulaError(error.message, text, _back(error.span, origins)) from None
+    return rebuild(tree, lambda node: with_span(node, _back(node.span, origins)))
+
+
+def _as_latex(text: str, names: frozenset[str], *, free: bool) -> tuple[str, list[int]]:
+    """The formula in LaTeX, and the place in the text of each of its characters."""
+    pieces: list[str] = []
+    origins: list[int] = []
+    for latex, place in _pieces(text, names, free=free):
+        pieces.append(latex)
+        origins += [place] * len(latex)
+    return "".join(pieces), [*origins, len(text)]
+
+
+def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[str, int]]:
+    at = 0
+    while at < len(text):
+        found = _TOKEN.match(text, at)
+        if found is None:
+            break
+        kind, said = found.lastgroup or "", found.group()
+        if kind == "name":
+            yield _name(said), at
+        elif kind == "word":
+            yield from _word(said, at, names, free=free)
+        elif kind in _WITH_ARGUMENT:
+            end = (_root_end if kind == "root" else _argument)(text, found.end())
+            yield _WITH_ARGUMENT[kind], at
+            for latex, place in _pieces(text[found.end() : end], names, free=free):
+                yield latex, found.end() + place
+            yield "}", max(end - 1, at)
+            at = end
+            continue
+        else:
+            latex, length = (said, len(said)) if kind == "decimal" else _sign(text, at, names, free=free)
+            yield latex, at
+            at += length
+            continue
+        at = found.end()
+
+
+def _name(said: str) -> str:
+    return r"\mathrm{" + said.replace("_", r"\_") + "}"
+
+
+def _word(said: str, at: int, names: frozenset[str], *, free: bool) -> Iterator[tuple[str, int]]:
+    """A known name, a function, a letter before one (rcos), or letters side by side, perhaps with digits behind."""
+    letters = said.rstrip("0123456789")
+    if said in names and len(said) > 1:
+        yield _name(said), at
+    elif said in SPELLINGS:
+        yield _function(said), at
+    elif letters != said:
+        yield from _word(letters, at, names, free=free)
+        yield said[len(letters) :], at + len(letters)
+    elif applied := _FUNCTION_BEHIND.fullmatch(said):
+        yield applied["letter"], at
+        yield _function(applied["function"]), at + len(applied["letter"])
+    elif len(said) > 1 and (free or not set(said) <= names):
+        yield _name(said), at
+    else:
+        yield said, at
+
+
+def _function(name: str) -> str:
+    """A function in LaTeX, by the command that it has."""
+    command = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}.get(name, name)
+    return f"\\{command} " if command in FUNCTIONS or command in VERB_WORDS else rf"\operatorname{{{command}}}"
+
+
+def _argument(text: str, at: int) -> int:
+    """Where what is raised or lowered by a typed sign ends: a bracket, a signed number, a word, or one sign."""
+    found = re.compile(r"\s*(?:-?\d+(?:\.\d+)?|[A-Za-z]+|[^\x00-\x7f])?").match(text, at)
+    end = found.end() if found else at
+    if end < len(text) and text[end] == "(" and not text[at:end].strip():
+        return _closing(text, end)
+    return end
+
+
+def _root_end(text: str, at: int) -> int:
+    """Where the radicand ends: a bracket, or one letter or number with what is raised and lowered there."""
+    if at < len(text) and text[at] == "(":
+        return _closing(text, at)
+    found = re.compile(r"\s*(?:\d+(?:\.\d+)?|[A-Za-z]|\w)?").match(text, at)
+    return found.end() if found else at
+
+
+def _closing(text: str, at: int) -> int:
+    depth = 0
+    for end in range(at, len(text)):
+        depth += (text[end] == "(") - (text[end] == ")")
+        if not depth:
+            return end + 1
+    return len(text)
+
+
+def _sign(text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str, int]:
+    """A sign or a letter that is no ASCII, in LaTeX, and how many characters it takes."""
+    character, after = text[at], text[at + 1 : at + 2]
+    if character.isalpha() and character.isascii() and after in _COMBINING:
+        return f"{_COMBINING[after]}{{{character}}}", 2
+    if character in _SIGNS:
+        return _SIGNS[character], 1
+    if character.isascii():
+        return character, 1
+    if fraction := re.fullmatch(r"(\d+)\N{FRACTION SLASH}(\d+)", unicodedata.normalize("NFKC", character)):
+        return f"\\frac{{{fraction[1]}}}{{{fraction[2]}}}", 1
+    if place := _place(character):
+        end = at
+        while end < len(text) and _place(text[end]) == place:
+            end += 1
+        return f"{place}{{{''.join(map(_plain, text[at:end]))}}}", end - at
+    greek = _greek(character)
+    if not greek:
+        _refuse(text, at, names)
+    return _greek_letter(greek, text, at, names, free=free)
+
+
+def _greek_letter(greek: str, text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str, int]:
+    """A Greek letter with what stands over it, a deviation with what it is of; and how many characters that takes."""
+    after = text[at + 1 : at + 2]
+    if after in _COMBINING:
+        return f"{_COMBINING[after]}{{{greek}}}", 2
+    if greek == r"\sigma" and (below := _greek(after) or (after if after.isascii() and after.isalpha() else "")):
+        name = f"sigma_{below.removeprefix(chr(92))}"
+        if name in names or (free and not _continues(text, at + 2)):
+            return rf"\sigma_{{{below}}}", 2
+    return f"{greek} ", 1
+
+
+def _continues(text: str, at: int) -> bool:
+    """Whether a word of letters goes on here, so that the one before is not alone."""
+    return at < len(text) and text[at].isascii() and text[at].isalpha() and text[at - 1].isascii()
+
+
+def _known(character: str) -> bool:
+    is_sign = character in _SIGNS or character in _COMBINING or character == "√"
+    return (
+        is_sign
+        or unicodedata.decomposition(character).startswith("<fraction>")
+        or bool(_place(character) or _greek(character))
+    )
+
+
+def _place(character: str) -> str:
+    """How a character that is raised or lowered is set, by ^ or _."""
+    how = unicodedata.decomposition(character)
+    raised, lowered = how.startswith("<super>"), how.startswith("<sub>")
+    return ("^" if raised else "_") if (raised or lowered) and _plain(character) else ""
+
+
+def _plain(character: str) -> str:
+    plain = unicodedata.normalize("NFKC", character).replace("\N{MINUS SIGN}", "-")
+    return plain if plain.isascii() else (f"{_greek(plain)} " if _greek(plain) else "")
+
+
+def _greek(character: str) -> str:
+    """The command of a Greek letter, be it a mathematical one."""
+    plain = unicodedata.normalize("NFKC", character) if character else ""
+    name = unicodedata.name(plain, "") if len(plain) == 1 else ""
+    found = re.fullmatch(r"GREEK (?:(SMALL|CAPITAL) LETTER (?:FINAL )?|)(?P<word>[A-Z]+)(?: SYMBOL)?", name)
+    word = found["word"].lower().replace("lamda", "lambda") if found else ""
+    command = "\\" + (word.capitalize() if found and found[1] == "CAPITAL" else word)
+    return command if command in GREEK else ""
+
+
+def _refuse(text: str, at: int, names: frozenset[str]) -> None:
+    check_characters(" " * at + text[at], names)
+
+
+def _back(span: Span | None, origins: list[int]) -> Span | None:
+    if span is None:
+        return None
+    last = len(origins) - 1
+    start, end = origins[min(span[0], last)], origins[min(max(span[1] - 1, 0), last)] + 1
+    return start, max(end, start)

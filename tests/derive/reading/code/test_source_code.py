@@ -1,0 +1,277 @@
+"""Code is read with the arithmetic of its language, and whatever else it is refused."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radartrack.derive.reading import LANGUAGES, FormulaError, read_code, to_expression, to_text
+from radartrack.derive.symbolic import Rational
+from tests.effort import at_most
+
+VALUES = {"x": Fraction(7, 3), "y": Fraction(-2, 5), "r": Fraction(11, 4)}
+
+
+@pytest.fixture(autouse=True)
+def _parsers(request: pytest.FixtureRequest) -> None:
+    if "python" not in request.node.name:
+        pytest.importorskip("tree_sitter")
+
+
+def echo(code: str, language: str) -> str:
+    return to_text(read_code(code, language, None).tree)
+
+
+def refusal(code: str, language: str) -> FormulaError:
+    with pytest.raises(FormulaError) as caught:
+        read_code(code, language, None)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "text"),
+    [
+        ("python", "math.sin(az)*rng", "sin(az)*rng"),
+        ("python", "np.arctan2(y, x) + math.radians(b)", "atan2(y, x) + b*pi/180"),
+        ("python", "x[0] + x[1,2] + x[1][2] + self.dt + plot.r", "x_0 + x_1_2 + x_1_2 + dt + plot_r"),
+        ("python", "a, b = np.cos(t), x\nreturn a*b", "cos(t)*x"),
+        ("python", "y = x\ny *= 3\ny -= x", "x*3 - x"),
+        ("python", "H = np.zeros((2, 2))\nH[0, 0] = x\nH[1, 1] = y", "[[x, 0], [0, y]]"),
+        ("python", "H[0, 0] = x\nH[0, 1] = y", "[[x, y]]"),
+        ("python", "J = np.array([[c, -s], [s, c]])\nJ @ R @ J.T", "[[c, -s], [s, c]]*R*[[c, -s], [s, c]].T"),
+        ("python", "f = 1\ndef g(x):\n    '''Doc.'''\n    y = 2*x  # twice\n    return y", "1"),
+        ("python", "def g(x):\n    '''Doc.'''\n    y = 2*x  # twice\n    return y", "2*x"),
+        ("python", "class A:\n    def f(self):\n        return self.x**2", "x**2"),
+        ("python", "    y = x\n    return y*2", "x*2"),
+        ("python", "np.linalg.norm([x, y]) + np.hypot(x, y)", "sqrt(x**2 + y**2) + hypot(x, y)"),
+        ("python", "-x**2 + 2**-x", "-x**2 + 2**(-x)"),
+        ("c", "1.0f*r + 2e-3", "1.0*r + 2e-3"),
+        ("c", "double a = x*x; y = sqrtf(a) + M_PI;", "sqrt(x*x) + pi"),
+        ("c", "double F[2][2] = {{1, dt}, {0, 1}};", "[[1, dt], [0, 1]]"),
+        ("c", "z[2][0] = p->x*s.vx;", "p_x*s_vx"),
+        ("c", "a*b;", "a*b"),
+        ("c", "double g(double a) { return a; }\nfloat f(float x) {\n  x *= 2;\n  return x; // end\n}", "x*2"),
+        ("cpp", "Hj(2,0) = std::pow(py, 2);", "py**2"),
+        ("cpp", "MatrixXd H(2,2);\nH << x, 0,\n  1, y;", "[[x, 0], [1, y]]"),
+        ("cpp", "Matrix2d F; F(0,1) = dt; F(0,0) = 1; F(1,1) = 1;", "[[1, dt], [0, 1]]"),
+        ("cpp", "auto c = std::cos(b); const double s = sin(b); return c*s;", "cos(b)*sin(b)"),
+        ("cpp", "A.transpose()*B.inverse()", "A.T*inv(B)"),
+        ("matlab", "F = [1 dt; 0 1]", "[[1, dt], [0, 1]]"),
+        ("matlab", "x(1).*cos(x(2))", "x_1*cos(x_2)"),
+        ("matlab", "cosd(b) + atan2d(y, x)", "cos(b*pi/180) + atan2(y, x)*180/pi"),
+        ("matlab", "A = [x, y]; A(2)^2", "y**2"),
+        ("matlab", "H*P*H' + P\\x", "H*P*H.T + inv(P)*x"),
+        ("matlab", "[x y]' + [x; y] + [x -y]", "[x, y] + [x, y] + [x, -y]"),
+        ("matlab", "H = zeros(2); H(1,2) = x;", "[[0, x], [0, 0]]"),
+        ("matlab", "function [a, b] = f(x)\n b = 2;\n a = b*x; % that\nend", "2*x"),
+        ("matlab", "x = y; % σ\nz = 2*x ...\n + 1;", "2*y + 1"),
+        ("matlab", "x -1", "x - 1"),
+    ],
+    ids=str,
+)
+def test_reading(language: str, code: str, text: str):
+    assert echo(code, language) == text
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "message"),
+    [
+        ("python", "r^2", "^ is exclusive or in Python, and a power in mathematics: write ** for the power"),
+        ("c", "r^2", "^ is exclusive or in C, and a power in mathematics: write pow(x, n) for the power"),
+        ("cpp", "r^2", "^ is exclusive or in C++, and a power in mathematics: write pow(x, n) for the power"),
+        ("python", "x//2", "// drops the fraction in Python"),
+        ("python", "x if y else r", "formulas have no cases"),
+        ("c", "x > 0 ? y : r", "formulas have no cases"),
+        ("matlab", "x = 2;\nif x > 1\n y = 1;\nend", "formulas have no cases"),
+        ("python", "for i in x: y = i", "loops are not read"),
+        ("c", "for (;;) x = 1;", "loops are not read"),
+        ("python", "np.array([x, y])*np.array([x, y])", "* of two arrays multiplies entry by entry in Python"),
+        ("matlab", "[1 2; 3 4].^2", "a power of an array is taken entry by entry in MATLAB"),
+        ("c", "int n = x;", "n is int, which drops the fraction"),
+        ("c", "double f(double x, int n) { return x*(1/n); }", "whole numbers divide without remainder in C"),
+        ("c", "x = 010", "010 is no decimal number"),
+        ("python", "g(x)", "g is not a function here"),
+        ("python", "x = ", "this is not Python: invalid syntax"),
+        ("c", "x = ;", "this is not C"),
+        ("matlab", "x = [1 2", "[ is never closed"),
+        ("python", "'text'*x", "only numbers stand in a formula"),
+        ("python", "__import__('os').system('ls')", "only numbers stand in a formula"),
+        ("python", "σ*r", "the character GREEK SMALL LETTER SIGMA (U+03C3) is not read: type sigma"),
+        ("python", "x[-1]", "an entry is picked by a whole number"),
+        ("matlab", "x(0)", "entries are counted from 1 in MATLAB"),
+        ("cpp", "MatrixXd H(2,2); H << x, y;", "H has 4 entries, here are 2"),
+    ],
+    ids=str,
+)
+def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str, message: str):
+    assert refusal(code, language).message.startswith(message)
+
+
+@pytest.mark.parametrize("language", ["c", "cpp"])
+@given(above=st.integers(-40, 40), below=st.integers(-9, 9).filter(bool))
+def test_whole_numbers_divide_towards_zero_in_c_and_it_is_said(language: str, above: int, below: int):
+    read = read_code(f"x*(({above})/({below}))", language, None)
+    exact = Fraction(above, below)
+    drops = int(exact)  # Python's own truncation is that of C
+    assert to_expression(read.tree, {"x": Rational(1, 1)}) == drops
+    assert [f"{above}/{below} is {drops} in" in remark.words for remark in read.remarks] == [True]
+    for spelled in (f"({above})/({below}.0)", f"(double)({above})/({below})", f"({above}.f)/({below})"):
+        assert to_expression(read_code(spelled, language, None).tree, {}) == Rational(
+            exact.numerator, exact.denominator
+        )
+
+
+@dataclass(frozen=True)
+class Written:
+    """An expression in Python, C and MATLAB with as few brackets as their tables of precedence ask for."""
+
+    python: str
+    c: str
+    matlab: str
+    value: Fraction
+    binds: int  # 0 a sum, 1 a product, 2 a sign before it, 3 a power, 4 all else
+
+    def around(self, least: int) -> tuple[str, str, str]:
+        texts = self.python, self.c, self.matlab
+        return texts if self.binds >= least else (f"({texts[0]})", f"({texts[1]})", f"({texts[2]})")
+
+
+def _joined(left: Written, sign: str, right: Written) -> Written:
+    level = 0 if sign in "+-" else 1
+    before, after = left.around(level), right.around(level + 1)
+    value = {
+        "+": lambda: left.value + right.value,
+        "-": lambda: left.value - right.value,
+        "*": lambda: left.value * right.value,
+        "/": lambda: left.value / (right.value or 1),
+    }[sign]()
+    if sign == "/" and not right.value:
+        return left
+    texts = [f"{one} {sign} {other}" for one, other in zip(before, after, strict=True)]
+    return Written(texts[0], texts[1], texts[2], value, level)
+
+
+def _negative(one: Written) -> Written:
+    python, _, matlab = one.around(2)
+    return Written(f"-{python}", f"-{one.around(4)[1]}", f"-{matlab}", -one.value, 2)
+
+
+def _raised(base: Written, exponent: int) -> Written:
+    python, _, matlab = base.around(4)
+    return Written(
+        f"{python}**{exponent}", f"pow({base.c}, {exponent})", f"{matlab}^{exponent}", base.value**exponent, 3
+    )
+
+
+names = st.sampled_from(sorted(VALUES)).map(lambda name: Written(name, name, name, VALUES[name], 4))
+numbers = st.integers(1, 9).map(lambda n: Written(f"{n}", f"{n}.0", f"{n}", Fraction(n), 4))
+written: st.SearchStrategy[Written] = st.recursive(
+    st.one_of(names, numbers),
+    lambda inner: st.one_of(
+        st.builds(_joined, inner, st.sampled_from("+-*/"), inner),
+        st.builds(_negative, inner),
+        st.builds(_raised, inner, st.integers(2, 3)),
+    ),
+    max_leaves=7,
+)
+
+
+@pytest.mark.parametrize("language", ["python", "c", "cpp", "matlab"])
+@given(one=written)
+def test_signs_powers_and_brackets_bind_as_the_language_says(language: str, one: Written):
+    code = {"python": one.python, "c": one.c, "cpp": one.c, "matlab": one.matlab}[language]
+    symbols = {name: Rational(value.numerator, value.denominator) for name, value in VALUES.items()}
+    try:
+        read = to_expression(read_code(code, language, VALUES).tree, symbols)
+    except FormulaError as error:  # large powers of large numbers are refused
+        assert "digits" in error.message or "degree" in error.message  # noqa: PT017
+    else:
+        assert read == Rational(one.value.numerator, one.value.denominator)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_definitions_are_put_in_whatever_their_order_of_lines(language: str):
+    code = "a = x;\nb = a*a;\na = b + y;\nc = a*b;"
+    assert echo(code, language) == "(x*x + y)*(x*x)"
+
+
+@pytest.mark.parametrize(("language", "first"), [("python", 0), ("cpp", 0), ("matlab", 1)])
+def test_names_that_are_known_stand_for_indexed_ones(language: str, first: int):
+    bracket = {"python": f"x[{first}]", "cpp": f"x({first})", "matlab": f"x({first})"}[language]
+    assert to_text(read_code(bracket, language, {f"x{first}"}).tree) == f"x{first}"
+    with pytest.raises(FormulaError, match=f"x_{first} is not a name here"):
+        read_code(bracket, language, {"y"})
+
+
+BOMBS: dict[str, Callable[[str], str]] = {
+    "doubling": lambda end: "\n".join(f"a{n + 1} = a{n}*a{n}{end}" for n in range(60)),
+    "brackets": lambda end: "(" * 5_000 + "x" + ")" * 5_000 + end,
+    "signs": lambda end: "- " * 30_000 + "x" + end,
+    "terms": lambda end: "x" + "+x*y" * 10_500 + end,
+    "factors": lambda end: "x" + "*y" * 3_000 + end,
+    "calls": lambda end: "sin(" * 200 + "x" + ")" * 200 + end,
+    "a tower of powers": lambda _: "pow(9, pow(9, pow(9, 9)))",
+    "a long number": lambda end: "9" * 5_000 + end,
+    "length": lambda end: "x + " * 30_000 + end,
+    "nulls": lambda end: "x\0y" + end,
+    "commas": lambda _: "x," * 39_000,
+    "indices": lambda _: "x" + "[0]" * 10_000,
+    "attributes": lambda _: "x" + ".y" * 10_000,
+    "lines": lambda end: f"x = x + 1{end}\n" * 6_000,
+    "entries": lambda end: "\n".join(f"x[{n}] = {n}{end}" for n in range(900)),
+}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("bomb", BOMBS)
+def test_what_asks_for_too_much_is_refused_at_once(language: str, bomb: str):
+    read_code("x", language, None)  # the parser is loaded once
+    with at_most(1.0), pytest.raises(FormulaError) as caught:
+        read_code(BOMBS[bomb](";" if language != "python" else ""), language, {"x", "y"})
+    assert len(str(caught.value)) < 1_000
+
+
+PIECES = (
+    *"+-*/^()[]{},.;:=0123456789xyr \n'\"%#&|<>!~@\\?",
+    *("**", ".*", "./", ".^", "==", "<<", "sin(", "pow(", "x[0]", "x(1)", "np.", "std::", "return ", "int ", "double "),
+    *("if ", "for ", "while ", "end", "def f(x):\n ", "function y = f(x)\n", "lambda x: ", "1.0f", "3/2", "0x1", "1e9"),
+    *("σ", "\0", "/*", "//", "...", "A.T", "[1 2; 3 4]", "{{1,2},{3,4}}", "struct ", "template<", "\t"),
+)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@given(code=st.one_of(st.text(), st.lists(st.sampled_from(PIECES), max_size=20).map("".join)))
+def test_any_code_is_read_or_refused(language: str, code: str):
+    try:
+        read = read_code(code, language, None)
+    except FormulaError as error:
+        assert str(error)  # noqa: PT017
+    else:
+        assert to_text(read.tree)
+
+
+def test_a_language_that_is_not_read_is_named():
+    with pytest.raises(ValueError, match="language: 'fortran' is not read; it is one of python, c, cpp, matlab"):
+        read_code("x", "fortran", None)
+
+
+def test_without_the_parsers_it_is_said_how_to_get_them(monkeypatch: pytest.MonkeyPatch):
+    from radartrack.derive.reading.code import syntax_trees  # noqa: PLC0415
+
+    def missing(name: str) -> None:
+        raise ImportError(name)
+
+    syntax_trees._parser.cache_clear()
+    monkeypatch.setattr(syntax_trees, "import_module", missing)
+    with pytest.raises(FormulaError, match=r"pip install 'radartrack\[code\]'"):
+        read_code("x", "c", None)
+    syntax_trees._parser.cache_clear()
+
+
+def test_a_fault_is_told_with_its_line():
+    assert refusal("a = x\nb = 2*^y", "python").line == 2
+    assert refusal("a = x;\n\nb = y^2;", "c").line == 3
+    assert refusal("a = x;\nb = [1 2; 3];", "matlab").line == 2

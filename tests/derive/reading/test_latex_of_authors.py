@@ -1,0 +1,168 @@
+"""LaTeX as authors write it: displays, dialects, decorations, matrices; each reading over its kind."""
+
+import pytest
+
+from radartrack.derive.reading import FormulaError, names, read_latex, to_text
+
+KNOWN = ("r", "rho", "theta", "sigma_r", "sigma_theta", "sigma_rho", "x", "y", "k", "T", "q", "rdot")
+ENVIRONMENTS = ("equation", "equation*", "align", "align*", "gather", "multline", "eqnarray", "split", "aligned")
+PLAIN = r"r\cos\theta"
+READ = "r*cos(theta)"
+
+
+def echo(latex: str, *known: str) -> str:
+    return to_text(read_latex(latex, known or KNOWN))
+
+
+def refusal(latex: str) -> str:
+    with pytest.raises(FormulaError) as caught:
+        read_latex(latex, None)
+    return caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("$", "$"),
+        ("$$", "$$"),
+        (r"\(", r"\)"),
+        (r"\[", r"\]"),
+        *((rf"\begin{{{name}}}", rf"\end{{{name}}}") for name in ENVIRONMENTS),
+        (r"\begin{equation}\begin{aligned}", r"\end{aligned}\end{equation}"),
+        ("", ""),
+    ],
+)
+def test_what_only_sets_a_formula_changes_nothing(before: str, after: str):
+    for left in ("", "x = ", "x &= ", r"x(\rho,\theta) \triangleq ", "\\mathbf{x}_k & := \n", r"x = y \approx "):
+        for end in ("", ".", ",", r" \,,", r"\;.", r" \tag{8b}", r". \label{eq:x} % as in print", r" \nonumber \\"):
+            is_bare = not before and ("&" in left or "\\\\" in end)  # they stand only in a display
+            assert is_bare or echo(before + left + PLAIN + end + after) == READ
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"r {{\cos }^{2}}\theta",
+        r"r{{\left( \cos \theta  \right)}^{2}}",
+        r"r \cos^{2}{\theta}",
+        r"r {\rm cos}^2 \theta",
+        r"r \mathrm{cos}^2\left(\theta\right)",
+        r"r\,{\mathop{\rm cos}\nolimits}^2 \theta",
+        r"r \operatorname{cos}^2 {\theta}",
+        r"{{r}} \cos ^2 \theta",
+        r"\mathit{r} \cos^2 {\it \theta}",
+        r"\boldsymbol{r}\cos^2\boldsymbol{\theta}",
+        r"\hat{r}\cos^2\hat\theta",
+        r"\bar r \cos^2 \bar{\theta}",
+        r"r' \cos^2 \theta'",
+        r"r^{\prime}\cos^2\theta^\prime",
+        r"\widetilde{r} \cos^2 \tilde\theta",
+        r"r_{k|k-1}\cos^2\theta_{k|k-1}",
+        r"r^* \cos^2\theta^{*}",
+        r"r \hspace{2pt} \cos^2 \phantom{x} \theta",
+        r"\vec{r} \cos^2 \theta",
+    ],
+)
+def test_a_dialect_is_read_as_plain_latex(latex: str):
+    assert echo(latex) == "r*cos(theta)**2"
+    assert to_text(read_latex(latex, None)) == "r*cos(theta)**2"
+
+
+@pytest.mark.parametrize(
+    ("decoration", "word"), [(r"\hat", "hat"), (r"\bar", "bar"), (r"\tilde", "tilde"), ("'", "prime"), ("^*", "star")]
+)
+@pytest.mark.parametrize(("letter", "name"), [("r", "r"), (r"\lambda", "lambda")])
+def test_a_decoration_is_kept_where_a_letter_occurs_in_two_ways(decoration: str, word: str, letter: str, name: str):
+    decorated = f"{decoration}{{{letter}}}" if decoration.startswith("\\") else letter + decoration
+    assert names(read_latex(decorated, None)) == {name}
+    assert names(read_latex(f"{decorated} + {letter}", None)) == {name, f"{name}_{word}"}
+    assert names(read_latex(decorated, [name, f"{name}_{word}"])) == {f"{name}_{word}"}
+    assert names(read_latex(f"{decorated}^2" if decoration != "^*" else decorated, [name])) == {name}
+
+
+def test_a_subscript_goes_with_the_decoration():
+    assert (
+        echo(r"\lambda_\theta' + \lambda_\theta", "lambda_theta", "lambda_theta_prime")
+        == "lambda_theta_prime + lambda_theta"
+    )
+    assert echo(r"\lambda_\theta^{\prime}", "lambda_theta") == "lambda_theta"
+    assert echo(r"\sigma_{\hat\theta}^2") == "sigma_theta**2"
+    assert names(read_latex(r"\hat{x}_{k|k} - \hat{x}_{k|k-1}", None)) == {"x_hat_k_k", "x_hat_k_km1"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"\Delta t^{3}/3", "Delta_t**3/3"),
+        (r"\frac{\Delta t^2}{2}\Delta t", "Delta_t**2/2*Delta_t"),
+        (r"\tan^{-1}(y/x)", "atan(y/x)"),
+        (r"\sin^{-1}\frac{y}{x}", "asin(y/x)"),
+        (r"{x \over \sqrt{x^2+y^2}}", "x/sqrt(x**2 + y**2)"),
+        (r"\mathbf{H}\mathbf{R}\mathbf{H}^{T}", "H*R*H.T"),
+        (r"{\bf H}{\bf P}{\bf H}^{\rm T}", "H*P*H.T"),
+        (r"(\mathbf{H}\mathbf{P}\mathbf{H}^\top + \mathbf{R})^{-1}", "(H*P*H.T + R)**(-1)"),
+        (r"\left[\, x, \; y \,\right]^{\top}", "[x, y]"),
+        (r"(x, y)^T", "[x, y]"),
+        (r"\begin{bmatrix} x & y \end{bmatrix}^T", "[x, y]"),
+        (r"\begin{bmatrix} x \\ y \end{bmatrix}^\mathsf{T}", "[x, y].T"),
+        (r"\operatorname{diag}(\sigma_r^2, \sigma_\theta^2)", "diag(sigma_r**2, sigma_theta**2)"),
+        (r"\det(A) + \operatorname{tr}(A)", "det(A) + trace(A)"),
+        (r"\sum_{j=1}^{k} j^2 r + 1", "sum(j**2*r, j, 1, k) + 1"),
+        (r"2\sum\limits_{j=0}^{k-1} (j + 1)", "2*sum((j + 1), j, 0, k - 1)"),
+        (r"\int_0^T s^2 \,\mathrm{d}s", "integral(s**2, s, 0, T)"),
+        (r"q\int\limits_{0}^{T} (T - \tau)^2 d\tau", "q*integral((T - tau)**2, tau, 0, T)"),
+    ],
+)
+def test_what_authors_write(latex: str, text: str):
+    assert to_text(read_latex(latex, None)) == text.replace("((j + 1)", "(j + 1")
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"\begin{align} x &= r\cos\theta, \\ y &= r\sin\theta. \end{align}", "[r*cos(theta), r*sin(theta)]"),
+        (r"x = r, \quad y = k", "[r, k]"),
+        (r"\begin{gather} R_{11} = r \\ R_{12} = k \\ R_{22} = q \end{gather}", "[[r, k], [k, q]]"),
+        (r"\begin{align} R_{11} &= r \\ R_{12} &= k \\ R_{21} &= T \\ R_{22} &= q \end{align}", "[[r, k], [T, q]]"),
+        (r"\begin{align} y &= \lambda r \\ \lambda &= e^{-k} \end{align}", "e**(-k)*r"),
+        (r"\begin{align} \lambda &= e^{-k} \\ y &= \lambda r \end{align}", "e**(-k)*r"),
+        (r"\begin{align} y &= r \\ &\quad + k \\ & - q \end{align}", "r + k - q"),
+        (r"\begin{align} y &= r + k \\ &= k + r \end{align}", "k + r"),
+        (r"\begin{multline} y = \left( r \right. \\ \left. + k \right) q \end{multline}", "(r + k)*q"),
+    ],
+)
+def test_several_equations(latex: str, text: str):
+    assert echo(latex) == text
+
+
+@pytest.mark.parametrize(
+    ("latex", "message"),
+    [
+        (r"\sin\theta^2", r"this may be the power of \sin or of its argument"),
+        (r"\tan 2\theta^2", r"this may be the power of \tan or of its argument"),
+        (r"\sin^2\theta^2", r"this may be the power of \sin or of its argument"),
+        (r"\begin{cases} r \\ k \end{cases}", r"\begin{cases} is not read: give the branch that is meant"),
+        (r"\frac{dx}{dt}", "this may be a derivative"),
+        (r"\frac{\mathrm{d}x}{\mathrm{d}t}", "this may be a derivative"),
+        (r"x^T T", "^T may mean a transpose or a power by T"),
+        (r"\mathbf{H}'", "a prime at a matrix may mean its transpose or another matrix"),
+        (r"\cosh^{-1} x", "^-1 may mean the inverse or the reciprocal"),
+        (r"x = ", "nothing stands right of this relation"),
+        (r"a = b, b = a", "each of these equations is used by another one"),
+        (r"a = b + y, b = a, c = a", "a is defined by itself"),
+        (r"R_{11} = x, R_{13} = y", "the entry R_12 is missing"),
+        (r"\sum_j^k j", "a sum says its index and both limits"),
+        (r"\int_0^1 x", "an integral ends with its variable"),
+        (r"a \over b", r"write one \over in braces"),
+        ("%", "the formula is empty"),
+    ],
+)
+def test_what_has_two_meanings_or_none_is_refused_with_a_word(latex: str, message: str):
+    assert refusal(latex).startswith(message)
+
+
+def test_places_are_those_of_the_source():
+    source = "\\begin{align}\n x &= r \\\\\n y &= k + z \\tag{3}\n\\end{align}"
+    with pytest.raises(FormulaError) as caught:
+        read_latex(source, KNOWN)
+    assert (caught.value.line, source[slice(*caught.value.span or (0, 0))]) == (3, "z")

@@ -1,0 +1,85 @@
+"""Text that was copied from a page: signs and letters of print, and places in it."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radartrack.derive.reading import FormulaError, read_formula, to_text
+
+KNOWN = ("r", "beta", "epsilon", "rho", "sigma_r", "sigma_beta", "x", "y", "T", "q")
+PIECES = (
+    *"σβεθρλΔπ²³⁻¹₁₂√·×−÷½′ᵀ()+-/^_=,. 12rxyTe",
+    "sin",
+    "cos ",
+    "exp(",
+    "σβ²",
+    "sin²",
+    "atan2(",
+    "x\u0302",
+    "\u200b",
+    "а",
+    "∫",
+    "∑",
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        ("c₁₁ = r²σβ² sin²β + σr² cos²β", "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"),
+        ("σ_β²·r²", "sigma_beta**2*r**2"),
+        ("ρσrσβ", "rho*sigma_r*sigma_beta"),
+        ("√(x²+y²)", "sqrt(x**2 + y**2)"),
+        ("√2·r − √x y", "sqrt(2)*r - sqrt(x)*y"),
+        ("−½ r·cos β", "-1/2*r*cos(beta)"),
+        ("rcosβ × sin(β)", "r*cos(beta)*sin(beta)"),
+        ("e^(−σβ²/2) + exp(−2σβ²)", "e**(-sigma_beta**2/2) + exp(-2*sigma_beta**2)"),
+        ("x⁻¹ + tan⁻¹(y/x)", "x**(-1) + atan(y/x)"),
+        ("(x+y)² π", "(x + y)**2*pi"),
+        ("x = r cos ε sin β.", "r*cos(epsilon)*sin(beta)"),
+        ("σ_r**2·cos(β)**2", "sigma_r**2*cos(beta)**2"),
+        ("x\u0302² + β′", "x**2 + beta"),
+        ("𝜎𝛽² + ϵ", "sigma_beta**2 + epsilon"),
+    ],
+)
+def test_reading(text: str, read: str):
+    for known in (KNOWN, None):
+        reading = read_formula(text, "text", known)
+        assert (to_text(reading.tree), reading.notation) == (read, "printed")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("T³/3·q", "what is divided by what is ambiguous after a slash"),
+        ("sinβ²", "this may be the power of"),
+        ("σβ а", "the character CYRILLIC SMALL LETTER A (U+0430) is not read: type the Latin letter a"),
+        ("σβ\u200b", "the character ZERO WIDTH SPACE (U+200B) is not read: delete it"),
+        ("λ²", "lambda is not a name here"),
+    ],
+)
+def test_refusals(text: str, message: str):
+    with pytest.raises(FormulaError) as caught:
+        read_formula(text, "text", KNOWN)
+    assert caught.value.message.startswith(message)
+
+
+def test_a_fault_is_where_it_is_in_the_text():
+    with pytest.raises(FormulaError) as caught:
+        read_formula("r²σβ² + λ r", "text", KNOWN)
+    assert caught.value.source[slice(*caught.value.span or (0, 0))] == "λ"
+
+
+def test_a_letter_behind_a_sigma_is_a_factor_where_there_is_no_such_deviation():
+    assert to_text(read_formula("σβ²", "text", ["sigma", "beta"]).tree) == "sigma*beta**2"
+
+
+@given(st.one_of(st.text(), st.lists(st.sampled_from(PIECES), max_size=20).map("".join)))
+def test_any_text_is_read_or_refused(text: str):
+    for known in (None, KNOWN):
+        try:
+            read = read_formula(text, "printed", known)
+        except FormulaError as error:
+            assert str(error)  # noqa: PT017
+        else:
+            assert to_text(read.tree)
