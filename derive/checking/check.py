@@ -32,6 +32,7 @@ from radartrack.derive.checking.question.formula_units import WrongDimensions, c
 from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
+    as_typed,
     conditions_for,
     letter_readings,
     names_for,
@@ -86,7 +87,13 @@ def ask(
 ) -> Question:
     """The question of `check`, whose arguments these are and which raises the same."""
     paper = Paper(formula, latex, given or {}, let or {})
-    question = paper.ask(name)
+    try:
+        question = paper.ask(name)
+    except FormulaError:
+        other = attempted(lambda: paper.ask_although_unreadable(name), lambda _: None)
+        if other is None:
+            raise
+        question = other
     return replace(question, paper=paper)
 
 
@@ -106,13 +113,30 @@ class Paper:
         readings = letter_readings(self.formula, reference, self.let, conditions, latex=self.latex)
         return _likeliest([_rounded(self._question(reference, conditions, reading)) for reading in readings])
 
-    def is_right(self, name: str) -> Question | None:
+    def ask_although_unreadable(self, name: str) -> Question | None:
+        """The same of a formula whose letters the quantity does not have, where it is one of another model."""
+        reference = refer(name)
+        if self.other_model(reference) is None:
+            return None
+        conditions = conditions_for(reference, self.given)
+        typed = as_typed(self.formula, reference, self.let, conditions, latex=self.latex)
+        readings = typed.forced() if typed else []
+        return next((self._question(reference, conditions, reading) for reading in readings), None)
+
+    def other_model(self, reference: Reference) -> Question | None:
+        """The question whether it is the same thing in another model, if it is."""
+        return next((found for name in rivals(reference) if (found := self._right(name)) is not None), None)
+
+    def _right(self, name: str) -> Question | None:
         """The question whether it is this quantity, if it is."""
         try:
-            question = self.ask(name)
+            reference = refer(name)
+            conditions = conditions_for(reference, self.given)
+            readings = letter_readings(self.formula, reference, self.let, conditions, latex=self.latex)
+            right = (self._question(reference, conditions, one) for one in readings if one.fits and not one.wrong)
+            return next((question for question in right if question.is_equal), None)
         except (FormulaError, UnknownEntry):
             return None
-        return question if question.is_equal else None
 
     def _question(self, reference: Reference, conditions: Mapping[Symbol, Expr], reading: Reading) -> Question:
         names = names_for(reference, self.let, reading.letters)
@@ -300,11 +324,12 @@ class Question:
 
     def _other_models(self) -> tuple[Suggestion, ...]:
         """The same thing in another model that the formula is, in whatever letters."""
-        for name in rivals(self.reference) if self.paper and self.reading.letters else ():
-            if (found := self.paper.is_right(name)) is not None:
-                letters = f" with {' and '.join(found.reading.words)}" if found.reading.words else ""
-                return (Suggestion(name, f"this is {name}{letters}, not {self.reference.text}"),)
-        return ()
+        found = self.paper.other_model(self.reference) if self.paper and not self.reading.fits else None
+        if found is None:
+            return ()
+        letters = f" with {' and '.join(found.reading.words)}" if found.reading.words else ""
+        name = found.reference.text
+        return (Suggestion(name, f"this is {name}{letters}, not {self.reference.text}"),)
 
     def _with_edits(self, verdict: Verdict, worst: Finding) -> Verdict:
         count = len(self.printed.entries.entries)

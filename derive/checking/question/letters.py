@@ -123,6 +123,14 @@ class Typed:
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
 
+    def forced(self) -> list[Reading]:
+        """Readings as symbols that the letters cannot mean: of a formula that is known to be another model's."""
+        own = {symbol.name for symbol in self.reference.symbols}
+        unknown = [name for name in self.used if name not in own]
+        left = [symbol for symbol in self.reference.symbols if symbol.name not in self.used]
+        pairs = dict(zip(unknown, map(Letter, left), strict=False))
+        return [Reading(pairs, len(self.entries.entries), fits=False)] if len(pairs) == len(unknown) else []
+
     @cached_property
     def used(self) -> tuple[str, ...]:
         """The names that occur and are not defined, in the order of the formula."""
@@ -134,7 +142,7 @@ class Typed:
     def _needed(self) -> list[str]:
         """The definitions that the formula rests on, in their order."""
         needed = set[str]().union(*map(names_of, self.entries))
-        for name in reversed(self.definitions):
+        for name in reversed(list(self.definitions)):
             if name in needed:
                 needed |= names_of(self.definitions[name])
         return [name for name in self.definitions if name in needed]
@@ -235,10 +243,10 @@ class Typed:
         """What the entries of the quantity are worth at the points."""
         symbols = self.reference.symbols
         rough = [RoughEvaluator([entry], symbols) for entry in self.reference.entries]
-        found = []
+        found: list[list[tuple[float, ...] | None]] = []
         for point in self._points:
             values = [one([point[symbol.name] for symbol in symbols]) for one in rough]
-            found.append([value and (value[0][0],) for value in values])
+            found.append([(value[0][0],) if value else None for value in values])
         return found
 
 

@@ -195,18 +195,26 @@ def letter_readings(
 
     A formula that cannot be read, whatever its names mean, is left to `read_printed` to refuse.
     """
+    typed = as_typed(formula, reference, let, conditions, latex=latex)
+    return (typed.readings() if typed else []) or [AS_TYPED]
+
+
+def as_typed(
+    formula: str, reference: Reference, let: Mapping[str, str], conditions: Mapping[Symbol, Expr], *, latex: bool
+) -> Typed | None:
+    """A formula before it is known what its names mean; None where it cannot be read whatever they mean."""
     own = [symbol.name for symbol in reference.symbols]
     if any(unusable(name) for name in let) or set(own) & set(let):
-        return [AS_TYPED]
+        return None
     try:
         definitions = {name: read_loosely(text, [*own, *let]) for name, text in let.items()}
         tree, _ = _without_padding(read_loosely(formula, [*own, *let], latex=latex), reference.shape)
-        if shape(tree) != reference.shape:
-            return [AS_TYPED]
     except FormulaError:
-        return [AS_TYPED]
+        return None
+    if shape(tree) != reference.shape:
+        return None
     entries = Tensor.build(reference.shape, lambda *index: entry_of(tree, index))
-    return Typed(reference, entries, definitions, conditions).readings() or [AS_TYPED]
+    return Typed(reference, entries, definitions, conditions)
 
 
 def entry_of(tree: Tree, index: Index) -> Tree:

@@ -153,9 +153,9 @@ class _Trial:
             return None
         for step in paths[0]:
             found = self._screen.required(tree, needed)
-            if step >= len(found) or found[step] is None:
+            if step >= len(found) or (value := found[step]) is None:
                 return None
-            needed, tree = found[step], children(tree)[step]
+            needed, tree = value, children(tree)[step]
         return needed
 
     def _rests_on(self, name: str) -> frozenset[str]:
@@ -201,10 +201,10 @@ class _Trial:
         """The definitions on which formulas rest that are wrong, the first on which the others rest last."""
         wrong = (one.tree for one, is_right in zip(self._formulas, self._right, strict=True) if not is_right)
         needed = set[str]().union(*map(names_of, wrong))
-        for name in reversed(self._names.definitions):
+        for name in reversed(list(self._names.definitions)):
             if name in needed:
                 needed |= names_of(self._names.definitions[name])
-        return [name for name in reversed(self._names.definitions) if name in needed]
+        return [name for name in reversed(list(self._names.definitions)) if name in needed]
 
     def _slips(self, node: Tree, name: str, *, whole: bool) -> Iterator[Alternative]:
         before = list(self._names.definitions)[list(self._names.definitions).index(name) :]
@@ -234,7 +234,7 @@ class _Trial:
     ) -> dict[str, float]:
         """What the names are worth at a point; those known stay up to the first that is changed."""
         values, is_changed = dict(own), False
-        for name, program in (self._programs | changed).items():
+        for name, program in {**self._programs, **changed}.items():
             is_changed = is_changed or name in changed
             if known is not None and not is_changed and name in known:
                 values[name] = known[name]

@@ -80,12 +80,13 @@ class Print:
 
     def of_siblings(self) -> list[Suggestion]:
         """What was printed wrong if another quantity of the model was meant, from which it is one edit away."""
+        free = self.asked.correlations
+        vanishing = () if self.asked.uses(free) else tuple(free)
+        conditions = also_zero(self.asked.conditions, vanishing) or self.asked.conditions
+        printed = {index: under(conditions, self.asked.printed[index]) for index, _ in self.trees.items()}
         for name, expected in islice(siblings(self.asked), SIBLINGS):
-            conditions = self.asked.conditions
-            pairs = {index: under(conditions, expected[index]) for index, _ in self.trees.items()}
-            wrong = [
-                i for i, entry in pairs.items() if not proved_equal(under(conditions, self.asked.printed[i]), entry)
-            ]
+            pairs = {index: under(conditions, expected[index]) for index in printed}
+            wrong = [index for index, entry in pairs.items() if not proved_equal(printed[index], entry)]
             if len(wrong) != 1:
                 continue
             symbols = self._symbols(conditions)
