@@ -185,7 +185,7 @@ def _variances(asked: Asked) -> Iterator[Convention]:
             note = f"{'variances' if len(chosen) > 1 else 'the variance'} of what is a deviation here"
             squares: dict[Symbol, Expr] = {one: one**2 for one in chosen}
             roots: dict[Symbol, Expr] = {one: sp.sqrt(one) for one in chosen}
-            cost = 1.4 if len(chosen) == len(found) else 1.6
+            cost = 0.9 if len(chosen) == len(found) else 1.1
             yield Convention(words, (note,), squares, roots, cost=cost, is_slip=True)
 
 
