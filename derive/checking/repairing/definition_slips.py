@@ -218,7 +218,7 @@ class _Trial:
             two = Number("2")
             yield Alternative(Product((two, node)), "a missing factor 2", 1.8)
             yield Alternative(Quotient(node, two), "a missing factor 1/2", 1.8)
-            yield Alternative(Negation(node), "the sign of {}", 1.5, (node,))
+            yield Alternative(Negation(node), "the sign of {}", 2.5, (node,))  # squares are mostly meant
 
     def _mends(self, name: str, changed: Tree) -> tuple[int, ...]:
         """The formulas that are right then and were not; none where one is spoilt."""
