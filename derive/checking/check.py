@@ -26,12 +26,12 @@ from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.conventions.altered_question import Asked
-from radartrack.derive.checking.conventions.other_quantity import other_quantities
+from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
 from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
-from radartrack.derive.checking.question.letters import AS_TYPED, Reading, ambiguous, letter_readings, read_loosely
+from radartrack.derive.checking.question.letters import AS_TYPED, Reading, Typed, ambiguous, as_typed, read_loosely
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
@@ -125,7 +125,14 @@ def ask(
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
     paper = Paper(formula, code or (LATEX if latex else TEXT), function, given or {}, let or {}, world, sense)
-    return replace(paper.ask(quantity), paper=paper)
+    try:
+        question = paper.ask(quantity)
+    except FormulaError:
+        other = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
+        if other is None:
+            raise
+        question = other
+    return replace(question, paper=paper)
 
 
 @dataclass(frozen=True)
@@ -142,27 +149,39 @@ class Paper:
 
     def ask(self, quantity: str | Quantity) -> Question:
         """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
+        reference, typed = self._typed(quantity)
+        readings = (typed.readings() if typed else []) or [AS_TYPED]
+        return _likeliest([self._question(reference, reading) for reading in readings])
+
+    def ask_although_unreadable(self, quantity: str | Quantity) -> Question | None:
+        """The same of a formula whose letters the quantity does not have, where it is one of another model."""
+        reference, typed = self._typed(quantity)
+        if typed is None or self.other_model(reference) is None:
+            return None
+        return next((self._question(reference, reading) for reading in typed.forced()), None)
+
+    def other_model(self, reference: Reference) -> Question | None:
+        """The question whether it is the same thing in another model, if it is."""
+        return next((found for name in rivals(reference) if (found := self._right(name)) is not None), None)
+
+    def _right(self, name: str) -> Question | None:
+        """The question whether it is this quantity, if it is."""
+        try:
+            reference, typed = self._typed(name)
+            readings = (typed.readings() if typed else []) or [AS_TYPED]
+            right = (self._question(reference, one) for one in readings if one.fits and not one.wrong)
+            return next((question for question in right if question.is_equal), None)
+        except (FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+            return None
+
+    def _typed(self, quantity: str | Quantity) -> tuple[Reference, Typed | None]:
+        """What is compared with, and the formula before it is known what its names mean, where it can be read then."""
         definitions = {**self.world.let, **self.let}
-        is_named = isinstance(quantity, str)
-        reference = refer(quantity, self.world, definitions) if is_named else refer_to(quantity)
+        reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, definitions)
         conditions: Mapping[Symbol, Expr] = {}
         with suppress(FormulaError):  # in letters of the paper, or wrong: then it is told where the question is asked
             conditions = conditions_for(reference, self.given)
-        readings = letter_readings(
-            lambda own: read_loosely(self.formula, own, self.notation, self.function),
-            reference,
-            definitions,
-            conditions,
-        )
-        return _likeliest([self._question(reference, reading) for reading in readings])
-
-    def is_right(self, name: str) -> Question | None:
-        """The question whether it is this quantity, if it is."""
-        try:
-            question = self.ask(name)
-        except (FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
-            return None
-        return question if question.is_equal else None
+        return reference, as_typed(self._read_loosely, reference, definitions, conditions)
 
     def _read_loosely(self, names: Sequence[str]) -> Tree:
         return read_loosely(self.formula, names, self.notation, self.function)

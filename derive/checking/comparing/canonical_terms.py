@@ -16,7 +16,7 @@ from radartrack.derive.checking.reporting.verdict import TermDifference
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.language.tensor import Index
-from radartrack.derive.symbolic import Expr, Number
+from radartrack.derive.symbolic import Expr
 
 MOST = 12  # terms that differ; a formula that differs in more is another one
 PRODUCTS = 20_000
@@ -44,14 +44,14 @@ def differing_terms(printed: Expr, derived: Expr, entry: Index) -> tuple[TermDif
 ZERO = sp.Integer(0)
 
 
-def _terms(expression: Expr, beside: Expr) -> Mapping[Expr, Number]:
+def _terms(expression: Expr, beside: Expr) -> Mapping[Expr, Expr]:
     """The coefficients of a formula in its canonical form, over the symbols of both formulas."""
     ring = ring_over(sorted(expression.free_symbols | beside.free_symbols, key=str))
     canonical = sp.expand(ExponentialPolynomial.read(expression, ring).expression())
     return dict(_split(canonical))
 
 
-def _split(total: Expr) -> Iterator[tuple[Expr, Number]]:
+def _split(total: Expr) -> Iterator[tuple[Expr, Expr]]:
     for term in sp.Add.make_args(total):
         coefficient, rest = term.as_coeff_Mul()
         if coefficient:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, combinations
+from typing import TypeVar
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
@@ -17,6 +18,7 @@ from radartrack.derive.units import RADIAN, Unit
 
 IN_DEGREES = sp.Integer(180) / sp.pi
 PER_RADIAN = RADIAN**-1
+Name = TypeVar("Name")
 ONE, NOTHING = sp.Integer(1), sp.Integer(0)
 
 
@@ -122,9 +124,9 @@ def _other_axes(asked: Asked) -> Iterator[Convention]:
         cost = 0.9 + 0.1 * len(turned)
         yield Convention(replaced, notes, changes, changes, (), factors, {}, cost, is_slip=True)
         if free := [one for one in asked.correlations if one in _used(asked)]:
-            opposite = {one: -one for one in free}
+            opposite: dict[Symbol, Expr] = {one: -one for one in free}
             words = tuple(f"-{one} for {one}" for one in free)
-            both = {**changes, **opposite}
+            both: dict[Symbol, Expr] = {**changes, **opposite}
             yield Convention((*replaced, *words), notes, both, both, (), factors, {}, cost + 0.1, is_slip=True)
 
 
@@ -183,7 +185,7 @@ def _variances(asked: Asked) -> Iterator[Convention]:
             note = f"{'variances' if len(chosen) > 1 else 'the variance'} of what is a deviation here"
             squares: dict[Symbol, Expr] = {one: one**2 for one in chosen}
             roots: dict[Symbol, Expr] = {one: sp.sqrt(one) for one in chosen}
-            cost = 1.4 if len(chosen) == len(found) else 1.6
+            cost = 0.9 if len(chosen) == len(found) else 1.1
             yield Convention(words, (note,), squares, roots, cost=cost, is_slip=True)
 
 
@@ -220,6 +222,6 @@ def _spoken(asked: Asked, ordinal: int) -> str:
     return f"{words[0]} from the {other} axis" if other else f"{words[0]} from the vertical"
 
 
-def _subsets(names: Sequence[object]) -> Iterator[tuple[object, ...]]:
+def _subsets(names: Sequence[Name]) -> Iterator[tuple[Name, ...]]:
     for count in range(len(names)):
         yield from combinations(names, count + 1)

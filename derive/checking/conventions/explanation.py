@@ -131,7 +131,8 @@ def _is_angle(asked: Asked, place: Index) -> bool:
 def explanations(asked: Asked) -> list[Explanation]:
     """The conventions in which the least is wrong, ours among them, the likeliest first."""
     found = sorted(_by_values(asked), key=lambda one: len(one.wrong) + one.cost)
-    proved = [_proved(one) for one in found[:KEPT]]
+    complete, partial = ([one for one in found if bool(one.wrong) is kind] for kind in (False, True))
+    proved = [_proved(one) for one in (*complete[:KEPT], *partial[:KEPT])]
     return [one for one in proved if one.words]
 
 

@@ -74,7 +74,9 @@ def _in_other_conventions(asked: Asked) -> list[Trial]:
 def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
     """Quantities of the same model that the print may be meant for, by name and entries, the nearest by name first."""
     part, known = asked.reference.part, set(asked.reference.symbols)
-    for quantity in _candidates(part.quantity) if part is not None else ():
+    if part is None:
+        return
+    for quantity in _candidates(part.quantity):
         if quantity is part.quantity or not set(quantity.symbols) <= known:
             continue
         for places, name in _slices(part, quantity)[:1]:
@@ -108,11 +110,11 @@ def _settings(quantity: Quantity) -> list[Setting]:
     same = {one: known.get(one.name.removeprefix(PREDICTED)) for one in predicted}
     if not predicted or None in same.values():
         return [Setting()]
-    alike = {symbol: value for symbol, value in same.items() if value is not None}
+    alike: dict[Symbol, Expr] = {symbol: value for symbol, value in same.items() if value is not None}
     return [
         Setting(),
         Setting(" with a prediction as good as the measurement", alike),
-        Setting(" with a perfect prediction", dict.fromkeys(predicted, sp.Integer(0))),
+        Setting(" with a perfect prediction", {symbol: sp.Integer(0) for symbol in predicted}),
     ]
 
 

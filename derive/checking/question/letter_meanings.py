@@ -94,6 +94,7 @@ _DEVIATION = re.compile(
 )
 _VARIANCE = re.compile(r"(?:var|Var|sigma2|s2|V|D)_(?P<of>\w+)$|(?P<before>\w+?)_(?:var|variance)$|var(?P<joined>\w+)$")
 _CORRELATION = re.compile(r"(?:rho|corr|correlation)_(?P<of>\w+)$|corr$|correlation$")
+_SPELT_OUT = re.compile(r"sigma|(?:sig|stdev|std|sd|s|var|Var|s2|V|D)_|\w+_(?:sigma|stdev|std|sd|dev|var|variance)$")
 _PREDICTED = re.compile(r"pred(?:icted)?_(?P<after>\w+)$|(?P<before>\w+)_(?:p|pred|predicted)$")
 
 
@@ -116,7 +117,7 @@ def meanings(name: str) -> Meanings:
             words = _words(of, _STRONG_WORDS) | _words(of, _WEAK_WORDS)
             if role is Role.CORRELATION:
                 return Meanings(frozenset(), frozenset(), role)
-            if of and not words and "_" not in plain:
+            if of and not words and not _SPELT_OUT.match(plain):
                 continue  # a word that only begins so
             meant = _as_meanings(role, words, predicted=predicted)
             return Meanings(meant, frozenset(), role)

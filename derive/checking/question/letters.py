@@ -124,6 +124,14 @@ class Typed:
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
 
+    def forced(self) -> list[Reading]:
+        """Readings as symbols that the letters cannot mean: of a formula that is known to be another model's."""
+        own = {symbol.name for symbol in self.reference.symbols}
+        unknown = [name for name in self.used if name not in own]
+        left = [symbol for symbol in self.reference.symbols if symbol.name not in self.used]
+        pairs = dict(zip(unknown, map(Letter, left), strict=False))
+        return [Reading(pairs, len(self.entries.entries), fits=False)] if len(pairs) == len(unknown) else []
+
     @cached_property
     def used(self) -> tuple[str, ...]:
         """The names that occur and are not defined, in the order of the formula."""
@@ -135,7 +143,7 @@ class Typed:
     def _needed(self) -> list[str]:
         """The definitions that the formula rests on, in their order."""
         needed = set[str]().union(*map(names_of, self.entries))
-        for name in reversed(self.definitions):
+        for name in reversed(list(self.definitions)):
             if name in needed:
                 needed |= names_of(self.definitions[name])
         return [name for name in self.definitions if name in needed]
@@ -236,10 +244,10 @@ class Typed:
         """What the entries of the quantity are worth at the points."""
         symbols = self.reference.symbols
         rough = [RoughEvaluator([entry], symbols) for entry in self.reference.entries]
-        found = []
+        found: list[list[tuple[float, ...] | None]] = []
         for point in self._points:
             values = [one([point[symbol.name] for symbol in symbols]) for one in rough]
-            found.append([value and (value[0][0],) for value in values])
+            found.append([(value[0][0],) if value else None for value in values])
         return found
 
 
@@ -275,16 +283,15 @@ def _rank(name: str, symbol: Variable, weak: set[Variable]) -> int:
     return ANY + (meaning_of(symbol).role is not Role.VALUE)
 
 
-def letter_readings(
+def as_typed(
     read: Callable[[Sequence[str]], Tree],
     reference: Reference,
     let: Mapping[str, str],
     conditions: Mapping[Symbol, Expr],
-) -> list[Reading]:
-    """What the letters of a formula may stand for, the likeliest first; `AS_TYPED` alone where it has none of its own.
+) -> Typed | None:
+    """A formula before it is known what its names mean; None where it cannot be read whatever they mean.
 
-    A formula that cannot be read, whatever its names mean, is left to who reads it then, and so is one in which
-    something is worked out: its parts have values only when their letters are known.
+    So it is of a formula in which something is worked out: its parts have values only when their letters are known.
 
     Args:
         read: the formula as it is read where names are known, and others are let through.
@@ -298,10 +305,10 @@ def letter_readings(
         entries, parts = entries_of(tree, _UNREAD)
         definitions = _needed_by(tree, let, own)
     except (FormulaError, ValueError):
-        return [AS_TYPED]
+        return None
     if parts or entries.shape != reference.shape or definitions.keys() & set(own):
-        return [AS_TYPED]
-    return Typed(reference, entries, definitions, conditions).readings() or [AS_TYPED]
+        return None
+    return Typed(reference, entries, definitions, conditions)
 
 
 def _needed_by(tree: Tree, let: Mapping[str, str], own: Sequence[str]) -> dict[str, Tree]:

@@ -154,9 +154,9 @@ class _Trial:
             return None
         for step in paths[0]:
             found = self._screen.required(tree, needed)
-            if step >= len(found) or found[step] is None:
+            if step >= len(found) or (value := found[step]) is None:
                 return None
-            needed, tree = found[step], children(tree)[step]
+            needed, tree = value, children(tree)[step]
         return needed
 
     def _rests_on(self, name: str) -> frozenset[str]:
@@ -215,7 +215,7 @@ class _Trial:
             two = Number("2")
             yield Alternative(Product((two, node)), "a missing factor 2", 1.8)
             yield Alternative(Quotient(node, two), "a missing factor 1/2", 1.8)
-            yield Alternative(Negation(node), "the sign of {}", 1.5, (node,))
+            yield Alternative(Negation(node), "the sign of {}", 2.5, (node,))  # squares are mostly meant
 
     def _mends(self, name: str, changed: Tree) -> tuple[int, ...]:
         """The formulas that are right then and were not; none where one is spoilt."""
@@ -231,7 +231,7 @@ class _Trial:
     ) -> dict[str, float]:
         """What the names are worth at a point; those known stay up to the first that is changed."""
         values, is_changed = dict(own), False
-        for name, program in (self._programs | changed).items():
+        for name, program in {**self._programs, **changed}.items():
             is_changed = is_changed or name in changed
             if known is not None and not is_changed and name in known:
                 values[name] = known[name]

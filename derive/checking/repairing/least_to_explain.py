@@ -146,13 +146,16 @@ class Print:
         found = {index: self._edits(one, index) for index in self._different(wrong)[:SHOWN_ENTRIES]}
         left = set(self._different(wrong))
         suggestions: list[Suggestion] = []
-        if mended and mended[0].cost <= sum(edits[0].cost if edits else UNEXPLAINED for edits in found.values()):
+        at_once = sum(edits[0].cost if edits else UNEXPLAINED for edits in found.values())
+        if mended and mended[0].cost < at_once:
             suggestions += [edit.suggestion(words) for edit in mended]
             cost += mended[0].cost
-            left -= {index for index in left if index in mended[0].mends}
+            left -= set(mended[0].mends)
         for index, edits in found.items():
             if index in left:
                 suggestions += [edit.suggestion(words, index) for edit in edits]
+        if mended and mended[0].cost >= at_once:
+            suggestions += [edit.suggestion(words) for edit in mended]
         distinct = {edits[0].words: edits[0].cost for index, edits in found.items() if edits and index in left}
         unexplained = sum(1 for index in left if index in found and not found[index])
         more = len(left - found.keys())

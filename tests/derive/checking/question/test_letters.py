@@ -1,0 +1,180 @@
+"""A formula in the letters of a paper is the same formula: matched by meaning, units and trial."""
+
+import os
+from collections.abc import Mapping
+from random import Random
+
+import pytest
+
+from radartrack.derive import check
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.question.letter_meanings import Role, meanings
+from radartrack.derive.checking.reporting.derived_formula import shown
+from radartrack.derive.checking.reporting.verdict import Outcome
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.printing import to_latex, to_text
+from radartrack.derive.formula.tree import Name, Tree, names
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.text import read_text
+
+THOROUGH = int(os.environ.get("RADARTRACK_MUTANTS", "2")) >= 100
+LONG = 20_000 if THOROUGH else 300  # characters of a formula
+EQUAL = {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}
+
+# As the field writes them; what is not here keeps its own name.
+USUAL = {
+    "r": ("R", "rng", "r_m"),
+    "beta": ("theta", "az", "phi", "bearing"),
+    "epsilon": ("el", "elev"),
+    "rdot": ("rr", "vr", "range_rate"),
+    "sigma_r": ("s_r", "sr", "sigma_rho", "std_r", "range_std"),
+    "sigma_beta": ("s_theta", "sth", "sigma_az", "std_az", "sigma_phi"),
+    "sigma_epsilon": ("s_el", "sigma_el"),
+    "sigma_rdot": ("s_rr", "sigma_rr"),
+    "T": ("dt", "Delta_t", "tau", "Ts"),
+    "x": ("px", "east"),
+    "y": ("py", "north"),
+    "z": ("pz", "up"),
+    "vx": ("xdot", "v_x"),
+    "vy": ("ydot", "v_y"),
+}
+
+
+def renamed(tree: Tree, symbols: set[str], random: Random) -> tuple[Tree, dict[str, str]]:
+    """The tree in other letters, and which letter stands for which symbol."""
+    letters: dict[str, str] = {}
+    for name in sorted(names(tree)):
+        usual = [letter for letter in USUAL.get(name, ()) if letter not in symbols]
+        letters[name] = random.choice(usual) if usual else name
+    change: Mapping[str, str] = letters
+    return rebuild(tree, lambda node: Name(change[node.name]) if isinstance(node, Name) else node), letters
+
+
+def entries(name: str) -> list[tuple[str, str]]:
+    """Different entries of a quantity with their formulas; outside the thorough run one of them."""
+    quantity = catalogue()[name]
+    found: dict[str, str] = {}
+    for index, expression in quantity.expression.items():
+        if expression.free_symbols and len(str(expression)) <= LONG:
+            place = f"[{','.join(map(str, index))}]" if index else ""
+            found.setdefault(shown(Tensor((), (expression,))), f"{name}{place}")
+    chosen = [(entry, formula) for formula, entry in found.items()]
+    return chosen if THOROUGH else Random(name).sample(chosen, min(1, len(chosen)))
+
+
+@pytest.mark.parametrize("name", sorted(catalogue())[:: 1 if THOROUGH else 5])
+def test_every_formula_is_equal_in_the_letters_of_the_field_and_told_with_what_it_was_read(name: str) -> None:
+    symbols = {symbol.name for symbol in catalogue()[name].symbols}
+    for entry, formula in entries(name):
+        tree, letters = renamed(read_text(formula, symbols), symbols, Random(entry))
+        verdict = check(entry, to_text(tree))
+        assert verdict.verdict in EQUAL, (entry, to_text(tree), verdict.reason, verdict.reading)
+        told = dict(words.split(" for ") for words in verdict.reading)
+        changed = {letter: symbol for symbol, letter in letters.items() if letter != symbol}
+        assert told.keys() == changed.keys()
+        assert told == changed
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("polar.map", "[a*cos(b), a*sin(b)]"),
+        ("polar.map", "[rho*cos(g), rho*sin(g)]"),
+        ("spherical.map", "[a*cos(c)*sin(b), a*cos(c)*cos(b), a*sin(c)]"),
+        ("spherical.map", "[R*cos(phi)*sin(theta), R*cos(phi)*cos(theta), R*sin(phi)]"),
+        ("spherical.map", "[R*cos(theta)*sin(phi), R*cos(theta)*cos(phi), R*sin(theta)]"),
+        ("polar.covariance.linear[0,0]", "a^2*b^2*sin(c)^2 + d^2*cos(c)^2"),
+        ("observe.spherical.map", "[sqrt(e^2+n^2+u^2), atan2(e,n), atan(u/sqrt(e^2+n^2))]"),
+        ("observe.spherical.map", "[sqrt(a^2+b^2+c^2), atan2(a,b), asin(c/sqrt(a^2+b^2+c^2))]"),
+        ("kinematics.constant_velocity.process_noise", "[[w*h^3/3, w*h^2/2], [w*h^2/2, w*h]]"),
+        ("fusion.weights.two", "[b^2/(a^2 + b^2), a^2/(a^2 + b^2)]"),
+    ],
+)
+def test_letters_without_a_meaning_are_matched_one_to_one_by_units_and_trial(name: str, formula: str) -> None:
+    given = {"rho": "0"} if "covariance" in name else None
+    assert check(name, formula, given=given).verdict in EQUAL
+
+
+@pytest.mark.parametrize(
+    "letters", [("s_r", "s_theta"), ("sigma_rho", "sigma_az"), ("std_r", "std_phi"), ("sr", "sth")]
+)
+def test_deviations_that_are_exchanged_are_a_slip_however_well_the_exchange_fits(letters: tuple[str, str]) -> None:
+    first, second = letters
+    right = f"r^2*{second}^2*sin(az)^2 + {first}^2*cos(az)^2"
+    wrong = f"r^2*{first}^2*sin(az)^2 + {second}^2*cos(az)^2"
+    assert check("polar.covariance.linear[0,0]", right, given={"rho": "0"}).verdict is Outcome.EQUAL
+    verdict = check("polar.covariance.linear[0,0]", wrong, given={"rho": "0"})
+    assert verdict.verdict is Outcome.WRONG_DIMENSIONS
+    assert f"{first} for sigma_r" in verdict.reading
+    assert any("swapped" in one.edit for one in verdict.suggestions)
+
+
+def test_the_name_of_a_symbol_means_it_unless_no_unit_is_possible_then() -> None:
+    formula = "(rho*s_th*cos(th))^2 + (s_rho*sin(th))^2"
+    verdict = check("polar.covariance.linear[1,1]", formula, given={"rho": "0"})
+    assert verdict.verdict is Outcome.EQUAL
+    assert "rho for r" in verdict.reading
+    own = check("polar.covariance.linear[0,1]", "rho*r*s_r*s_th*cos(2*th) + (s_r^2 - r^2*s_th^2)*sin(2*th)/2")
+    assert own.verdict is Outcome.EQUAL
+    assert not any(words.startswith("rho ") for words in own.reading)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "edit"),
+    [
+        ("polar.bias.second_order[0]", "-R*cos(theta)*s_theta^2", "a missing factor 1/2"),
+        ("polar.map", "[a*cos(b), -a*sin(b)]", "the sign of a*sin(b)"),
+        ("spherical.map[2]", "a*cos(el)", "cos should be sin"),
+        ("observe.polar.map[0]", "sqrt(e^2 - n^2)", "the sign of n**2"),
+        ("kinematics.constant_velocity.process_noise[0,0]", "q*dt^3/4", "4 should be 3"),
+    ],
+)
+def test_a_wrong_formula_is_read_with_what_leaves_the_least_to_explain(name: str, formula: str, edit: str) -> None:
+    given = {"rho": "0"} if "bias" in name else None
+    verdict = check(name, formula, given=given)
+    assert verdict.verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
+    assert verdict.reading
+    assert any(one.edit.startswith(edit) for one in verdict.suggestions), verdict.suggestions
+
+
+def test_letters_of_a_definition_are_matched_too() -> None:
+    let = {"l": "exp(-s_th^2/2)"}
+    assert check("polar.unbiased.estimate", "[d*cos(th)/l, d*sin(th)/l]", given={"rho": "0"}, let=let).is_equal
+
+
+def test_a_variance_is_read_as_the_square_of_a_deviation() -> None:
+    verdict = check("polar.covariance.linear[0,0]", "var_r*cos(az)^2 + r^2*var_az*sin(az)^2", given={"rho": "0"})
+    assert verdict.verdict is Outcome.EQUAL
+    assert "var_r for sigma_r**2" in verdict.reading
+
+
+def test_latex_is_read_in_its_own_letters() -> None:
+    formula = to_latex(read_text("[rho*cos(theta), rho*sin(theta)]", ["rho", "theta"]))
+    assert check("polar.map", formula, latex=True).verdict is Outcome.EQUAL
+
+
+def test_where_several_readings_are_as_likely_the_definitions_to_type_are_offered() -> None:
+    with pytest.raises(FormulaError, match="--let a=sigma_1"):
+        check("fusion.weights.two[0]", "exp(a^2*b + a/b)")
+
+
+def test_more_letters_than_the_quantity_has_symbols_are_refused() -> None:
+    with pytest.raises(FormulaError, match="is not a name here"):
+        check("polar.map[0]", "a*cos(b)*c")
+
+
+@pytest.mark.parametrize(
+    ("name", "role"),
+    [
+        ("sigma_1", Role.DEVIATION),
+        ("std_range", Role.DEVIATION),
+        ("range_std", Role.DEVIATION),
+        ("var_az", Role.VARIANCE),
+        ("rho_12", Role.CORRELATION),
+        ("sum_of", None),
+        ("speed", None),
+    ],
+)
+def test_the_spelling_of_a_name_says_its_role(name: str, role: Role | None) -> None:
+    assert meanings(name).role is role
