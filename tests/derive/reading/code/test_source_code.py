@@ -217,9 +217,12 @@ BOMBS: dict[str, Callable[[str], str]] = {
     "a long number": lambda end: "9" * 5_000 + end,
     "length": lambda end: "x + " * 30_000 + end,
     "nulls": lambda end: "x\0y" + end,
-    "commas": lambda _: "x," * 39_000,
+    "commas": lambda _: "x," * 19_000 + "^",
     "indices": lambda _: "x" + "[0]" * 10_000,
     "attributes": lambda _: "x" + ".y" * 10_000,
+    "attributes without end": lambda _: "x." * 19_000,
+    "quotes": lambda _: "x'" * 19_000,
+    "dots and spaces": lambda _: "x . " * 9_000,
     "lines": lambda end: f"x = x + 1{end}\n" * 6_000,
     "entries": lambda end: "\n".join(f"x[{n}] = {n}{end}" for n in range(900)),
 }
