@@ -45,7 +45,10 @@ VERB_WORDS = MappingProxyType(
 BOLD = frozenset({"\\mathbf", "\\boldsymbol", "\\bm", "\\pmb", "\\bf"})
 CLOSERS = MappingProxyType(
     {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "\\lvert": "\\rvert"}
-    | {f"\\begin{{{name}}}": f"\\end{{{name}}}" for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "array")}
+    | {
+        f"\\begin{{{name}}}": f"\\end{{{name}}}"
+        for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
+    }
 )
 _SAME = MappingProxyType(
     {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\lbrack": "[", "\\rbrack": "]", "\\lparen": "(", "\\rparen": ")"}

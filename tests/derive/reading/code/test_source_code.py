@@ -39,6 +39,7 @@ def refusal(code: str, language: str) -> FormulaError:
         ("python", "x[0] + x[1,2] + x[1][2] + self.dt + plot.r", "x_0 + x_1_2 + x_1_2 + dt + plot_r"),
         ("python", "a, b = np.cos(t), x\nreturn a*b", "cos(t)*x"),
         ("python", "y = x\ny *= 3\ny -= x", "x*3 - x"),
+        ("python", "np.array([[1, dt], [0, 1]], dtype=float)", "[[1, dt], [0, 1]]"),
         ("python", "H = np.zeros((2, 2))\nH[0, 0] = x\nH[1, 1] = y", "[[x, 0], [0, y]]"),
         ("python", "H[0, 0] = x\nH[0, 1] = y", "[[x, y]]"),
         ("python", "J = np.array([[c, -s], [s, c]])\nJ @ R @ J.T", "[[c, -s], [s, c]]*R*[[c, -s], [s, c]].T"),
