@@ -144,6 +144,8 @@ class _PythonReader:
                     changed = ast.copy_location(ast.BinOp(target, operator, value), node)
                     self._assign([target], changed)
                     last = None
+                case ast.If(test, _, []) if self._space.skip_guard(ast.unparse(test), self._span(node)):
+                    continue
                 case _ if not isinstance(node, _SKIPPED):
                     raise FormulaError(self._unread(node), span=self._span(node))
         return self._space.result(last)

@@ -111,6 +111,26 @@ def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str,
     assert refusal(code, language).message.startswith(message)
 
 
+@pytest.mark.parametrize(
+    ("language", "code"),
+    [
+        ("python", "d = x*x\nif abs(d) < 1e-4:\n    raise ValueError('zero')\ny = 1/d"),
+        ("python", "d = x*x\nif d == 0:\n    return 0\nreturn 1/d"),
+        ("c", "d = x*x;\nif (fabs(d) < 0.0001f) {\n  return H;\n}\nreturn 1/d;"),
+        ("cpp", "auto d = x*x;\nif (d == 0.0) throw 1;\ny = 1/d;"),
+    ],
+)
+def test_a_branch_against_a_division_by_zero_is_passed_over_and_told(language: str, code: str):
+    read = read_code(code, language, None)
+    assert to_text(read.tree) == "1/(x*x)"
+    assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
+
+
+@pytest.mark.parametrize("condition", ["x < 0", "x > 1e-4", "x < 1", "x == 1", "x < 1e-4 and y > 0"])
+def test_any_other_branch_of_python_is_refused(condition: str):
+    assert refusal(f"if {condition}:\n    return y\nreturn x", "python").message.startswith("formulas have no cases")
+
+
 @pytest.mark.parametrize("language", ["c", "cpp"])
 @given(above=st.integers(-40, 40), below=st.integers(-9, 9).filter(bool))
 def test_whole_numbers_divide_towards_zero_in_c_and_it_is_said(language: str, above: int, below: int):
