@@ -25,8 +25,8 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import check_characters
-from radartrack.derive.reading.definitions import Definition, combined
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees, verb
+from radartrack.derive.reading.joined_equations import Definition, combined
 from radartrack.derive.reading.latex_equations import equations
 from radartrack.derive.reading.latex_hints import hint
 from radartrack.derive.reading.latex_letters import Letter, Names

@@ -15,6 +15,7 @@ from radartrack.derive.formula.error import FormulaError, Span
 
 MAX_EQUATIONS = 60
 MAX_ROWS = 300
+LONGEST_NUMBER = 40  # characters of the number of an equation with the spaces before it
 
 _DISPLAYS = (
     "equation", "align", "alignat", "aligned", "alignedat", "flalign", "gather", "gathered", "multline", "multlined",
@@ -29,7 +30,7 @@ _SET = re.compile(
     | (?P<begin> \\begin\s*\{{\s*(?:{_DISPLAY})\*?\s*\}}
         (?: (?<=at\}})\s*\{{\d+\}} | (?<=array\}})\s*\{{[lcrLCR]+\}} | (?<=(?:ed|it)\}})\s*\[[tcb]\] )? | \\\[ )
     | (?P<set> \\(?:tag\*?|label|intertext)\s*\{{[^{{}}]*\}} | \\(?:nonumber|notag|hfill|qedhere|allowbreak)(?![A-Za-z])
-        | \\[()] | \$ )
+        | \\[()] | \$ | \\l?eqno\s*(?:\([^()]*\)|\{{[^{{}}]*\}}) )
     """,
     re.VERBOSE,
 )
@@ -56,6 +57,7 @@ _CONTINUES = re.compile(r"(?:\s|\\[,;:!>]|\\(?:quad|qquad|left|right|[bB]igg?[lr
 _SPACE = r"(?:\s|~|\\[,;:!> ]|\\(?:quad|qquad)(?![A-Za-z])|\{\})"
 _BLANK = re.compile(rf"{_SPACE}*")
 _SPACES_BEHIND = ("\\,", "\\;", "\\:", "\\!", "\\>", "\\quad", "\\qquad", "~")
+_NUMBERED = re.compile(r"(?:~|\\[,;:> ]|\\q?quad(?![A-Za-z])|\s\s)\s*(?P<number>\(\d{1,3}[a-z]?\))$")
 _NULL = re.compile(r"\\(?P<side>left|right)\s*\.")
 
 
@@ -162,6 +164,11 @@ def _equation(bare: str, breaks: Sequence[Span], sides: Sequence[Span]) -> Equat
         return Equation("", bare)
     right = _only(clean, shown[-1])
     formula = _without_punctuation(right)
+    if numbered := _NUMBERED.search(formula, max(len(formula) - LONGEST_NUMBER, 0)):
+        raise FormulaError(
+            f"{numbered['number']} may be the number of the equation or a factor: write \\tag{{...}} or \\cdot",
+            span=numbered.span("number"),
+        )
     if len(sides) > 1 and (shown[-1] != sides[-1] or not formula.strip()):
         raise FormulaError("nothing stands right of this relation", span=(sides[-1][0] - 1, sides[-1][0]))
     return Equation(_only(clean, sides[0]) if len(sides) > 1 else "", formula.ljust(len(right)))

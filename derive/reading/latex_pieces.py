@@ -45,7 +45,10 @@ VERB_WORDS = MappingProxyType(
 BOLD = frozenset({"\\mathbf", "\\boldsymbol", "\\bm", "\\pmb", "\\bf"})
 CLOSERS = MappingProxyType(
     {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "\\lvert": "\\rvert"}
-    | {f"\\begin{{{name}}}": f"\\end{{{name}}}" for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "array")}
+    | {
+        f"\\begin{{{name}}}": f"\\end{{{name}}}"
+        for name in ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
+    }
 )
 _SAME = MappingProxyType(
     {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\lbrack": "[", "\\rbrack": "]", "\\lparen": "(", "\\rparen": ")"}
@@ -59,7 +62,7 @@ _PIECE = re.compile(
         | \\(?:quad|qquad|enspace|thinspace|negthinspace|medspace|thickspace|displaystyle|textstyle|scriptstyle
             |limits|nolimits|hfill|strut|relax|mathop|mathrel|mathord|mathstrut)(?![A-Za-z])
         | \\(?:hspace|vspace|phantom|hphantom|vphantom|mspace)\*?\s*\{[^{}]*\}
-        | \\(?:text|mbox|textrm)\s*\{\s*\}
+        | \\(?:text|mbox|textrm)\s*\{\s*[.,;]?\s*\}
         | \\(?:left|right|[bB]igg?[lrm]?)(?![A-Za-z])
           (?=\s*(?:[()\[\]]|\\[{}]|\\[lr](?:vert|brace|brack|paren)(?![A-Za-z]))) )
     | (?P<left_bar> \\(?:left|[bB]igg?l)\s*(?:\||\\vert(?![A-Za-z])) )
@@ -67,7 +70,7 @@ _PIECE = re.compile(
     | (?P<bar> \||\\vert(?![A-Za-z]) )
     | (?P<environment> \\(?:begin|end)\s*\{\s*(?P<kind>[A-Za-z]+)\s*\}(?:(?<=array\})\s*\{[lcr|\s]*\})? )
     | (?P<newline> \\\\(?:\s*\[\s*-?[\d.]+\s*[a-z]{2}\s*\])? )
-    | (?P<word> \\(?:mathrm|mathit|mathsf|text|textrm|operatorname\*?)
+    | (?P<word> \\(?:mathrm|mathit|mathsf|text|textrm|mbox|operatorname\*?)
         (?: \s*\{\s*(?P<braced>(?:[A-Za-z0-9]|\\_)+)\s*\} | \s+(?P<single>[A-Za-z]) ) )
     | (?P<command> \\[A-Za-z]+ | \\. )
     | (?P<digit> [0-9.] )
@@ -76,6 +79,7 @@ _PIECE = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
+_PROSE = re.compile(r"\\(?:text|textrm|mbox)\s*\{(?:\s|[^{}]*\s\}$)")
 _COMMANDS = MappingProxyType(
     dict.fromkeys(GREEK, "greek")
     | dict.fromkeys((*ACCENTS, *DECORATIONS, *SAYS_NOTHING), "accent")
@@ -148,6 +152,8 @@ def _piece(found: re.Match[str]) -> Piece:
         case "environment":
             text = f"\\{'begin' if text.startswith(_BEGIN) else 'end'}{{{found['kind']}}}"
         case "word":
+            if _PROSE.match(text):
+                raise FormulaError("words between formulas are not read: leave them out", span=found.span())
             text = (found["braced"] or found["single"]).replace("\\_", "_")
         case "left_bar" | "right_bar":
             text = "\\lvert" if kind == "left_bar" else "\\rvert"

@@ -183,18 +183,9 @@ def _with_fractions(found: list[Piece]) -> list[Piece]:
     r"""`{a \over b}` as `{\frac{a}{b}}`."""
     if not any(piece.kind == "over" for piece in found):
         return found
-    pairs = partners(found)
-    groups: list[int] = []
-    over: dict[int, int] = {}
-    for index, piece in enumerate(found):
-        if piece.kind == "open":
-            groups.append(index)
-        elif piece.kind == "close":
-            groups.pop()
-        elif piece.kind == "over":
-            if not groups or found[groups[-1]].text != "{" or groups[-1] in over:
-                raise FormulaError("write one \\over in braces: {a \\over b}", span=piece.span)
-            over[groups[-1]] = index
+    if _has_over_outside(found):
+        found = _braced(found)
+    pairs, over = partners(found), _overs(found)
     ends = {pairs[opener] for opener in over}
     result: list[Piece] = []
     for index, piece in enumerate(found):
@@ -206,6 +197,31 @@ def _with_fractions(found: list[Piece]) -> list[Piece]:
         else:
             result += [closes, piece] if index in ends else [piece]
     return result
+
+
+def _overs(found: Sequence[Piece]) -> dict[int, int]:
+    """Where the line of a fraction stands in the braces that open at each place."""
+    groups: list[int] = []
+    over: dict[int, int] = {}
+    for index, piece in enumerate(found):
+        if piece.kind == "open":
+            groups.append(index)
+        elif piece.kind == "close":
+            groups.pop()
+        elif piece.kind == "over":
+            if not groups or found[groups[-1]].text != "{" or groups[-1] in over:
+                raise FormulaError("write one \\over in braces: {a \\over b}", span=piece.span)
+            over[groups[-1]] = index
+    return over
+
+
+def _has_over_outside(found: Sequence[Piece]) -> bool:
+    depth = 0
+    for piece in found:
+        depth += (piece.kind == "open") - (piece.kind == "close")
+        if piece.kind == "over" and not depth:
+            return True
+    return False
 
 
 def _with_big_operators(found: list[Piece]) -> list[Piece]:

@@ -20,6 +20,7 @@ from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
 from radartrack.derive.reading.latex import read_latex
 from radartrack.derive.reading.latex_pieces import FUNCTIONS, VERB_WORDS
+from radartrack.derive.reading.text import read_text
 
 _SIGNS = MappingProxyType(
     {
@@ -94,14 +95,16 @@ def read_printed_text(
         FormulaError: when it is no such formula, is ambiguous, or too large.
     """
     allowed = check_names(names or ())
+    is_typed = "*" in text  # products are written out, as one types them, only with other letters
     if len(text) > MAX_PRINTED:
         raise FormulaError(f"the formula has {len(text)} characters; at most {MAX_PRINTED} are read")
     try:
-        latex, origins = _as_latex(text, allowed, free=strangers or names is None)
+        free = strangers or names is None
+        source, origins = _as_typed(text, allowed) if is_typed else _as_latex(text, allowed, free=free)
     except FormulaError as error:
         raise error.within(text) from None
     try:
-        tree = read_latex(latex, names, shapes, strangers=strangers)
+        tree = (read_text if is_typed else read_latex)(source, names, shapes, strangers=strangers)
     except FormulaError as error:
         raise FormulaError(error.message, text, _back(error.span, origins)) from None
     return rebuild(tree, lambda node: with_span(node, _back(node.span, origins)))
@@ -115,6 +118,40 @@ def _as_latex(text: str, names: frozenset[str], *, free: bool) -> tuple[str, lis
         pieces.append(latex)
         origins += [place] * len(latex)
     return "".join(pieces), [*origins, len(text)]
+
+
+def _as_typed(text: str, names: frozenset[str]) -> tuple[str, list[int]]:
+    """The formula as one types it: letters by their names, raised digits as powers."""
+    pieces: list[str] = []
+    origins: list[int] = []
+    at = 0
+    while at < len(text):
+        end = at + 1
+        place = "" if text[at].isascii() else _place(text[at])
+        while place and end < len(text) and _place(text[end]) == place:
+            end += 1
+        typed = _typed(text[at:end], place, text, at, names)
+        pieces.append(typed)
+        origins += [at] * len(typed)
+        at = end
+    return "".join(pieces), [*origins, len(text)]
+
+
+def _typed(said: str, place: str, text: str, at: int, names: frozenset[str]) -> str:
+    fraction = re.fullmatch(r"(\d+)\N{FRACTION SLASH}(\d+)", unicodedata.normalize("NFKC", said))
+    if said.isascii():
+        return said
+    if place:
+        inside = "".join(map(_plain, said)).strip()
+        return f"**({inside})" if place == "^" else f"_{inside}".replace("\\", "")
+    if fraction:
+        return f"({fraction[1]}/{fraction[2]})"
+    known = {r"\cdot ": "*", r"\Delta ": "Delta"}
+    typed = known.get(_SIGNS[said], _SIGNS[said]) if said in _SIGNS else _greek(said).removeprefix("\\")
+    typed = "sqrt" if said == "√" else typed
+    if not typed or typed.startswith(("\\", "^")):
+        check_characters(" " * at + text[at], names)
+    return typed
 
 
 def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[str, int]]:

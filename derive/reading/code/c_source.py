@@ -152,9 +152,15 @@ class _CReader:
                     last = None
                 case "expression_statement":
                     last = self._statement(node)
+                case "if_statement" if self._is_guard(node):
+                    continue
                 case _ if node.type not in _SKIPPED:
                     raise FormulaError(self._unread(node), span=self._span(node))
         return self._space.result(last)
+
+    def _is_guard(self, node: Node) -> bool:
+        condition = text_of(field(node, "condition")).strip("()")
+        return node.child_by_field_name("alternative") is None and self._space.skip_guard(condition, self._span(node))
 
     def _statement(self, node: Node) -> Value | None:
         parts = named(node)

@@ -32,6 +32,7 @@ _MODULES = frozenset(
         "cp",
     )
 )
+_OF_NO_EFFECT = {"dtype", "order", "copy"}  # arguments that change no value
 _CONSTANTS = {"pi": "pi", "e": "e"}
 _XOR = "^ is exclusive or in Python, and a power in mathematics: write ** for the power"
 _UNREAD: dict[type[ast.AST], str] = {
@@ -143,6 +144,8 @@ class _PythonReader:
                     changed = ast.copy_location(ast.BinOp(target, operator, value), node)
                     self._assign([target], changed)
                     last = None
+                case ast.If(test, _, []) if self._space.skip_guard(ast.unparse(test), self._span(node)):
+                    continue
                 case _ if not isinstance(node, _SKIPPED):
                     raise FormulaError(self._unread(node), span=self._span(node))
         return self._space.result(last)
@@ -287,7 +290,9 @@ class _PythonReader:
         raise FormulaError("an entry is picked by a whole number", span=self._span(node))
 
     def _call(self, node: ast.Call, span: Span) -> Value:
-        if node.keywords or any(isinstance(one, ast.Starred) for one in node.args):
+        if not {one.arg for one in node.keywords} <= _OF_NO_EFFECT or any(
+            isinstance(one, ast.Starred) for one in node.args
+        ):
             raise FormulaError("arguments are given by their places", span=span)
         if isinstance(node.func, ast.Attribute) and _path(node.func)[0] not in _MODULES:
             own = self.value(node.func.value)  # a method: P.dot(Q), a.transpose()

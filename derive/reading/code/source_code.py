@@ -13,7 +13,7 @@ from radartrack.derive.formula.limits import check_brackets
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree
 from radartrack.derive.formula.unknown_names import check_names
-from radartrack.derive.reading.characters import MAX_CHARACTERS, check_characters
+from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.code.c_source import read_c
 from radartrack.derive.reading.code.matlab_source import read_matlab
 from radartrack.derive.reading.code.python_source import read_python
@@ -32,6 +32,9 @@ _LANGUAGES: Mapping[str, tuple[str, int, Reader]] = MappingProxyType(
     }
 )
 LANGUAGES = tuple(_LANGUAGES)
+MAX_CODE = 40_000  # characters; parsers that recover from errors take longer than the grammars of formulas
+MAX_PARTS = 50  # of a dotted name: the parser of MATLAB takes a time that grows with their square
+_DOTTED = re.compile(rf"(?:\.\s*[A-Za-z_]\w*\s*){{{MAX_PARTS}}}")
 _FOREIGN = re.compile(r"[^\x20-\x7e\t\n\r]")
 _COMMENTS = MappingProxyType(
     {
@@ -100,8 +103,8 @@ def read_code(
 
 def _plain(text: str, language: str, names: frozenset[str]) -> str:
     """The code without comments, if it has nothing but ASCII then."""
-    if len(text) > MAX_CHARACTERS:
-        raise FormulaError(f"the code has {len(text)} characters; at most {MAX_CHARACTERS} are read")
+    if len(text) > MAX_CODE:
+        raise FormulaError(f"the code has {len(text)} characters; at most {MAX_CODE} are read: give some lines")
 
     def blank(found: re.Match[str]) -> str:
         return _FOREIGN.sub("?", found.group()) if found["kept"] else re.sub(r"[^\n]", " ", found.group())
@@ -115,3 +118,5 @@ def _check_nesting(text: str) -> None:
     """Refuse brackets that are nested so deeply that a parser would stumble."""
     bare = _QUOTED.sub(lambda found: " " * len(found.group()), text) if '"' in text else text
     check_brackets([(found.group(), found.span()) for found in _BRACKETS.finditer(bare)], _CLOSERS)
+    if dotted := _DOTTED.search(bare):
+        raise FormulaError(f"a dotted name has at most {MAX_PARTS} parts", span=dotted.span())

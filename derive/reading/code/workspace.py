@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -28,7 +29,10 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.formula.unknown_names import unknown_name
 
+LONGEST_CONDITION = 200  # characters
 MAX_ROWS = 12
+# abs(d) < 1e-4, d == 0: what keeps code from dividing by zero, and cuts nothing from the domain of a formula.
+_GUARD = re.compile(r"[^<>=!&|?]*(?:<=?\s*(?:0?\.0\d+|\d+(?:\.\d*)?[eE]-\d+)|==\s*0(?:\.0*)?)[fF]?[\s)]*")
 _PI = frozenset({"pi", "M_PI", "PI"})
 
 
@@ -123,6 +127,13 @@ class Workspace:
             raise FormulaError(unknown_name(name, self.names), span=span)
         is_known = name in self.names
         return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
+
+    def skip_guard(self, condition: str, span: Span) -> bool:
+        """Whether a branch is only taken where a divisor is next to zero; it is said that it is not compared."""
+        is_guard = len(condition) < LONGEST_CONDITION and bool(_GUARD.fullmatch(condition))
+        if is_guard:
+            self.remarks.append(Remark(span, "this branch, for a divisor next to zero, is not compared"))
+        return is_guard
 
     def is_defined(self, name: str) -> bool:
         """Whether something was assigned to a name."""

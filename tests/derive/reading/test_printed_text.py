@@ -8,7 +8,7 @@ from radartrack.derive.reading import FormulaError, read_formula, to_text
 
 KNOWN = ("r", "beta", "epsilon", "rho", "sigma_r", "sigma_beta", "x", "y", "T", "q")
 PIECES = (
-    *"σβεθρλΔπ²³⁻¹₁₂√·×−÷½′ᵀ()+-/^_=,. 12rxyTe",
+    *"σβεθρλΔπ²³⁻¹₁₂√·×−÷½′ᵀ()+-*/^_=,. 12rxyTe",
     "sin",
     "cos ",
     "exp(",
@@ -38,6 +38,8 @@ PIECES = (
         ("(x+y)² π", "(x + y)**2*pi"),
         ("x = r cos ε sin β.", "r*cos(epsilon)*sin(beta)"),
         ("σ_r**2·cos(β)**2", "sigma_r**2*cos(beta)**2"),
+        ("T³*q/3·r − ½*x", "T**3*q/3*r - 1/2*x"),
+        ("√(x² + y²)*σ_β^2", "sqrt(x**2 + y**2)*sigma_beta**2"),
         ("x\u0302² + β′", "x**2 + beta"),
         ("𝜎𝛽² + ϵ", "sigma_beta**2 + epsilon"),
     ],

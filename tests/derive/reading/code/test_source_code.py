@@ -39,6 +39,7 @@ def refusal(code: str, language: str) -> FormulaError:
         ("python", "x[0] + x[1,2] + x[1][2] + self.dt + plot.r", "x_0 + x_1_2 + x_1_2 + dt + plot_r"),
         ("python", "a, b = np.cos(t), x\nreturn a*b", "cos(t)*x"),
         ("python", "y = x\ny *= 3\ny -= x", "x*3 - x"),
+        ("python", "np.array([[1, dt], [0, 1]], dtype=float)", "[[1, dt], [0, 1]]"),
         ("python", "H = np.zeros((2, 2))\nH[0, 0] = x\nH[1, 1] = y", "[[x, 0], [0, y]]"),
         ("python", "H[0, 0] = x\nH[0, 1] = y", "[[x, y]]"),
         ("python", "J = np.array([[c, -s], [s, c]])\nJ @ R @ J.T", "[[c, -s], [s, c]]*R*[[c, -s], [s, c]].T"),
@@ -108,6 +109,26 @@ def test_reading(language: str, code: str, text: str):
 )
 def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str, message: str):
     assert refusal(code, language).message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("language", "code"),
+    [
+        ("python", "d = x*x\nif abs(d) < 1e-4:\n    raise ValueError('zero')\ny = 1/d"),
+        ("python", "d = x*x\nif d == 0:\n    return 0\nreturn 1/d"),
+        ("c", "d = x*x;\nif (fabs(d) < 0.0001f) {\n  return H;\n}\nreturn 1/d;"),
+        ("cpp", "auto d = x*x;\nif (d == 0.0) throw 1;\ny = 1/d;"),
+    ],
+)
+def test_a_branch_against_a_division_by_zero_is_passed_over_and_told(language: str, code: str):
+    read = read_code(code, language, None)
+    assert to_text(read.tree) == "1/(x*x)"
+    assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
+
+
+@pytest.mark.parametrize("condition", ["x < 0", "x > 1e-4", "x < 1", "x == 1", "x < 1e-4 and y > 0"])
+def test_any_other_branch_of_python_is_refused(condition: str):
+    assert refusal(f"if {condition}:\n    return y\nreturn x", "python").message.startswith("formulas have no cases")
 
 
 @pytest.mark.parametrize("language", ["c", "cpp"])
@@ -217,9 +238,12 @@ BOMBS: dict[str, Callable[[str], str]] = {
     "a long number": lambda end: "9" * 5_000 + end,
     "length": lambda end: "x + " * 30_000 + end,
     "nulls": lambda end: "x\0y" + end,
-    "commas": lambda _: "x," * 39_000,
+    "commas": lambda _: "x," * 19_000 + "^",
     "indices": lambda _: "x" + "[0]" * 10_000,
     "attributes": lambda _: "x" + ".y" * 10_000,
+    "attributes without end": lambda _: "x." * 19_000,
+    "quotes": lambda _: "x'" * 19_000,
+    "dots and spaces": lambda _: "x . " * 9_000,
     "lines": lambda end: f"x = x + 1{end}\n" * 6_000,
     "entries": lambda end: "\n".join(f"x[{n}] = {n}{end}" for n in range(900)),
 }
