@@ -29,9 +29,10 @@ from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import MAX_NODES
 from radartrack.derive.formula.magnitude import Measure, magnitudes
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression, Reader
-from radartrack.derive.formula.tree import Entries, Name, Tree, bound_names
+from radartrack.derive.formula.tree import Entries, Name, Tree, bound_names, has_verbs
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.unknown_names import unknown_name, unusable
 from radartrack.derive.language.quantity import Quantity
@@ -48,7 +49,7 @@ QUANTITY = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 SHOWN = 40  # characters of a name that is refused
 MOST_COMPLETED = 60  # definitions of a file that another may have been meant for
-MOST_PARTS = 300_000  # of what a formula is when it is worked out
+MOST_PARTS = 100_000  # of what a formula is when it is worked out
 
 
 class Names(Mapping[str, Expression]):
@@ -156,8 +157,10 @@ class Names(Mapping[str, Expression]):
             NoClosedForm: naming the part that was too much.
         """
         found = self._reader(tree)
-        if isinstance(found, tuple) and number_of_parts(found) > MOST_PARTS:
-            raise NoClosedForm(f"worked out, this has more than {MOST_PARTS} parts")
+        if has_verbs(tree) or isinstance(found, tuple):
+            size, most = number_of_parts(found), MOST_PARTS if isinstance(found, tuple) else MAX_NODES
+            if size > most:
+                raise NoClosedForm(f"worked out, {_shown(tree)} has more than {most} parts")
         return found
 
     def entries(self, tree: Tree) -> tuple[Tensor[Tree], Names]:
@@ -435,6 +438,11 @@ def _dimensions_of(what: str, tree: Tree, names: Names) -> Callable[[Index], Dim
         return known[index]
 
     return dimension
+
+
+def _shown(tree: Tree) -> str:
+    text = to_text(tree)
+    return text if len(text) <= SHOWN else f"{text[:SHOWN]}..."
 
 
 def _size(known: Mapping[str, Meaning]) -> Fold[int]:
