@@ -319,10 +319,10 @@ class Question:
 
     def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
         costs, edits = self._all_edits(wrong)
-        for slip in attempted(self._slips_inside, lambda _: []):
-            inside = Suggestion(slip.formula, slip.words)
-            is_first = not edits or slip.cost < costs[0] or (slip.cost == costs[0] and slip.places > 1)
-            edits = [inside, *edits] if is_first else [*edits, inside]
+        slips = attempted(self._slips_inside, lambda _: [])
+        inside = [Suggestion(slip.formula, slip.words) for slip in slips]
+        likelier = bool(slips) and (not costs or (slips[0].cost, -slips[0].places) < (costs[0], -1))
+        edits = [*inside, *edits] if likelier else [*edits, *inside]
         condition, convention = attempted(lambda: (self._condition, self._convention), lambda _: (None, None))
         found = condition or (convention if len(wrong) > 1 or not edits else None)
         reason = verdict.reason + (f", but {found}" if found else _edit(worst, edits))

@@ -69,7 +69,7 @@ class Names(Mapping[str, Expression]):
         world: World = CATALOGUE,
         known: Mapping[str, Meaning] = MappingProxyType({}),
     ) -> None:
-        self.symbols = symbols
+        self.symbols = {name: symbol for name, symbol in symbols.items() if name not in world.spoiled}
         self.let = let
         self._world = world
         self._known: dict[str, Meaning] = dict(known)

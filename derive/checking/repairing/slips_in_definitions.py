@@ -73,7 +73,8 @@ class Repair:
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
                 text = to_text(one.tree)
                 inside = Slip(text, one.words, one.cost)
-                found.append(self._of_definition(where, inside) if where else inside)
+                slip = self._of_definition(where, inside) if where else inside
+                found += [slip] if slip.formula not in [other.formula for other in found] else []
         return found
 
     @cached_property

@@ -217,7 +217,9 @@ COMMON = {f"t{n}": f"{n}*a + b^2*t{n - 1}" for n in range(2, 13)} | {"t1": "a - 
 
 @pytest.mark.parametrize("place", [1, 2, 5, 9, 12])
 def test_a_wrong_sign_in_one_of_many_definitions_is_found_there(place: int):
-    right = "12*a + b^2*(11*a + b^2*(10*a + b^2*(9*a + b^2*(8*a + b^2*(7*a + b^2*(6*a + b^2*(5*a + b^2*(4*a + b^2*(3*a + b^2*(2*a + b^2*(a - b^2)))))))))))"
+    right = "a - b^2"
+    for factor in range(2, 13):
+        right = f"{factor}*a + b^2*({right})"
     sign = "+" if place == 1 else "-"
     slip = {f"t{place}": COMMON[f"t{place}"].replace("- b" if place == 1 else "+ b", f"{sign} b")}
     verdict = decided(left=right, right="t12 + 0*t1", let={**COMMON, **slip})
