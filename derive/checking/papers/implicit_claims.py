@@ -45,6 +45,7 @@ from radartrack.derive.units import ONE
 _NAME = re.compile(r"(?P<name>[\w.]+?)\s*(?:\[\s*(?P<place>\d{1,2})\s*\])?")
 _COMPARED = re.compile(r"(<=|>=|<|>)")
 SMALL = 1e-25  # what is left of nothing in many digits, relative to what an equation is made of
+MOST_EQUATIONS, MOST_TERMS, HIGHEST_DEGREE = 4, 12, 3  # of which a contradiction is looked for
 POINTS = 3  # at which edits are screened
 
 
@@ -169,15 +170,19 @@ class _Solution:
         unknown = {name: _letters(name, one.value) for name, one in values.items()}
         letters = {symbol for value in unknown.values() for symbol in tensor(value)}
         names = self.names.knowing({name: Meaning(value, lambda _: NOTHING) for name, value in unknown.items()})
-        said = False
+        said: list[Expr] = []
         for text in self.definition.equations:
             for entry in tensor(names.worked_out(_difference(text, names))):
-                rest = sp.expand(entry)
+                rest = sp.expand(under(self._conditions, entry))
                 if rest.free_symbols & letters:
-                    said = True
+                    said.append(rest)
                 elif not proved_equal(rest, sp.Integer(0)):
                     return f"nothing satisfies the equation {text}: no unknown is left in it, and it is not zero"
-        return "" if said else f"everything satisfies the equations of {self.definition.name}: they say nothing"
+        if not said:
+            return f"everything satisfies the equations of {self.definition.name}: they say nothing"
+        if attempted(lambda: _contradict(said, sorted(letters, key=str)), lambda _: False):
+            return f"nothing satisfies the equations of {self.definition.name} together"
+        return ""
 
     @cached_property
     def _conditions(self) -> dict[Symbol, Expr]:
@@ -293,6 +298,18 @@ def _vanishing(text: str, tree: Tree, names: Names, conditions: Mapping[Symbol, 
         lambda _: NOTHING,
     )
     return Question(reference, residual, conditions)
+
+
+def _contradict(equations: Sequence[Expr], letters: Sequence[Symbol]) -> bool:
+    """Whether small polynomials in the unknown have no common zero, whatever the parameters are: they give one."""
+    # coefficients that are no polynomials, such as sines, may depend on each other
+    small = all(one.is_polynomial(*one.free_symbols) for one in equations) and all(
+        len(sp.Add.make_args(one)) <= MOST_TERMS and sp.Poly(one, *letters).total_degree() <= HIGHEST_DEGREE
+        for one in equations
+    )
+    if not small or not 2 <= len(equations) <= MOST_EQUATIONS or len(letters) > MOST_EQUATIONS:
+        return False
+    return sp.groebner(equations, *letters).exprs == [sp.Integer(1)]
 
 
 def _letters(name: str, value: Expression) -> Expression:

@@ -190,7 +190,12 @@ SQUARE = implicit(["x"], ["x^2 = a^2 + 2*a*b + b^2"], ["x > 0"])
         (implicit(["x"], ["x - x = b"]), {"formula": "a"}, Outcome.UNDECIDED),
         (implicit(["x"], ["x = a", "a = a + 1"]), {"formula": "a"}, Outcome.UNDECIDED),
         (implicit(["x"], ["x - x"]), {"formula": "a"}, Outcome.UNDECIDED),
-        (implicit(["x"], ["x = 1", "x = 2"]), {"formula": "1"}, Outcome.DIFFERS),
+        (implicit(["x"], ["x = 1", "x = 2"]), {"formula": "1"}, Outcome.UNDECIDED),
+        (implicit(["x", "y"], ["x + y = a", "x*y = b", "x + y = b + 1"]), {"formula": "[a, b]"}, Outcome.UNDECIDED),
+        (implicit(["x"], ["x^2 = a", "x = a"]), {"formula": "a"}, Outcome.UNDECIDED),
+        (implicit(["x"], ["x = a", "x = b"]), {"formula": "a", "given": {"a": "b"}}, Outcome.EQUAL),
+        (implicit(["x"], ["x = 1", "x = cos(a)^2 + sin(a)^2"]), {"formula": "1"}, Outcome.EQUAL),
+        (implicit(["x"], ["x = exp(a)", "x = exp(b)"]), {"formula": "exp(a)"}, Outcome.DIFFERS),
     ],
 )
 def test_a_solution_is_right_where_it_satisfies_all_equations_on_the_branch_that_is_meant(
