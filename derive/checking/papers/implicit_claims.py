@@ -168,7 +168,7 @@ class _Solution:
         """That everything satisfies the equations, or nothing; empty where they say something."""
         values = self._values(self.tree)
         unknown = {name: _letters(name, one.value) for name, one in values.items()}
-        letters = {symbol for value in unknown.values() for symbol in tensor(value)}
+        letters = {symbol for value in unknown.values() for symbol in tensor(value) if isinstance(symbol, Variable)}
         names = self.names.knowing({name: Meaning(value, lambda _: NOTHING) for name, value in unknown.items()})
         said: list[Expr] = []
         for text in self.definition.equations:

@@ -13,7 +13,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDefinition, WrongDimensions, dimensions
-from radartrack.derive.checking.question.names import Names, symbols_for
+from radartrack.derive.checking.question.names import WORD, Names, symbols_for
 from radartrack.derive.checking.question.single_number import scalar_expression
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
@@ -119,7 +119,9 @@ def refer(text: str, world: World = CATALOGUE, let: Mapping[str, str] = MappingP
     quantities = {found[0]: world.find(found["name"]) for found in _mentions(text)}
     if not quantities:
         world.find(text[:80].strip())
-    if _WORKED_OUT.search(text):
+    own = {symbol.name for quantity in quantities.values() for symbol in quantity.symbols}
+    of_paper = set(WORD.findall(text)) & {*let, *world.letters} - own
+    if of_paper or _WORKED_OUT.search(text):
         return _worked_out(text, list(quantities.values()), world, let)
     parts = {names[found[0]]: _part(quantities[found[0]], found["index"]) for found in _mentions(text)}
     tree = _combination(text, names, parts)

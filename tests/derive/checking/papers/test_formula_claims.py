@@ -87,7 +87,11 @@ def test_an_error_is_at_most_what_it_is_at_the_end_where_it_is_largest(factor: f
 
 
 def test_an_error_in_a_unit_is_absolute():
-    near = {"left": "r", "right": "r + 3*a*r/r*r/1000", "within": {"r": ("1", "1000"), "a": ("0.1", "0.5")}}
+    near: dict[str, Any] = {
+        "left": "r",
+        "right": "r + 3*a*r/r*r/1000",
+        "within": {"r": ("1", "1000"), "a": ("0.1", "0.5")},
+    }
     assert decided(**near, error_at_most="1.6 m").is_equal
     assert decided(**near, error_at_most="1.4 m").verdict is Outcome.DIFFERS
     assert decided(**near, error_at_most="1.6 s").verdict is Outcome.WRONG_DIMENSIONS

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from typing import Any
 
 import pytest
@@ -27,8 +26,8 @@ def world(**tables: Any) -> World:
     return world_of([{"symbols": LETTERS, **tables}])
 
 
-def verdict(left: str, right: str, world: World, **options: Mapping[str, str]) -> Verdict:
-    *_, last = ask_identity(left, right, world=world, **options).answers()
+def verdict(left: str, right: str, world: World) -> Verdict:
+    *_, last = ask_identity(left, right, world=world).answers()
     return last
 
 
