@@ -33,7 +33,7 @@ def integrated(function: Expr, variable: Symbol, low: Expr, high: Expr) -> Expr:
     """
     symbol = sp.Symbol(f"{{{variable.name}}}", real=True)  # the domain of the paper's letter does not hold here
     constants = Constants([symbol])
-    hidden = constants.hidden(sp.expand(function.xreplace({variable: symbol})))
+    hidden = sp.expand(constants.hidden(function.xreplace({variable: symbol})))
     antiderivative = constants.shown(_antiderivative(hidden, symbol))
     return antiderivative.xreplace({symbol: high}) - antiderivative.xreplace({symbol: low})
 
