@@ -47,7 +47,7 @@ def with_text(text: str, patch: pytest.MonkeyPatch) -> None:
     patch.setattr(audit, "decided", lambda *_, **__: (audits, [text]))
     patch.setattr(deadline.Decider, "decide", lambda *_: record(text))
     layer = {"layer": "ulp", "verdict": "failed", "figure": float("inf"), "bound": 1.0, "detail": text}
-    records = [{"quantity": text, "verdict": "failed", "layers": [layer]}]
+    records = [{"quantity": text, "verdict": "failed", "paths": ["function"], "layers": [layer]}]
     patch.setattr(campaign.Campaign, "run", lambda *_: records)
     finding = Finding(text, text, text, text, "depends", text)
     found = Reproduction("gao", text, {}, (finding,))
