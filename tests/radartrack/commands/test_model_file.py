@@ -210,6 +210,15 @@ def test_both_languages_declare_the_same(files: dict[str, Path]):
         assert one.expression == other.expression
 
 
+def test_the_examples_of_the_documents_are_models_and_stand_there_as_they_are():
+    documents = Path(__file__).parents[3] / "docs"
+    page = (documents / "model_of_your_own.md").read_text()
+    table, code = (documents / "examples" / f"bistatic.{kind}" for kind in ("toml", "py"))
+    assert table.read_text().partition("\n")[2] in page
+    assert code.read_text().partition("\n\n")[2] in page
+    assert [load_models(path)[0].name for path in (table, code)] == ["bistatic_w"] * 2
+
+
 def test_of_a_python_file_that_is_none_the_reason_is_told(tmp_path: Path):
     (tmp_path / "model.py").write_text(own_models.PYTHON.replace("METRE, METRE)", "METRE, SECOND)"))
     with pytest.raises(NoModel, match="output y is said to be in s"):
