@@ -11,7 +11,7 @@ HALF = sp.Rational(1, 2)
 
 
 def vanishes_on_a_branch(expression: Expr, depth: int = MOST_ROOTS) -> bool:
-    """Whether an expression u + v √g is proved zero for one sign of √g, wherever the root is nested; False says nothing.
+    """Whether u + v √g is proved zero for one sign of √g, where that root holds others; False says nothing.
 
     Then u² = v² g. With which sign it vanishes has to be seen at points.
     """
@@ -22,10 +22,12 @@ def vanishes_on_a_branch(expression: Expr, depth: int = MOST_ROOTS) -> bool:
         return False
     symbol = sp.Symbol("{root}", positive=True)
     changes = {power: symbol ** int(power.exp / HALF) for power in _powers(expression) if power.base == root}
+    changes |= {size: symbol for size in expression.atoms(sp.Abs) if size.args[0] ** 2 == root}
     above, _ = sp.fraction(sp.together(expression.xreplace(changes)))
     if not above.is_polynomial(symbol):
         return False
-    u, v = sp.Integer(0), sp.Integer(0)
+    u: Expr = sp.Integer(0)
+    v: Expr = sp.Integer(0)
     for (degree,), coefficient in sp.Poly(above, symbol).terms():
         part = coefficient * root ** (degree // 2)
         u, v = (u, v + part) if degree % 2 else (u + part, v)
@@ -34,7 +36,8 @@ def vanishes_on_a_branch(expression: Expr, depth: int = MOST_ROOTS) -> bool:
 
 def _nested_root(expression: Expr) -> Expr | None:
     """The radicand that holds most other roots."""
-    nested = [(len(_powers(power.base)), power.base) for power in _powers(expression) if _powers(power.base)]
+    radicands = [power.base for power in _powers(expression)] + [one.args[0] ** 2 for one in expression.atoms(sp.Abs)]
+    nested = [(len(_powers(radicand)), radicand) for radicand in radicands if _powers(radicand)]
     return max(nested, key=lambda pair: (pair[0], str(pair[1])))[1] if nested else None
 
 

@@ -319,9 +319,10 @@ class Question:
 
     def _with_edits(self, verdict: Verdict, worst: Finding, wrong: Sequence[Finding]) -> Verdict:
         costs, edits = self._all_edits(wrong)
-        for slip in attempted(self._slips_inside, lambda _: []):
-            inside = Suggestion(slip.formula, slip.words)
-            edits = [inside, *edits] if not edits or slip.cost <= costs[0] else [*edits, inside]
+        slips = attempted(self._slips_inside, lambda _: [])
+        inside = [Suggestion(slip.formula, slip.words) for slip in slips]
+        likelier = bool(slips) and (not costs or (slips[0].cost, -slips[0].places) < (costs[0], -1))
+        edits = [*inside, *edits] if likelier else [*edits, *inside]
         condition, convention = attempted(lambda: (self._condition, self._convention), lambda _: (None, None))
         found = condition or (convention if len(wrong) > 1 or not edits else None)
         reason = verdict.reason + (f", but {found}" if found else _edit(worst, edits))
@@ -371,12 +372,17 @@ class Question:
         edited = self._edited(entry, uncorrelated)
         return [(cost, replace(one, edit=one.edit + when_zero(free))) for cost, one in edited]
 
+    @cached_property
+    def _all_names(self) -> Names:
+        """Those that are printed, and what else may have been meant."""
+        return self.printed.names.completed()
+
     def _edited(self, entry: Index, conditions: Mapping[Symbol, Expr]) -> list[tuple[float, Suggestion]]:
         left = set[Symbol](self.reference.symbols) - conditions.keys()
         free = left.union(*(value.free_symbols for value in conditions.values()))
         symbols = [symbol for symbol in self.reference.symbols if symbol in free]
         derived = under(conditions, self.reference.entries[entry])
-        found = suggest(self.printed.entries[entry], self.printed.names, derived, symbols, conditions)
+        found = suggest(self.printed.entries[entry], self._all_names, derived, symbols, conditions)
         return [(one.cost, Suggestion(one.formula, one.edit, entry, one.proved)) for one in found[:SUGGESTIONS]]
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:

@@ -68,7 +68,8 @@ class Variable(Symbol):
 
     def on(self, low: float, high: float) -> Variable:
         """The same symbol, to the algebra too, with another domain."""
-        other: Variable = Symbol.__xnew__(type(self), self.name, **self._assumptions_orig)
+        sign = "positive" if self.is_positive else "nonnegative" if self.is_nonnegative else "real"
+        other: Variable = Symbol.__xnew__(type(self), self.name, **{sign: True})
         other.__dict__.update(self.__dict__)
         other.low, other.high = low, high
         return other

@@ -12,6 +12,7 @@ from radartrack.derive.algebra.exponential_polynomial import (
 )
 from radartrack.derive.moments.gaussian_operator import GaussianOperator
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.verbs.constants import Constants
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 
@@ -23,10 +24,13 @@ def expectation(function: Expr, deviations: Mapping[Symbol, Expr]) -> Expr:
             symbols, or a deviation is no polynomial.
     """
     variables = tuple(deviations)
+    constants = Constants(variables)
+    function = constants.hidden(sp.expand(function))
+    deviations = {symbol: constants.hidden(sigma) for symbol, sigma in deviations.items()}
     covariance = [[sigma**2 if a is b else sp.Integer(0) for b in variables] for a, sigma in deviations.items()]
     symbols = {*variables, *function.free_symbols}.union(*(sigma.free_symbols for sigma in deviations.values()))
     try:
         value = ExponentialPolynomial.read(function, ring_over(symbols))
-        return GaussianOperator(variables, covariance).exponential(value).expression()
+        return constants.shown(GaussianOperator(variables, covariance).exponential(value).expression())
     except NotExponentialPolynomial as error:
         raise NoClosedForm(f"the expectation has no closed form: {error}") from None

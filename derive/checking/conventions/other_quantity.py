@@ -79,7 +79,7 @@ def _values(quantity: Quantity, point: Point) -> dict[Index, Number] | None:
 
 def _candidates(quantity: Quantity) -> list[Quantity]:
     """Quantities of the same model and rank, the most similar names first; the quantity itself leads."""
-    alike = [other for other in family(quantity) if len(other.shape) == len(quantity.shape)]
+    alike = [other for other in dict.fromkeys([quantity, *family(quantity)]) if len(other.shape) == len(quantity.shape)]
     return sorted(alike, key=lambda other: -SequenceMatcher(None, other.name, quantity.name).ratio())
 
 

@@ -300,6 +300,7 @@ def problems(claim: Claim) -> Iterator[str]:
         given = " and ".join(kinds) or "none, or an empty one"
         yield f"exactly one of {', '.join(_KINDS)} is needed, given {given}"
     yield from _misplaced(claim)
+    yield from _misplaced_senses(claim)
     yield from _contradictory(claim)
 
 
@@ -315,16 +316,20 @@ def _misplaced(claim: Claim) -> Iterator[str]:
         yield "along belongs to trend, crosses, at_most and at_least; a value has at"
     if claim.significant is not None and not claim.value:
         yield "significant needs value"
-    if not claim.is_formula and (claim.to_order is not None or claim.limit or claim.within or claim.error_at_most):
-        yield "to_order, limit, within and error_at_most belong to formulas"
-    if claim.error_at_most and (claim.to_order is not None or claim.limit):
-        yield "error_at_most excludes to_order and limit"
     if claim.is_formula and (claim.at or claim.along or claim.maximum_over):
         yield "at, along and maximum_over belong to numbers; conditions on a formula are written as given"
     if claim.is_formula and claim.unit:
         yield "unit belongs to numbers; a formula has the units of its symbols"
     if not claim.is_formula and (claim.given or claim.let):
         yield "given and let belong to formulas; numbers have at"
+
+
+def _misplaced_senses(claim: Claim) -> Iterator[str]:
+    """In which sense a formula is meant, where there is none."""
+    if not claim.is_formula and (claim.to_order is not None or claim.limit or claim.within or claim.error_at_most):
+        yield "to_order, limit, within and error_at_most belong to formulas"
+    if claim.error_at_most and (claim.to_order is not None or claim.limit or claim.chain):
+        yield "error_at_most excludes to_order, limit and chain"
 
 
 def _contradictory(claim: Claim) -> Iterator[str]:

@@ -182,11 +182,9 @@ class _Solution:
     @cached_property
     def _conditions(self) -> dict[Symbol, Expr]:
         question = self._questions(self._values(self.tree), {})[0].reference
-        symbols = {symbol.name for symbol in question.symbols}
+        question = question.with_symbols(self.names.symbols.values())
         of_file = {name: text for name, text in self.given_in_file.items() if name in self.definition.symbols}
-        return conditions_for(
-            question, {n: t for n, t in {**of_file, **self.given}.items() if n in symbols}, self.names
-        )
+        return conditions_for(question, {**of_file, **self.given}, self.names)
 
     def _values(self, tree: Tree) -> dict[str, Meaning]:
         """What each unknown is worth."""

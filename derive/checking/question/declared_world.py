@@ -13,7 +13,8 @@ from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.reading.model_table import model_tables, read_model, require_own_name
 from radartrack.derive.reading.symbol_table import TableError, read_symbol, shown, shown_name
 
-MOST = 500  # entries of a table
+DEVIATION = "sigma"
+MOST = 2_000  # entries of a table
 
 
 def world_of(files: Sequence[Mapping[str, Any]]) -> World:
@@ -49,10 +50,17 @@ def _letters(files: Iterable[Mapping[str, Any]]) -> tuple[dict[str, Variable], d
     for data in files:
         for name, table in _table(data, "symbols").items():
             try:
-                found[name] = read_symbol(name, table, is_deviation=name.startswith("sigma"))
+                found[name] = read_symbol(name, table, deviation_of=_measured(name, table))
             except TableError as error:
                 spoiled[name] = str(error)
     return found, spoiled
+
+
+def _measured(name: str, table: object) -> Variable | None:
+    """What a symbol that is named as a deviation is the deviation of, in the unit that it has itself."""
+    if not name.startswith(DEVIATION) or not isinstance(table, Mapping):
+        return None
+    return read_symbol(name.removeprefix(DEVIATION).strip("_") or "error", {"unit": table.get("unit")})
 
 
 def _formulas(files: Iterable[Mapping[str, Any]], field: str, spoiled: dict[str, str]) -> dict[str, str]:

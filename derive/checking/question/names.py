@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache, cached_property
+from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
@@ -27,9 +29,10 @@ from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import MAX_NODES
 from radartrack.derive.formula.magnitude import Measure, magnitudes
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression, Reader
-from radartrack.derive.formula.tree import Entries, Name, Tree, bound_names
+from radartrack.derive.formula.tree import Entries, Name, Tree, bound_names, has_verbs
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.unknown_names import unknown_name, unusable
 from radartrack.derive.language.quantity import Quantity
@@ -45,7 +48,8 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 QUANTITY = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 SHOWN = 40  # characters of a name that is refused
-MOST_PARTS = 300_000  # of what a formula is when it is worked out
+MOST_COMPLETED = 60  # definitions of a file that another may have been meant for
+MOST_PARTS = 100_000  # of what a formula is when it is worked out
 
 
 class Names(Mapping[str, Expression]):
@@ -65,7 +69,7 @@ class Names(Mapping[str, Expression]):
         world: World = CATALOGUE,
         known: Mapping[str, Meaning] = MappingProxyType({}),
     ) -> None:
-        self.symbols = symbols
+        self.symbols = {name: symbol for name, symbol in symbols.items() if name not in world.spoiled}
         self.let = let
         self._world = world
         self._known: dict[str, Meaning] = dict(known)
@@ -153,8 +157,10 @@ class Names(Mapping[str, Expression]):
             NoClosedForm: naming the part that was too much.
         """
         found = self._reader(tree)
-        if isinstance(found, tuple) and number_of_parts(found) > MOST_PARTS:
-            raise NoClosedForm(f"worked out, this has more than {MOST_PARTS} parts")
+        if has_verbs(tree) or isinstance(found, tuple):
+            size, most = number_of_parts(found), MOST_PARTS if isinstance(found, tuple) else MAX_NODES
+            if size > most:
+                raise NoClosedForm(f"worked out, {_shown(tree)} has more than {most} parts")
         return found
 
     def entries(self, tree: Tree) -> tuple[Tensor[Tree], Names]:
@@ -269,6 +275,14 @@ class Names(Mapping[str, Expression]):
             return Meaning(value, lambda _: NOTHING, measure, size, tree)
         return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size, tree)
 
+    def completed(self) -> Names:
+        """The same with all definitions that can be read."""
+        found = Names(self.symbols, self.let, self._world, self._known)
+        for name in islice(self.let, MOST_COMPLETED):
+            with suppress(FormulaError, NoClosedForm, UnknownQuantity):
+                found.meaning(name)
+        return found
+
     def definitions_in(self, tree: Tree) -> dict[str, Tree]:
         """The definitions that a formula needs, each after those that it needs itself."""
         found: dict[str, Tree] = {}
@@ -333,7 +347,7 @@ def symbols_for(
 
 
 def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[str, Variable]:
-    """The letters of formulas that mean one thing in all of the catalogue, such as r and T: no paper need declare them."""
+    """The letters of formulas that mean one thing in all of the catalogue, such as r: no paper need declare them."""
     words = {word for text in _with_definitions(texts, let) for word in WORD.findall(text)}
     return {name: symbol for name, symbol in common_symbols().items() if name in words}
 
@@ -372,8 +386,7 @@ def _letter(letter: Variable, own: Variable | None) -> Variable:
     if own is None:
         return letter
     if own.unit != letter.unit:
-        kind = {"whole": letter.whole, "is_correlation": letter.is_correlation}
-        return Variable(f"{letter.name}'", letter.meaning, letter.unit, letter.low, letter.high, **kind)
+        return Variable(f"{letter.name}'", letter.meaning, letter.unit, letter.low, letter.high, whole=letter.whole)
     low, high = max(own.low, letter.low), min(own.high, letter.high)
     return own.on(low, high) if low < high else own
 
@@ -425,6 +438,11 @@ def _dimensions_of(what: str, tree: Tree, names: Names) -> Callable[[Index], Dim
         return known[index]
 
     return dimension
+
+
+def _shown(tree: Tree) -> str:
+    text = to_text(tree)
+    return text if len(text) <= SHOWN else f"{text[:SHOWN]}..."
 
 
 def _size(known: Mapping[str, Meaning]) -> Fold[int]:

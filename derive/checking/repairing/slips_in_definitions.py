@@ -18,7 +18,7 @@ from radartrack.derive.evaluation.many_digits import Evaluator, Number
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Screen, Values, close
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Entries, Tree, has_verbs, parts
+from radartrack.derive.formula.tree import Array, Entries, Name, Tree, has_verbs, parts, walk
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -36,11 +36,13 @@ class Slip:
         formula: the definition or the formula without it.
         words: what was changed.
         cost: how unlikely it is.
+        places: in how many places what was changed stands.
     """
 
     formula: str
     words: str
     cost: float
+    places: int = 1
 
 
 @dataclass(frozen=True)
@@ -70,11 +72,9 @@ class Repair:
                 break
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
                 text = to_text(one.tree)
-                found.append(
-                    Slip(f"{where} = {text}", f"let {where}: {one.words}", one.cost)
-                    if where
-                    else Slip(text, one.words, one.cost)
-                )
+                inside = Slip(text, one.words, one.cost)
+                slip = self._of_definition(where, inside) if where else inside
+                found += [slip] if slip.formula not in [other.formula for other in found] else []
         return found
 
     @cached_property
@@ -84,11 +84,18 @@ class Repair:
 
     def _candidates(self) -> Iterator[tuple[str, Candidate]]:
         kinds = self.names.dimensions
+        later = set(self._definitions)  # what a definition cannot mention
         for name, tree in self._definitions.items():
-            others = {one: kind for one, kind in kinds.items() if one not in self._definitions or one != name}
+            others = {one: kind for one, kind in kinds.items() if one not in later}
+            later.discard(name)
             yield from ((name, candidate) for candidate in single_edits(tree, others))
         if _is_worked_out(self.formula):
             yield from ((FORMULA, candidate) for candidate in single_edits(self.formula.tree, kinds))
+
+    def _of_definition(self, name: str, slip: Slip) -> Slip:
+        trees = (self.formula.tree, *self._definitions.values())
+        places = sum(node == Name(name) for tree in trees for _, node in walk(tree))
+        return Slip(f"{name} = {slip.formula}", f"let {name}: {slip.words}", slip.cost, places)
 
     def _confirmation(self, where: str, tree: Tree) -> Callable[[], bool]:
         return lambda: self._is_right(where, tree)
