@@ -227,7 +227,7 @@ class _ModelTable:
         meaning = f"standard deviation of the error of {of.name}"
         said = self._said().get(name, {"unit": str(of.unit)})
         fields = {"meaning": meaning, **said} if isinstance(said, Mapping) else said
-        return self._own(lambda: read_symbol(name, fields, is_deviation=True, of=of))
+        return self._own(lambda: read_symbol(name, fields, deviation_of=of))
 
     def _correlations(self, measured: Sequence[Variable]) -> dict[tuple[Variable, Variable], Variable]:
         by_name = {symbol.name: symbol for symbol in measured}

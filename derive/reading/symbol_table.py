@@ -44,14 +44,13 @@ class TableError(ValueError):
     """A table that says what cannot be used: it names table, field, what was given and what is allowed."""
 
 
-def read_symbol(name: str, table: object, *, is_deviation: bool = False, of: Variable | None = None) -> Variable:
+def read_symbol(name: str, table: object, *, deviation_of: Variable | None = None) -> Variable:
     """A symbol as `[symbols]` says it.
 
     Args:
         name: of the symbol.
         table: with `unit` and perhaps `low`, `high`, both in that unit, `meaning`, and `whole` for whole numbers.
-        is_deviation: whether it is the standard deviation of an error, which is positive.
-        of: what is measured with that error, where it is known.
+        deviation_of: what is measured, where it is the standard deviation of its error.
 
     Raises:
         TableError: naming the field.
@@ -69,7 +68,7 @@ def read_symbol(name: str, table: object, *, is_deviation: bool = False, of: Var
         scale = read_unit(table["unit"])
     except ValueError as error:
         raise TableError(f"{where}.unit: {error}") from None
-    low, high = _domain(scale.unit, of, is_deviation=is_deviation)
+    low, high = _domain(scale.unit, deviation_of)
     ends = [_end(table, end, default, float(scale.factor), where) for end, default in (("low", low), ("high", high))]
     meaning = table.get("meaning", name)
     try:
@@ -78,10 +77,10 @@ def read_symbol(name: str, table: object, *, is_deviation: bool = False, of: Var
         raise TableError(f"{where}: {error}") from None
 
 
-def _domain(unit: Unit, of: Variable | None, *, is_deviation: bool) -> tuple[float, float]:
-    if not is_deviation:
+def _domain(unit: Unit, deviation_of: Variable | None) -> tuple[float, float]:
+    if deviation_of is None:
         return DOMAINS.get(unit, ANY)
-    size = max(abs(of.low), abs(of.high)) if of is not None else 1.0
+    size = max(abs(deviation_of.low), abs(deviation_of.high)) or 1.0
     return DEVIATIONS.get(unit, (SHARES[0] * size, SHARES[1] * size))
 
 
