@@ -246,6 +246,7 @@ BOMBS: dict[str, dict[str, Any]] = {
     "a tower": {"x": "S*9^9^9^9"},
     "a product of sums": {"x": "S*" + "*".join(f"(theta + {n})" for n in range(60))},
     "a power of a sum": {"x": "S*(S/L + theta + cos(theta) + L/S)^60"},
+    "a product of waves": {"x": "S*" + "*".join(f"cos({n}*theta)" for n in range(1, 60))},
     "brackets": {"x": "(" * 5000 + "S" + ")" * 5000},
     "many terms": {"x": "+".join(["S"] * 40_000)},
     "a chain of definitions": {"let": {f"a{n}": f"sin(a{n + 1})" for n in range(450)} | {"a450": "theta"}, "x": "S*a0"},
