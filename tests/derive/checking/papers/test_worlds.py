@@ -60,7 +60,11 @@ def partial(function: Callable[..., Any], point: Point, *by: str) -> Any:
     value = function(point)
     if not isinstance(value, list):
         return gradient(function)
-    return [gradient(lambda at, i=i: function(at)[i]) for i in range(len(value))]
+
+    def entry(i: int) -> Callable[[Point], Any]:
+        return lambda at: function(at)[i]
+
+    return [gradient(entry(i)) for i in range(len(value))]
 
 
 def bistatic(p: Point) -> Any:
@@ -75,7 +79,7 @@ def rate(p: Point) -> Any:
 
 
 def legs(p: Point) -> tuple[Any, Any]:
-    return tuple(sqrt((p["x"] + side * p["a"]) ** 2 + p["y"] ** 2) for side in (-1, 1))  # type: ignore[return-value]
+    return tuple(sqrt((p["x"] + side * p["a"]) ** 2 + p["y"] ** 2) for side in (-1, 1))
 
 
 def rates(p: Point) -> Any:
