@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-bu
 VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: all test lint format types layers drift notebooks bench verify mutants installed clean
+.PHONY: all test lint format types layers drift notebooks bench verify mutants matrix seeds installed clean
 .NOTPARALLEL:
 
 all: $(VENV)/.package
@@ -16,7 +16,7 @@ all: $(VENV)/.package
 	$(BIN)/radartrack audit
 
 test: $(VENV)/.group-test
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 lint: $(VENV)/.group-lint
 	$(BIN)/ruff check .
@@ -33,8 +33,9 @@ types: $(VENV)/.group-types installed
 layers: $(VENV)/.group-layers installed
 	cd build/installed && ../../$(BIN)/lint-imports --config ../../pyproject.toml --no-cache --no-logo
 
+# In another order of hashes and with other integers than `make` itself: both must give the same bytes.
 drift: $(VENV)/.package
-	$(BIN)/radartrack regenerate --check
+	PYTHONHASHSEED=4242 SYMPY_GROUND_TYPES=python $(BIN)/radartrack regenerate --check
 
 notebooks: $(VENV)/.group-notebooks $(VENV)/.extra-plots
 	$(BIN)/python -m pytest -n auto --nbmake --overwrite notebooks
@@ -63,6 +64,17 @@ mutants: $(VENV)/.group-test
 	$(if $(SAMPLE),$(BIN)/python tests/mutants_of_the_tool.py sample build/mutants/session.sqlite $(SAMPLE))
 	cd build/mutants && PYTHONPATH="$$PWD" PATH="$$PWD/../../$(BIN):$$PATH" tool/bin/cosmic-ray exec mutation.toml session.sqlite
 	build/mutants/tool/bin/cr-report build/mutants/session.sqlite
+
+# The tests with the oldest and the newest of what is allowed, and without what is optional.
+# `make matrix ENVIRONMENTS="oldest bare"` takes some of tests/version_matrix.py.
+matrix: $(VENV)/.package
+	$(BIN)/python tests/version_matrix.py $(ENVIRONMENTS)
+
+# The property tests with a hundred seeds, or with those of `make seeds SEEDS="7 8"`; the first that fails ends it.
+SEEDS ?= $(shell seq 100)
+seeds: $(VENV)/.group-test
+	@for seed in $(SEEDS); do echo "seed $$seed"; \
+		RADARTRACK_HYPOTHESIS=dev $(BIN)/python -m pytest -n auto --dist worksteal -q -m hypothesis --hypothesis-seed $$seed || exit 1; done
 
 clean:
 	rm -rf $(VENV) build *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache

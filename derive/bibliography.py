@@ -92,6 +92,13 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             None,
             "Filtering of polynomial trajectories of manoeuvring targets over a finite sample with range rate",
         ),
+        "kalata1984": Work(
+            "Kalata",
+            1984,
+            "The tracking index: a generalized parameter for alpha-beta and alpha-beta-gamma target trackers",
+            "IEEE Transactions on Aerospace and Electronic Systems 20(2), 174-182",
+            "10.1109/TAES.1984.310438",
+        ),
         "leone1961": Work(
             "Leone et al.", 1961, "The folded normal distribution", "Technometrics 3(4), 543-550", "10.2307/1266560"
         ),
@@ -109,6 +116,7 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "IEEE Transactions on Aerospace and Electronic Systems 34(3), 1023-1027",
             "10.1109/7.705921",
         ),
+        "morrison1969": Work("Morrison", 1969, "Introduction to sequential smoothing and prediction", "McGraw-Hill"),
         "pearson1901": Work(
             "Pearson",
             1901,
@@ -120,6 +128,21 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "Prosov",
             None,
             "Analysis of the effect of linearisation of radar measurements on the accuracy of target state estimates",
+        ),
+        "willis1991": Work("Willis", 1991, "Bistatic radar", "Artech House"),
+        "singer1970": Work(
+            "Singer",
+            1970,
+            "Estimating optimal tracking filter performance for manned maneuvering targets",
+            "IEEE Transactions on Aerospace and Electronic Systems 6(4), 473-483",
+            "10.1109/TAES.1970.310128",
+        ),
+        "uhlenbeck1930": Work(
+            "Uhlenbeck & Ornstein",
+            1930,
+            "On the theory of the Brownian motion",
+            "Physical Review 36(5), 823-841",
+            "10.1103/PhysRev.36.823",
         ),
     }
 )

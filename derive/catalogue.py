@@ -6,24 +6,36 @@ from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 from functools import cache
 
-from radartrack.derive.finite_sample import filter_quantities
+from radartrack.derive.finite_sample import fading_memory, filter_quantities
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.moments import taylor_quantities
 from radartrack.derive.moments.conversion_quantities import quantities_of
-from radartrack.derive.motion import plane_motion, polynomial_motion
-from radartrack.derive.sensors import converted_measurements, observation_maps
-from radartrack.derive.tracks import deviation_from_line, fusion_weights, least_squares_line, line_over_time
+from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion, steady_state, turning
+from radartrack.derive.sensors import converted_measurements, observation_maps, several_sites
+from radartrack.derive.tracks import (
+    deviation_from_line,
+    fusion_weights,
+    least_squares_line,
+    line_over_time,
+    track_initiation,
+)
 
 FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     converted_measurements.quantities,
     observation_maps.quantities,
+    several_sites.quantities,
     least_squares_line.quantities,
     line_over_time.quantities,
     deviation_from_line.quantities,
     fusion_weights.quantities,
+    track_initiation.quantities,
     filter_quantities.quantities,
     polynomial_motion.quantities,
     plane_motion.quantities,
+    correlated_motion.quantities,
+    turning.quantities,
+    steady_state.quantities,
+    fading_memory.quantities,
     taylor_quantities.quantities,
 )
 

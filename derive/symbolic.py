@@ -81,6 +81,7 @@ from sympy.printing.str import StrPrinter
 __all__ = [
     "QQ",
     "QQ_I",
+    "Abbreviation",
     "Abs",
     "Add",
     "Basic",
@@ -114,6 +115,7 @@ __all__ = [
     "atan",
     "atan2",
     "atanh",
+    "below",
     "cancel",
     "conjugate",
     "cos",
@@ -151,8 +153,10 @@ __all__ = [
     "sinh",
     "sqrt",
     "srepr",
+    "stumpff",
     "tan",
     "tanh",
+    "third",
     "together",
     "unguarded",
     "zoo",
@@ -172,7 +176,11 @@ class expm1(Function):
         return exp(self.args[0])
 
 
-class remainder(Function):
+class Abbreviation(Function):
+    """A function whose `expanded` form, of elementary ones, loses digits or passes through complex numbers."""
+
+
+class remainder(Abbreviation):
     """e^x less the terms of its series below an order: x^2/2 + x^3/6 + ... from the order 2 on."""
 
     nargs = 2
@@ -199,6 +207,50 @@ class ratio(Function):
     nargs = 2
 
 
+class stumpff(Abbreviation):
+    """Stumpff's c_n of x^2: 1/n! - x^2/(n+2)! + x^4/(n+4)! - ..., a sine or cosine less what its series begins with.
+
+    c_0 is cos x, c_1 is sin x / x, c_2 is (1 - cos x)/x^2; all are finite at zero, and their derivatives are of them.
+    """
+
+    nargs = 2
+
+    def fdiff(self, argindex: int = 1) -> Expr:  # noqa: ARG002 - by the first argument; the other is a number
+        """The derivative by x."""
+        x, order = self.args
+        return -x * (stumpff(x, order + 1) - order * stumpff(x, order + 2))
+
+    def expanded(self) -> Expr:
+        """The closed form, which is 0/0 at zero."""
+        x, order = self.args
+        if order < 2:
+            return sin(x) / x if order else cos(x)
+        return (Rational(1, factorial(int(order) - 2)) - stumpff(x, order - 2).expanded()) / x**2
+
+
+class third(Abbreviation):
+    """The cosine of the third part of the angle whose cosine is given; hyperbolic ones where it is above one.
+
+    It is the positive root c of 4 c^3 - 3 c = x, for x from 0 on.
+    """
+
+    nargs = 1
+
+    def fdiff(self, argindex: int = 1) -> Expr:  # noqa: ARG002 - SymPy names the argument; there is one
+        """The derivative, from that of the cubic."""
+        return 1 / (12 * self**2 - 3)
+
+    def expanded(self) -> Expr:
+        """The cosine itself, of a complex angle where the argument is above one."""
+        return cos(acos(self.args[0]) / 3)
+
+
+class below(Function):
+    """One where the first argument is less than the second, else zero: a weight between forms of one function."""
+
+    nargs = 2
+
+
 @lru_cache(maxsize=1 << 12)
 def factor(expression: Expr) -> Expr:
     """The product of factors over the rationals; many quantities share their parts, and finding them takes long."""
@@ -206,7 +258,7 @@ def factor(expression: Expr) -> Expr:
 
 
 def unguarded(expression: Expr) -> Expr:
-    """Ratios as quotients and hypot as the root of a sum of squares."""
+    """Ratios as quotients, hypot as the root of a sum of squares, what is left of a series as a difference."""
     if not expression.args:
         return expression
     arguments = [unguarded(argument) for argument in expression.args]
@@ -214,6 +266,8 @@ def unguarded(expression: Expr) -> Expr:
         return arguments[0] / arguments[1]
     if isinstance(expression, hypot):
         return sqrt(arguments[0] ** 2 + arguments[1] ** 2)
+    if isinstance(expression, remainder | stumpff):
+        return expression.func(*arguments).expanded()
     return expression.func(*arguments)
 
 

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from radartrack import consistency, convert, fusion, kalman, line, observe, simulate, validity
+    from radartrack import consistency, convert, fusion, initiate, kalman, line, observe, simulate, validity
     from radartrack.finite_sample_filter import FiniteSampleFilter
     from radartrack.variance_table import VarianceTable
 
@@ -17,6 +17,7 @@ __all__ = [
     "consistency",
     "convert",
     "fusion",
+    "initiate",
     "kalman",
     "line",
     "observe",

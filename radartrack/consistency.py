@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import convert
-from radartrack._arrays.prediction import Predicted
-from radartrack._arrays.semidefinite import ROUNDING, are_sound
-from radartrack._arrays.sensors import SENSORS, Sensor, SensorName
 from radartrack._arrays.validation import RealArray, number_between, one_of, real_arrays, whole_number
+from radartrack._conversion.prediction import Predicted
+from radartrack._conversion.semidefinite import ROUNDING, are_sound
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
 from radartrack.chi_square import quantile
 from radartrack.convert import Converted, Method
 from radartrack.simulate import noise_covariance, scatter
@@ -67,6 +67,7 @@ def experiment(
     given: Given = "truth",
     *,
     predicted_covariance: ArrayLike | None = None,
+    azimuth_from: AzimuthFrom | None = None,
     draws: int = 100_000,
     seed: int = 0,
     false_alarm: float = 1e-3,
@@ -77,13 +78,14 @@ def experiment(
     as many draws as make the mean normal.
 
     Args:
-        sensor: "polar", "spherical", "polar_doppler" or "ruv".
-        plot: the arguments of the conversion of this name, one number each: measured quantities, deviations,
-            and `correlation`, which is 0 if it is not given.
+        sensor: a conversion's name, such as "polar" or "spherical_doppler".
+        plot: the arguments of the conversion of this name, one number each: measured quantities, what else it takes
+            (`baseline`), deviations, and `correlation`, which is 0 if it is not given.
         method: as the conversion of this name takes it.
         given: what is held fixed; it is at the values in `plot`.
         predicted_covariance: of a prediction of the measured quantities, whose mean is in `plot`; for the method
             "decorrelated" and for `given` "prediction", and only there.
+        azimuth_from: as the conversion takes it; None for its default. "ruv" has none.
         draws: how many simulated errors, at least 2.
         seed: of the random numbers; the same one gives the same result.
         false_alarm: probability with which one band misses, from 1e-9 to 0.5.
@@ -100,7 +102,8 @@ def experiment(
     chosen = one_of("sensor", sensor, SENSORS)
     condition = one_of("given", given, get_args(Given))
     model = SENSORS[chosen]
-    centre, noise = _point(model, plot)
+    axis = model.chosen_axis(azimuth_from)
+    centre, known, noise = _point(model, plot)
     needed = method == "decorrelated" or condition == "prediction"
     prediction = _prediction(model, centre, predicted_covariance, needed=needed)
     truth, measured = _simulated(
@@ -108,15 +111,16 @@ def experiment(
     )
     function: Callable[..., Converted] = getattr(convert, chosen)
     predicted = prediction if method == "decorrelated" else None
-    converted = function(*np.moveaxis(measured, -1, 0), **noise, method=method, predicted=predicted)
-    symbols = [symbol for symbol, _ in model.coordinates.values()]
-    positions = model.evaluate("map", dict(zip(symbols, np.moveaxis(truth, -1, 0), strict=True)))
+    convention = {} if axis is None else {"azimuth_from": axis}
+    arguments = {**dict(zip(model.coordinates, np.moveaxis(measured, -1, 0), strict=True)), **known, **noise}
+    converted = function(**arguments, method=method, predicted=predicted, **convention)
+    positions = model.cartesian(truth, known, axis)
     return _summary(converted.mean - positions, converted.covariance, _width(false_alarm))
 
 
-def _point(sensor: Sensor, plot: Mapping[str, float]) -> tuple[RealArray, dict[str, float]]:
-    """The centre of the simulation, and deviations and correlation by name."""
-    names = [*sensor.coordinates, *sensor.noise]
+def _point(sensor: Sensor, plot: Mapping[str, float]) -> tuple[RealArray, dict[str, float], dict[str, float]]:
+    """The centre of the simulation, and by name what is known, and deviations and correlation."""
+    names = [*sensor.arguments]
     values = {"correlation": 0.0, **plot}
     if set(values) != set(names):
         raise TypeError(f"plot must have the arguments {names}; got {sorted(plot)}")
@@ -126,7 +130,8 @@ def _point(sensor: Sensor, plot: Mapping[str, float]) -> tuple[RealArray, dict[s
             raise TypeError(f"{name} must be one number; got shape {array.shape}")
     sensor.read(arrays)
     centre = np.array([float(arrays[name]) for name in sensor.coordinates])
-    return centre, {name: float(arrays[name]) for name in sensor.noise}
+    known, noise = ({name: float(arrays[name]) for name in part} for part in (sensor.parameters, sensor.noise))
+    return centre, known, noise
 
 
 def _prediction(

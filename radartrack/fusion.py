@@ -38,7 +38,6 @@ FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 SYMMETRY = 1e-9
-SMALLEST_PIVOT = 1e-9  # of a column of length 1; rounding of 1e-16 is then 1e-7 of a deviation
 DOUBT = 1e-3  # of its deviation may be rounding in a parameter,
 DIGITS = 1e-9  # or of what is measured
 
@@ -405,38 +404,38 @@ def _of_most_accurate(values: Floats, white: _Whitener) -> Floats:
 def _least_squares(design: Floats, white: _Whitener, observed: Floats) -> _Estimate:
     """Parameters from observations, shape (..., n, d), of which each has a design, shape (..., n, d, p).
 
-    With the largest rows first, an orthogonal factorisation keeps what small ones add. What the estimate leaves is
-    fitted once more: its rounding then goes with the residuals.
+    What the estimate leaves is fitted once more: its rounding then goes with the residuals. Another fit must add
+    nothing.
 
     Raises:
         ValueError: double precision cannot tell the parameters.
     """
     rows = np.broadcast_to(white.matrix @ design, (*observed.shape, design.shape[-1]))
     first = _factorised(rows, _applied(white.matrix, observed))
-    left = _applied(white.matrix, observed - _applied(design, first.value[..., np.newaxis, :]))
-    second = _factorised(rows, left)
-    doubt = (np.abs(left).max(axis=-1) * white.doubt).max(axis=-1)[..., np.newaxis]
-    deviations = np.abs(second.root).max(axis=-1)
+    second = _factorised(rows, left := _left(first.value, design, white, observed))
+    value, deviations = first.value + second.value, np.abs(first.root).max(axis=-1)
+    again = _factorised(rows, _left(value, design, white, observed))
+    doubt = (np.abs(left).max(axis=-1) * white.doubt).max(axis=-1)[..., np.newaxis] * deviations
     size = np.concatenate([np.abs(observed).max(axis=-2)] * (design.shape[-1] // observed.shape[-1]), axis=-1)
-    if not np.all(doubt * deviations <= DOUBT * deviations + DIGITS * size):
+    if not np.all(np.maximum(doubt, np.abs(again.value)) <= DOUBT * deviations + DIGITS * size):
         raise ValueError("covariance must be less unequal for measurements that differ by so many deviations")
-    return _Estimate(first.value + second.value, second.root)
+    return _Estimate(value, first.root)
+
+
+def _left(value: Floats, design: Floats, white: _Whitener, observed: Floats) -> Floats:
+    """What parameters leave of the observations, in deviations."""
+    return _applied(white.matrix, observed - _applied(design, value[..., np.newaxis, :]))
 
 
 def _factorised(rows: Floats, observed: Floats) -> _Estimate:
     """Parameters from white observations, shape (..., n, d), by an orthogonal factorisation of their rows."""
     *tracks, count, size, parameters = rows.shape
     rows = rows.reshape(*tracks, count * size, parameters)
-    order = np.argsort(-np.abs(rows).max(axis=-1), axis=-1, kind="stable")[..., np.newaxis]
     scale = np.abs(rows).max(axis=-2, keepdims=True)
     both = np.concatenate([rows / scale, observed.reshape(*tracks, count * size, 1)], axis=-1)
-    factor: Floats = np.asarray(np.linalg.qr(np.take_along_axis(both, order, axis=-2), mode="r"), np.float64)
-    triangular, right = factor[..., :parameters, :parameters], factor[..., :parameters, parameters]
-    pivots = np.abs(np.diagonal(triangular, axis1=-2, axis2=-1))
-    if not np.all(pivots >= SMALLEST_PIVOT * np.linalg.norm(triangular, axis=-2)):
-        raise ValueError("covariance must be less unequal: double precision cannot fuse what was given")
-    root = _inverse(triangular) / np.swapaxes(scale, -1, -2)
-    return _Estimate(_applied(root, right), root)
+    factor = np.asarray(np.linalg.qr(both, mode="r"), np.float64)[..., :parameters, :]
+    root = _inverse(factor[..., :parameters]) / np.swapaxes(scale, -1, -2)
+    return _Estimate(_applied(root, factor[..., parameters]), root)
 
 
 def _squares(root: Floats) -> Floats:

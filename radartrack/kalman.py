@@ -1,4 +1,4 @@
-"""Linear Kalman filters for polynomial motion with process noise, over any number of tracks at once.
+"""Kalman filters for polynomial motion with process noise, and extended updates, over any number of tracks at once.
 
 The covariance of a track depends on what is observed, not on the values. So tracks that start from one
 covariance and miss nothing share one, and it is computed once. Arrays are worked on with the tracks along the
@@ -11,26 +11,29 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import repeat
-from typing import NamedTuple
+from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack._arrays import patterns
+from radartrack._arrays import linear_motions, patterns
+from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     RealArray,
-    positive_number,
+    one_of,
     real_arrays,
-    real_number,
     require_covariance,
     require_finite,
     require_trailing_shape,
-    require_variances,
     whole_number,
 )
-from radartrack.generated import kinematics
+from radartrack._conversion.sensors import AzimuthFrom
+from radartrack._observation.sights import SIGHTS, Sight, SightName, site_of
 
-MOTIONS = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
+UpdateOrder: TypeAlias = Literal[1, 2]
+
+EXTENDED_BLOCK = 2048  # tracks; their factors and derivatives stay in the cache
+POLYNOMIAL = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 
 
 class Belief(NamedTuple):
@@ -85,17 +88,35 @@ def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
     Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.
 
     """
-    name = MOTIONS[whole_number("degree", degree, 0, len(MOTIONS) - 1)]
-    T, q = positive_number("period", period), real_number("intensity", intensity)
-    if q < 0:
-        raise ValueError(f"intensity must be finite and at least 0; got {intensity}")
-    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # what is not finite is refused below
-        transition: RealArray = getattr(kinematics, f"{name}_transition")(T=T)
-        process_noise: RealArray = getattr(kinematics, f"{name}_process_noise")(T=T, q=q)
-    require_finite(f"the transition over the period {period}", transition)
-    if q:
-        require_variances(f"the process noise of intensity {intensity} over {period} s", np.diagonal(process_noise))
-    return Motion(transition, process_noise)
+    return motion(POLYNOMIAL[whole_number("degree", degree, 0, len(POLYNOMIAL) - 1)], period, intensity=intensity)
+
+
+def motion(name: str, period: float, *, axes: int = 1, **parameters: float) -> Motion:
+    """A linear motion by its name, from scan to scan.
+
+    | name | of each axis | parameters |
+    |---|---|---|
+    | `constant_position` to `constant_jerk` | a position and 0 to 3 derivatives | `intensity`, `std` or `jump_std` |
+    | `singer` | position, velocity, acceleration | `time_constant`, `std` |
+    | `ornstein_uhlenbeck` | position, velocity | `time_constant`, `intensity` |
+    | `turn.known_rate` | position, velocity; two axes, (x, vx, y, vy) | `rate`, and `intensity` or `std` |
+
+    Args:
+        name: one of these.
+        period: time from scan to scan [s].
+        axes: how many axes move like that, each on its own, one block after the other.
+        **parameters: `intensity` of white noise in the derivative after the last [m^2/s^(2n - 1), n components], or
+            `std` of that derivative where it is constant over a period [m/s^n], or `jump_std` of jumps of the last one
+            at each scan [m/s^(n - 1)]; for Singer `std` is that of the acceleration [m/s^2]; `time_constant` [s] after
+            which a correlation is 1/e; `rate` of the turn, counter-clockwise from x to y [rad/s], 0 and less too.
+
+    Raises:
+        TypeError: an argument is no real number, the name no text, or axes no whole number.
+        ValueError: the name is not known, the parameters are not those of the motion, period or time constant are not
+            positive, a noise is negative, axes is not 1 to 3 (1 for a turn), or matrices overflow or lose their digits.
+
+    """
+    return Motion(*linear_motions.matrices(name, period, axes, parameters))
 
 
 class _Observation(NamedTuple):
@@ -109,7 +130,7 @@ class _Sensor(NamedTuple):
     """H and R, and what they are with independent errors of variance one where nothing is missing.
 
     Attributes:
-        matrix: H, (m, n).
+        matrix: H, (m, n), or (m, n, tracks) where each track has its own.
         noise: R, (m, m), or (m, m, tracks) where each track has its own.
         across: the transpose of the whitening, (m, m, 1 or tracks).
         rows: what is measured then, (m, n, 1 or tracks).
@@ -164,6 +185,78 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
     return _tracks_first(*updated, tracks)
 
 
+def update_with(
+    sensor: SightName,
+    belief: Belief,
+    measured: ArrayLike,
+    noise: ArrayLike,
+    order: UpdateOrder = 1,
+    azimuth_from: AzimuthFrom | None = None,
+    **site: ArrayLike,
+) -> Belief:
+    """Combine beliefs with what a sensor measured: the extended Kalman update, of first or of second order.
+
+    With g what `rt.observe` says of the mean, J its Jacobian, G its Hessian and P the covariance, the measurement is
+    that of a linear sensor J, of g, with errors of covariance R; at the second order of g + tr(G P)/2, with errors of
+    covariance R + tr(G_a P G_b P)/2 (Bar-Shalom, Willett and Tian 2011). An azimuth is compared the short way round.
+
+    A quantity that has no derivative at the mean tells nothing, as if it were missing: azimuth and elevation where the
+    mean lies on the vertical axis, and all of them at the radar; the others count. Near such a place the first order
+    believes too much, and the second takes the quantity for as poor as it is. A measured elevation of 90 degrees leaves
+    the azimuth without meaning: let it be missing.
+
+    Args:
+        sensor: the name of a function of `rt.observe`.
+        belief: of n components; the first are those that the function of this name takes, and others are not measured.
+        measured: what it measures, in its order, shape (..., m); NaN where missing. Angles may be wrapped or not.
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., m, m) where tracks differ.
+        order: 1, extended, or 2, second-order extended.
+        azimuth_from: as the function of this name takes it; None for its default. Some have none.
+        site: `baseline`, shape (...), or `receiver`, shape (..., 3), where the function of this name takes it.
+
+    Returns:
+        Means, shape (..., n), and covariances, shape (..., n, n).
+
+    Raises:
+        TypeError: an argument is not made of real numbers, or a site is missing or of no use.
+        ValueError: the shapes do not fit, a measurement is infinite, another number is not finite or out of place, a
+            covariance is none, R is not positive definite, a word is unknown, or the result overflows.
+
+    """
+    sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
+    second = whole_number("order", order, 1, 2) == 2
+    places = sight.order(azimuth_from)
+    arrays = real_arrays({"mean": belief.mean, "measured": measured, "noise": noise, **site_of(sight, site)})
+    values, R = _measured_values(arrays, len(sight.outputs))
+    size = len(sight.state)
+    if arrays["mean"].shape[-1:] < (size,):
+        raise ValueError(f"mean must have at least {size} components, {sight.state}; got shape {arrays['mean'].shape}")
+    sight.read_state("mean", arrays["mean"][..., :size])
+    there = sight.read_site(arrays)
+    others = _common(values.shape[:-1], R.shape[:-2])
+    for symbol, array in there.items():
+        others = _common(others, array.shape, symbol)
+    tracks, mean, covariance = _tracks_last(belief, others)
+    spread = {
+        symbol: np.broadcast_to(array, tracks).reshape(-1) if array.ndim else array for symbol, array in there.items()
+    }
+    seen = np.broadcast_to(values, (*tracks, len(sight.outputs))).reshape(-1, len(sight.outputs))
+    errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
+    means, covariances = np.empty((len(seen), len(mean))), np.empty((len(seen), len(mean), len(mean)))
+    look = _Look(sight, places, second, spread, errors)
+
+    def block(own: NDArray[np.intp], new_means: RealArray, new_covariances: RealArray) -> None:
+        few = covariance if covariance.shape[-1] == 1 else covariance[..., own]
+        with np.errstate(over="ignore", invalid="ignore"):
+            observation = look.observation(mean[:, own], few, seen[own].T, own)
+            step, updated = _updated(np.zeros_like(mean[:, own]), few, observation)
+        new_means[...] = (mean[:, own] + step).T
+        new_covariances[...] = np.moveaxis(updated, -1, 0)
+
+    fill(block, [np.arange(len(seen))], [means, covariances], EXTENDED_BLOCK)
+    return _tracks_first(means.T, np.moveaxis(covariances, 0, -1), tracks)
+
+
 def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike) -> Belief:
     """Predict and update, scan by scan.
 
@@ -201,6 +294,58 @@ def run(start: Belief, motion: Motion, measured: ArrayLike, matrix: ArrayLike, n
             means[number] = mean
             covariances.append(covariance)
     return _tracks_first(means, _stacked(covariances, len(mean)), tracks)
+
+
+class _Look(NamedTuple):
+    """How a sensor looks at many tracks.
+
+    Attributes:
+        sight: what it measures.
+        places: of the components, in the order in which the formulas take them.
+        second: whether curvature counts.
+        site: the other site, by symbol, one for all tracks or one for each.
+        noise: R, (m, m) or (tracks, m, m).
+
+    """
+
+    sight: Sight
+    places: list[int]
+    second: bool
+    site: dict[str, RealArray]
+    noise: RealArray
+
+    def observation(
+        self, mean: RealArray, covariance: RealArray, measured: RealArray, own: NDArray[np.intp]
+    ) -> _Observation:
+        """What some tracks, with means (n, tracks), learn of the error of the mean from measurements (m, tracks)."""
+        sight, places = self.sight, self.places
+        site = {symbol: array[own] if array.ndim else array for symbol, array in self.site.items()}
+        components = [mean[place] + 0.0 for place in places]
+        near = sight.off_poles(components, site)
+        rows = np.zeros((len(measured), *mean.shape), mean.dtype)
+        jacobian = sight.evaluate("jacobian", near, site)
+        rows[:, places] = np.moveaxis(jacobian, 0, -1)
+        predicted = sight.evaluate("map", components, site).T
+        noise = self.noise if self.noise.ndim == 2 else np.moveaxis(self.noise[own], 0, -1)
+        if self.second:
+            shift, spread = _curvature(sight.evaluate("hessian", near, site), covariance, places)
+            predicted = predicted + shift
+            noise = spread + (noise if noise.ndim == 3 else noise[..., np.newaxis])
+        innovation = measured - predicted
+        for place in sight.azimuths:
+            innovation[place] -= 2 * np.pi * np.round(innovation[place] / (2 * np.pi))
+        innovation[~rows.any(axis=1)] = np.nan
+        return _whitened(innovation, _sensor_of(rows, noise))
+
+
+def _curvature(hessian: RealArray, covariance: RealArray, places: list[int]) -> tuple[RealArray, RealArray]:
+    """tr(G P)/2, (m, tracks), and tr(G_a P G_b P)/2, (m, m, tracks)."""
+    spread = np.moveaxis(covariance[np.ix_(places, places)], -1, 0)[:, np.newaxis]
+    turned = hessian @ spread
+    flat = turned.reshape(*turned.shape[:2], -1)
+    across = np.swapaxes(turned, -1, -2).reshape(flat.shape)
+    moments = flat @ np.swapaxes(across, -1, -2)
+    return np.trace(turned, axis1=-2, axis2=-1).T / 2, np.moveaxis(moments + np.swapaxes(moments, -1, -2), 0, -1) / 4
 
 
 def _predicted(mean: RealArray, covariance: RealArray, motion: Motion) -> tuple[RealArray, RealArray]:
@@ -300,9 +445,19 @@ def _sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans
         yield _Sensor(matrix, own, across, _rows(across, matrix))
 
 
+def _sensor_of(matrix: RealArray, noise: RealArray) -> _Sensor:
+    """The sensor of tracks that each have an H, (m, n, tracks), and one R, (m, m), or one each, (m, m, tracks)."""
+    if noise.ndim == 2:
+        across = _whitening(np.ones(len(noise), dtype=bool), noise).T[..., np.newaxis]
+    else:
+        across = _whitening_of_each(np.ones((len(noise), 1), dtype=bool), noise).swapaxes(0, 1)
+    return _Sensor(matrix, noise, across, _rows(across, matrix))
+
+
 def _rows(across: RealArray, matrix: RealArray) -> RealArray:
     """What whitened measurements measure, (m, n, tracks or 1)."""
-    return _combination(across[:, :, np.newaxis], matrix[:, np.newaxis, :, np.newaxis])
+    of_each = matrix if matrix.ndim == 3 else matrix[..., np.newaxis]
+    return _combination(across[:, :, np.newaxis], of_each[:, np.newaxis])
 
 
 def _whitening_of_each(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
@@ -331,12 +486,12 @@ def _inverse_root(noise: RealArray) -> RealArray:
         raise ValueError("noise must be symmetric and positive definite; got a matrix that is not") from None
 
 
-def _common(measured: tuple[int, ...], noise: tuple[int, ...]) -> tuple[int, ...]:
-    """The leading shape of measurements and their noise together."""
+def _common(measured: tuple[int, ...], noise: tuple[int, ...], name: str = "noise") -> tuple[int, ...]:
+    """The leading shape of measurements and their noise together, or of something else that is named."""
     try:
         return np.broadcast_shapes(measured, noise)
     except ValueError:
-        raise ValueError(f"measured and noise must broadcast; got leading shapes {measured} and {noise}") from None
+        raise ValueError(f"measured and {name} must broadcast; got leading shapes {measured} and {noise}") from None
 
 
 def _tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
@@ -388,19 +543,25 @@ def _measurement(
     measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, size: tuple[int, ...]
 ) -> tuple[RealArray, RealArray, RealArray]:
     arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
-    values, H, R = arrays["measured"], arrays["matrix"], arrays["noise"]
+    H = arrays["matrix"]
     if H.ndim != 2 or not H.size or not np.isfinite(H).all():
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
     if H.shape[1:] != size:
         raise ValueError(f"matrix must have {size[0]} columns, one a component; got {H.shape[1]}")
-    require_trailing_shape("noise", R, (len(H), len(H)))
-    require_trailing_shape("measured", values, (len(H),))
+    values, R = _measured_values(arrays, len(H))
+    return values, H, R
+
+
+def _measured_values(arrays: dict[str, RealArray], size: int) -> tuple[RealArray, RealArray]:
+    values, R = arrays["measured"], arrays["noise"]
+    require_trailing_shape("noise", R, (size, size))
+    require_trailing_shape("measured", values, (size,))
     if np.isinf(values).any():
         raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
     require_finite("noise", R)
     if not np.array_equal(R, np.swapaxes(R, -1, -2)):
         raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
-    return values, H, R
+    return values, R
 
 
 def _checked(motion: Motion, size: int) -> Motion:

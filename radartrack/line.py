@@ -401,11 +401,11 @@ def _ordinary(plots: _Centred) -> tuple[Floats, Floats]:
     """The slope, and the coordinate at the mean time as that is rounded."""
     known = plots.scale_t > 0
     scaled = formulas.ordinary_slope(S_tt=np.where(known, plots.S_tt, 1.0), S_tx=plots.S_tx)
-    rise = np.where(known, scaled * plots.scale_x, np.nan)
-    with np.errstate(over="ignore"):
-        slope = rise / _positive(plots.scale_t)
+    with np.errstate(over="ignore", invalid="ignore"):
+        slope = np.where(scaled == 0, 0.0, scaled * (plots.scale_x / _positive(plots.scale_t)))
+    slope = np.where(known, slope, np.nan)
     _require_representable(slope)
-    return slope, plots.mean_x + np.where(known, rise * plots.lost, 0.0)
+    return slope, plots.mean_x + np.where(known, scaled * plots.scale_x * plots.lost, 0.0)
 
 
 def _perpendicular_slope(plots: _Centred) -> Floats:

@@ -3,20 +3,16 @@
 Positions are relative to the radar. Azimuths are in (-pi, pi], elevations in [-pi/2, pi/2]. At the radar, and
 for azimuth and elevation on the vertical axis above and below it, the measurement is still a number (an angle or
 a direction cosine that is not defined is 0), and every derivative that does not exist is 0: a filter that uses
-it learns nothing from that plot. For derivatives, a coordinate of a position smaller than 1e-100 m, in float32
-than 1e-12 m, counts as zero.
+it learns nothing from that plot. Where two sites observe together, the term of a site is 0 at that site, and so are
+its derivatives. For derivatives, a coordinate of a position smaller than 1e-100 m, in float32
+than 1e-12 m, counts as zero, and one nearer to another site as there.
 """
 
-from collections.abc import Callable, Mapping, Sequence
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
-from radartrack._arrays.validation import (
-    RANGE_RATE as SPEED,
-)
 from radartrack._arrays.validation import (
     Domain,
     RealArray,
@@ -27,21 +23,12 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
-from radartrack.generated import observe as formulas
+from radartrack._conversion.sensors import AzimuthFrom
+from radartrack._observation.sights import SIGHTS, Sight, SightName, site_of
 
 Order: TypeAlias = Literal["linear", "second_order"]
 
-POSITION = Domain(" m", 1e150, 1e15, "squares of larger numbers overflow", signed=True)
 PROJECTED = Domain("", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
-POLE = {np.dtype(np.float64): 1e-100, np.dtype(np.float32): 1e-12}
-
-_STATES: Mapping[SensorName, tuple[str, ...]] = {
-    "polar": ("x", "y"),
-    "spherical": ("x", "y", "z"),
-    "polar_doppler": ("x", "y", "vx", "vy"),
-    "ruv": ("x", "y", "z"),
-}
-_EXCHANGED = {"x": "y", "y": "x", "vx": "vy", "vy": "vx"}
 
 
 class Observed(NamedTuple):
@@ -118,6 +105,44 @@ def polar_doppler(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed
     return _read("polar_doppler", state, azimuth_from)
 
 
+def spherical_doppler(state: ArrayLike, azimuth_from: AzimuthFrom = "y") -> Observed:
+    """Observe range [m], azimuth [rad], elevation [rad] and range rate [m/s] of a position and velocity in space.
+
+    At the radar the range rate counts as 0.
+
+    Args:
+        state: x, y, z [m], vx, vy and vz [m/s], shape (..., 6), each as for `polar_doppler`.
+        azimuth_from: "y", clockwise from the y axis (compass), or "x", counter-clockwise from the x axis.
+
+    Returns:
+        As `polar`.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`.
+
+    """
+    return _read("spherical_doppler", state, azimuth_from)
+
+
+def bearing(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
+    """Observe the azimuth [rad] alone of a position in the plane.
+
+    Args:
+        state: as for `polar`.
+        azimuth_from: as for `polar`.
+
+    Returns:
+        As `polar`.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`.
+
+    """
+    return _read("bearing", state, azimuth_from)
+
+
 def ruv(state: ArrayLike) -> Observed:
     """Observe range [m] and the direction cosines u and v of a position in space.
 
@@ -137,12 +162,91 @@ def ruv(state: ArrayLike) -> Observed:
     return _read("ruv", state, None)
 
 
+def bistatic(state: ArrayLike, baseline: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
+    """Observe the path [m] from transmitter to target to receiver, and the azimuth [rad] at the receiver.
+
+    The receiver is at the origin.
+
+    Args:
+        state: as for `polar`.
+        baseline: distance of the transmitter [m], from 0 to 1e15, on the axis that the azimuth is counted from.
+        azimuth_from: as for `polar`.
+
+    Returns:
+        As `polar`; state and baseline broadcast.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`; also where state and baseline do not broadcast.
+
+    """
+    return _read("bistatic", state, azimuth_from, baseline=baseline)
+
+
+def bistatic_range_rate(state: ArrayLike, baseline: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
+    """Observe the rate [m/s] at which the path from transmitter to target to receiver grows.
+
+    Args:
+        state: as for `polar_doppler`.
+        baseline: as for `bistatic`.
+        azimuth_from: the axis on which the transmitter stands.
+
+    Returns:
+        As `bistatic`.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `bistatic`.
+
+    """
+    return _read("bistatic_range_rate", state, azimuth_from, baseline=baseline)
+
+
+def range_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
+    """Observe the range [m] from another receiver less that from the origin: the time difference of arrival times c.
+
+    Args:
+        state: as for `spherical`.
+        receiver: x, y and z of the other receiver [m], shape (..., 3), each as those of the state.
+
+    Returns:
+        As `polar`; state and receiver broadcast.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`; also where state and receiver do not broadcast.
+
+    """
+    return _read("range_difference", state, None, receiver=receiver)
+
+
+def range_rate_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
+    """Observe the range rate [m/s] at another receiver less that at the origin: the frequency difference of arrival.
+
+    Both receivers stand still. At a wavelength w, the frequency received there is lower by this over w.
+
+    Args:
+        state: as for `spherical_doppler`.
+        receiver: as for `range_difference`.
+
+    Returns:
+        As `range_difference`.
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `range_difference`.
+
+    """
+    return _read("range_rate_difference", state, None, receiver=receiver)
+
+
 def project(
-    sensor: SensorName,
+    sensor: SightName,
     mean: ArrayLike,
     covariance: ArrayLike,
     order: Order = "linear",
     azimuth_from: AzimuthFrom | None = None,
+    **site: ArrayLike,
 ) -> Projected:
     """Carry a predicted Cartesian state over to what will be measured, as `predicted` of the conversions takes it.
 
@@ -153,36 +257,36 @@ def project(
     - second_order: g + tr(G P)/2 and J P J' + tr(G_a P G_b P)/2.
 
     Args:
-        sensor: "polar", "spherical", "polar_doppler" or "ruv".
+        sensor: the name of a function above.
         mean: the state, as the function of this name takes it, shape (..., n).
         covariance: of the state, shape (..., n, n).
         order: the terms kept.
-        azimuth_from: as the function of this name takes it; None for its default. "ruv" has none.
+        azimuth_from: as the function of this name takes it; None for its default. Some have none.
+        site: `baseline` or `receiver`, where the function of this name takes it.
 
     Returns:
         Mean and covariance of the measured quantities. The mean azimuth is not wrapped; at "second_order" a mean
         elevation near the vertical may lie beyond it.
 
     Raises:
-        TypeError: an argument is not made of real numbers.
+        TypeError: an argument is not made of real numbers, or a site is missing or of no use.
         ValueError: a number is not finite or out of place, a shape is another one, the covariance is none, a
-            word is unknown, or the mean lies where a direction has no derivative: at the radar, and with
-            "spherical" on the vertical axis.
+            word is unknown, or the mean lies where something measured has no derivative: at a site, and with
+            "spherical" and "spherical_doppler" on the vertical axis.
 
     """
-    name = one_of("sensor", sensor, _STATES)
+    sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     second = one_of("order", order, get_args(Order)) == "second_order"
-    arrays = real_arrays({"mean": mean, "covariance": covariance})
-    size = len(_STATES[name])
+    arrays = real_arrays({"mean": mean, "covariance": covariance, **site_of(sight, site)})
+    size = len(sight.state)
     require_trailing_shape("covariance", arrays["covariance"], (size, size))
     require_covariance("covariance", arrays["covariance"])
-    default = SENSORS[name].azimuth_from
-    if default is None and azimuth_from is not None:
-        raise ValueError(f"azimuth_from must be None for sensor {name!r}; got {azimuth_from!r}")
-    chosen = default if azimuth_from is None else azimuth_from
-    observed = _observe(name, "mean", arrays["mean"], chosen)
-    broadcast_shape({"mean": arrays["mean"][..., 0], "covariance": arrays["covariance"][..., 0, 0]})
-    _require_derivatives(name, arrays["mean"])
+    places = sight.order(azimuth_from)
+    sight.read_state("mean", arrays["mean"])
+    there = sight.read_site(arrays)
+    broadcast_shape({"mean": arrays["mean"][..., 0], **there, "covariance": arrays["covariance"][..., 0, 0]})
+    sight.require_derivatives("mean", arrays["mean"][..., places], there)
+    observed = _observed(sight, arrays["mean"], there, places)
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused below
         projected = _moments(observed, arrays["covariance"], second=second)
     for part, values in projected._asdict().items():
@@ -190,45 +294,26 @@ def project(
     return projected
 
 
-def _read(sensor: SensorName, state: ArrayLike, azimuth_from: AzimuthFrom | None) -> Observed:
-    return _observe(sensor, "state", real_arrays({"state": state})["state"], azimuth_from)
+def _read(name: SightName, state: ArrayLike, azimuth_from: AzimuthFrom | None, **site: ArrayLike) -> Observed:
+    sight = SIGHTS[name]
+    if sight.azimuth_from is not None:  # None is no word for an axis here
+        one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
+    arrays = real_arrays({"state": state, **site})
+    sight.read_state("state", arrays["state"])
+    there = sight.read_site(arrays)
+    broadcast_shape({"state": arrays["state"][..., 0], **there})
+    return _observed(sight, arrays["state"], there, sight.order(azimuth_from))
 
 
-def _observe(sensor: SensorName, name: str, values: RealArray, azimuth_from: AzimuthFrom | None) -> Observed:
-    coordinates = _STATES[sensor]
-    require_trailing_shape(name, values, (len(coordinates),))
-    for place, coordinate in enumerate(coordinates):
-        domain = SPEED if coordinate in {"vx", "vy"} else POSITION
-        require_within(f"{coordinate} of {name}", values[..., place], domain)
-    order = [coordinates.index(_EXCHANGED.get(c, c)) for c in coordinates]
-    if not SENSORS[sensor].is_turned(azimuth_from):
-        order = list(range(len(coordinates)))
-    state = values[..., order] + 0.0  # -0.0 becomes 0.0, so that the azimuth behind the radar is +pi
-    near = _off_pole(state, coordinates)
+def _observed(sight: Sight, states: RealArray, site: dict[str, RealArray], places: list[int]) -> Observed:
+    # -0.0 becomes 0.0, so that the azimuth behind the radar is +pi
+    components = [states[..., place] + 0.0 for place in places]
+    near = sight.off_poles(components, site)
     return Observed(
-        _formula(sensor, "map", state),
-        _formula(sensor, "jacobian", near)[..., order],
-        _formula(sensor, "hessian", near)[..., order][..., order, :],
+        sight.evaluate("map", components, site),
+        sight.evaluate("jacobian", near, site)[..., places],
+        sight.evaluate("hessian", near, site)[..., places][..., places, :],
     )
-
-
-def _formula(sensor: SensorName, kind: str, state: RealArray) -> RealArray:
-    function: Callable[..., RealArray] = getattr(formulas, f"{sensor}_{kind}")
-    return function(**dict(zip(_STATES[sensor], np.moveaxis(state, -1, 0), strict=True)))
-
-
-def _off_pole(state: RealArray, coordinates: Sequence[str]) -> RealArray:
-    """The state with coordinates of the position that are too small to divide by twice set to zero."""
-    is_position = np.array([coordinate in {"x", "y", "z"} for coordinate in coordinates])
-    return np.where(is_position & (np.abs(state) < POLE[state.dtype]), 0, state)
-
-
-def _require_derivatives(sensor: SensorName, mean: RealArray) -> None:
-    axes = 3 if sensor == "ruv" else 2
-    place = "the radar" if axes == len(_STATES[sensor]) or sensor == "polar_doppler" else "the vertical axis"
-    offset = np.abs(mean[..., :axes]).max(axis=-1)
-    away = POSITION._replace(signed=False, smallest=POLE[mean.dtype], reason="there is no derivative nearer to it")
-    require_within(f"mean's distance from {place}", offset, away)
 
 
 def _moments(observed: Observed, covariance: RealArray, *, second: bool) -> Projected:

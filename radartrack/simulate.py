@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import observe
-from radartrack._arrays.sensors import SENSORS, AzimuthFrom, SensorName
 from radartrack._arrays.validation import (
     RealArray,
     number_between,
@@ -31,17 +30,13 @@ from radartrack._arrays.validation import (
     require_within,
     whole_number,
 )
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
+from radartrack._observation.sights import SIGHTS
 
 Seed: TypeAlias = int | Sequence[int]
 
 AXES = 3
-_COORDINATES: Mapping[SensorName, tuple[int, ...]] = {
-    "polar": (0, 1),
-    "spherical": (0, 1, 2),
-    "polar_doppler": (0, 1, 3, 4),
-    "ruv": (0, 1, 2),
-}
-"""What `observe` takes, as places in (x, y, z, vx, vy, vz)."""
+_STATE = ("x", "y", "z", "vx", "vy", "vz")
 
 
 class Target(Protocol):
@@ -145,7 +140,7 @@ class Radar:
     """A radar: what it measures from where, how often, and with which errors.
 
     Attributes:
-        sensor: "polar" (range and azimuth of a target in the plane), "spherical", "polar_doppler" or "ruv".
+        sensor: a conversion's name, such as "polar" (range and azimuth of a target in the plane).
         period: time from scan to scan [s].
         noise: standard deviations, and `correlation` where it is not 0, by the names that the conversion of the
             sensor gives them: {"range_std": 250.0, "azimuth_std": 0.017}.
@@ -153,6 +148,7 @@ class Radar:
         bias: constant errors by measured quantity: {"azimuth": 0.01}, each in size at most what the conversion takes.
         detection_probability: that a scan sees the target; the scans are independent.
         azimuth_from: as the conversion of the sensor takes it; None for its default. "ruv" has none.
+        known: what else the conversion takes by name: {"baseline": 20e3} for "bistatic".
 
     Raises:
         TypeError: a deviation is missing, a name is none of the sensor's, or a value is no real number.
@@ -167,6 +163,7 @@ class Radar:
     bias: Mapping[str, float] = field(default_factory=dict)
     detection_probability: float = 1.0
     azimuth_from: AzimuthFrom | None = None
+    known: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         model = SENSORS[one_of("sensor", self.sensor, SENSORS)]
@@ -185,10 +182,11 @@ class Radar:
         if real_number("period", self.period) <= 0:
             raise ValueError(f"period must be finite and more than 0; got {self.period}")
         number_between("detection_probability", self.detection_probability, 0, 1)
-        if self.azimuth_from is not None and model.azimuth_from is None:
-            raise ValueError(f"azimuth_from must be None for sensor {self.sensor!r}; got {self.azimuth_from!r}")
-        if self.azimuth_from is not None:
-            model.is_turned(self.azimuth_from)
+        model.chosen_axis(self.azimuth_from)
+        if set(self.known) != set(model.parameters):
+            raise TypeError(f"known must have {[*model.parameters]}; got {sorted(self.known)}")
+        for name, value in self.known.items():
+            require_within(name, np.asarray(real_number(name, value)), model.parameters[name].domain)
 
     def times(self, scans: int) -> RealArray:
         """The times of the first scans [s], from 0 on, shape (scans,).
@@ -207,8 +205,9 @@ class Radar:
         """What it would measure of states, shape (..., 6), without errors: each quantity of shape (...)."""
         model = SENSORS[self.sensor]
         relative = states - np.concatenate([_vector("site", self.site), np.zeros(AXES)])
-        given = relative[..., _COORDINATES[self.sensor]]
-        options = {} if model.azimuth_from is None else {"azimuth_from": self.azimuth_from or model.azimuth_from}
+        given = relative[..., [_STATE.index(component) for component in SIGHTS[self.sensor].state]]
+        axis = model.chosen_axis(self.azimuth_from)
+        options = {**self.known} if axis is None else {**self.known, "azimuth_from": axis}
         see: Callable[..., observe.Observed] = getattr(observe, self.sensor)
         values = see(given, **options).measurement
         return dict(zip(model.coordinates, np.moveaxis(values, -1, 0), strict=True))

@@ -12,8 +12,8 @@ from typing import Any, Literal, TypeAlias, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from radartrack._arrays.sensors import SENSORS, SensorName
 from radartrack._arrays.validation import Domain, RealArray, one_of, real_arrays, require_within
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
 
 Formulas: TypeAlias = Literal["linear", "second_order"]
 
@@ -27,6 +27,7 @@ def polar(
     azimuth_std: ArrayLike,
     correlation: ArrayLike = 0.0,
     formulas: Formulas = "linear",
+    azimuth_from: AzimuthFrom = "x",
 ) -> RealArray:
     """Tell what formulas neglect for range and azimuth.
 
@@ -40,6 +41,8 @@ def polar(
         correlation: correlation of the errors of range and azimuth, from -1 to 1.
         formulas: "linear", whose leading neglected term is of second order, or "second_order", of third (Prosov,
             the question of validity). Range and deviations are from 1e-30 to 1e30.
+        azimuth_from: "x", counter-clockwise from the x axis, or "y", clockwise from the y axis (compass); the ratios
+            are the same.
 
     Returns:
         Ratios for range and azimuth, shape (..., 2).
@@ -57,7 +60,7 @@ def polar(
         "azimuth_std": azimuth_std,
         "correlation": correlation,
     }
-    return _ratios("polar", given, formulas)
+    return _ratios("polar", given, formulas, azimuth_from)
 
 
 def spherical(
@@ -69,6 +72,7 @@ def spherical(
     elevation_std: ArrayLike,
     correlation: ArrayLike = 0.0,
     formulas: Formulas = "linear",
+    azimuth_from: AzimuthFrom = "y",
 ) -> RealArray:
     """Tell what formulas neglect for range, azimuth and elevation.
 
@@ -83,6 +87,7 @@ def spherical(
         elevation_std: standard deviation of the elevation [rad], to pi.
         correlation: as for `polar`.
         formulas: as for `polar`.
+        azimuth_from: as for `polar`.
 
     Returns:
         Ratios for range, azimuth and elevation, shape (..., 3).
@@ -101,7 +106,7 @@ def spherical(
         "elevation_std": elevation_std,
         "correlation": correlation,
     }
-    return _ratios("spherical", given, formulas)
+    return _ratios("spherical", given, formulas, azimuth_from)
 
 
 def polar_doppler(
@@ -113,6 +118,7 @@ def polar_doppler(
     range_rate_std: ArrayLike,
     correlation: ArrayLike = 0.0,
     formulas: Formulas = "linear",
+    azimuth_from: AzimuthFrom = "x",
 ) -> RealArray:
     """Tell what formulas neglect for range, azimuth and range rate.
 
@@ -125,6 +131,7 @@ def polar_doppler(
         range_rate_std: standard deviation of the range rate [m/s].
         correlation: correlation of the errors of range and range rate, from -1 to 1.
         formulas: as for `polar`.
+        azimuth_from: as for `polar`.
 
     Returns:
         Ratios for range, azimuth and range rate, shape (..., 3).
@@ -143,7 +150,57 @@ def polar_doppler(
         "range_rate_std": range_rate_std,
         "correlation": correlation,
     }
-    return _ratios("polar_doppler", given, formulas)
+    return _ratios("polar_doppler", given, formulas, azimuth_from)
+
+
+def spherical_doppler(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    elevation: ArrayLike,
+    range_rate: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    elevation_std: ArrayLike,
+    range_rate_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    formulas: Formulas = "linear",
+    azimuth_from: AzimuthFrom = "y",
+) -> RealArray:
+    """Tell what formulas neglect for range, azimuth, elevation and range rate.
+
+    Args:
+        r: as for `polar`.
+        azimuth: as for `polar`.
+        elevation: as for `spherical`.
+        range_rate: as for `polar_doppler`.
+        range_std: as for `polar`.
+        azimuth_std: as for `polar`.
+        elevation_std: as for `spherical`.
+        range_rate_std: as for `polar_doppler`.
+        correlation: correlation of the errors of range and range rate, from -1 to 1.
+        formulas: as for `polar`.
+        azimuth_from: as for `polar`.
+
+    Returns:
+        Ratios for range, azimuth, elevation and range rate, shape (..., 4).
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`.
+
+    """
+    given = {
+        "r": r,
+        "azimuth": azimuth,
+        "elevation": elevation,
+        "range_rate": range_rate,
+        "range_std": range_std,
+        "azimuth_std": azimuth_std,
+        "elevation_std": elevation_std,
+        "range_rate_std": range_rate_std,
+        "correlation": correlation,
+    }
+    return _ratios("spherical_doppler", given, formulas, azimuth_from)
 
 
 def ruv(
@@ -188,18 +245,65 @@ def ruv(
     return _ratios("ruv", given, formulas)
 
 
-def _ratios(name: SensorName, given: Mapping[str, ArrayLike], formulas: Formulas) -> RealArray:
+def bistatic(
+    path: ArrayLike,
+    azimuth: ArrayLike,
+    baseline: ArrayLike,
+    path_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    correlation: ArrayLike = 0.0,
+    formulas: Formulas = "linear",
+    azimuth_from: AzimuthFrom = "x",
+) -> RealArray:
+    """Tell what formulas neglect for the bistatic path and the azimuth.
+
+    Args:
+        path: from transmitter to target to receiver [m], as the conversion `bistatic` takes it.
+        azimuth: azimuth at the receiver [rad], as for `polar`; 0 is where the transmitter stands.
+        baseline: distance from transmitter to receiver [m], as the conversion takes it.
+        path_std: standard deviation of the path [m], from 1e-30 to 1e15.
+        azimuth_std: standard deviation of the azimuth [rad], to 0.5.
+        correlation: correlation of the errors of path and azimuth, from -1 to 1.
+        formulas: as for `polar`.
+        azimuth_from: as for `polar`.
+
+    Returns:
+        Ratios for path and azimuth, shape (..., 2).
+
+    Raises:
+        TypeError: as for `polar`.
+        ValueError: as for `polar`; also where the conversion refuses path, baseline and deviations.
+
+    """
+    given = {
+        "path": path,
+        "azimuth": azimuth,
+        "baseline": baseline,
+        "path_std": path_std,
+        "azimuth_std": azimuth_std,
+        "correlation": correlation,
+    }
+    return _ratios("bistatic", given, formulas, azimuth_from)
+
+
+def _ratios(
+    name: SensorName,
+    given: Mapping[str, ArrayLike],
+    formulas: Formulas,
+    azimuth_from: AzimuthFrom | None = None,
+) -> RealArray:
     word = one_of("formulas", formulas, get_args(Formulas))
     sensor = SENSORS[name]
+    sensor.is_turned(azimuth_from)  # which changes no ratio
     arrays = real_arrays(given)
     for argument, (_, domain) in {**sensor.coordinates, **sensor.noise}.items():
-        if argument == "r" or argument.endswith("_std"):
+        if argument in {"r", "path"} or argument.endswith("_std"):
             require_within(argument, arrays[argument], _positive(domain))
         elif argument == "range_rate":
             require_within(argument, arrays[argument], domain._replace(largest=LARGEST))
     # Powers of the deviations, up to the eighth, underflow in float32.
     values = {symbol: array.astype(np.float64) for symbol, array in sensor.read(arrays).items()}
-    return _cast(sensor.evaluate(f"validity_{word}", values), arrays["r"].dtype)
+    return _cast(sensor.evaluate(f"validity_{word}", values), next(iter(arrays.values())).dtype)
 
 
 def _cast(ratios: RealArray, dtype: np.dtype[Any]) -> RealArray:
@@ -210,4 +314,5 @@ def _cast(ratios: RealArray, dtype: np.dtype[Any]) -> RealArray:
 
 
 def _positive(domain: Domain) -> Domain:
-    return domain._replace(smallest=SMALLEST, largest=min(domain.largest, LARGEST), reason="a ratio to zero is none")
+    smallest, largest = max(domain.smallest, SMALLEST), min(domain.largest, LARGEST)
+    return domain._replace(smallest=smallest, largest=largest, reason="a ratio to zero is none")

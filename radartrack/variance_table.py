@@ -30,6 +30,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack._conversion.semidefinite import cast
 from radartrack._system.directory_swap import replace_file
 from radartrack.generated import line as formulas
 
@@ -413,7 +414,8 @@ def _leverage(t: Floats) -> Floats:
 def _turned(local: Floats, azimuth: Floats) -> Floats:
     """Covariances along and across the line of sight as those of x and y.
 
-    What is turned is a root of them, so that rounding leaves them symmetric and positive semidefinite.
+    What is turned is a root of them, so that rounding leaves them symmetric and positive semidefinite; a variance that
+    underflows is 0, and its covariance with it.
     """
     sine, cosine = np.sin(azimuth), np.cos(azimuth)
     along = np.sqrt(local[..., 0, 0])
@@ -422,7 +424,7 @@ def _turned(local: Floats, azimuth: Floats) -> Floats:
     x = sine * along + cosine * mixed, cosine * across
     y = cosine * along - sine * mixed, -sine * across
     entries = [a[0] * b[0] + a[1] * b[1] for a, b in ((x, x), (x, y), (y, x), (y, y))]
-    return np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2)
+    return cast(np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2), np.dtype(np.float64))
 
 
 def _digest(columns: Columns) -> str:

@@ -2,23 +2,18 @@
 
 import os
 from collections.abc import Mapping
-from datetime import timedelta
 
 import pytest
 from hypothesis import HealthCheck, settings
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy is loaded; a worker a core leaves none for threads
+
+# A shared machine is slow by accident.
+ON_ANY_MACHINE = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 PROFILES = {
-    "dev": settings(max_examples=50, deadline=timedelta(seconds=5)),
-    "ci": settings(
-        max_examples=100,
-        deadline=None,
-        derandomize=True,
-        print_blob=True,
-        suppress_health_check=[HealthCheck.too_slow],  # a shared machine is slow by accident
-    ),
-    "thorough": settings(
-        max_examples=2000, deadline=None, print_blob=True, suppress_health_check=[HealthCheck.too_slow]
-    ),
+    "dev": settings(ON_ANY_MACHINE, max_examples=50),
+    "ci": settings(ON_ANY_MACHINE, max_examples=100, derandomize=True, print_blob=True),
+    "thorough": settings(ON_ANY_MACHINE, max_examples=2000, print_blob=True),
 }
 
 
@@ -37,4 +32,4 @@ def pytest_configure() -> None:
 
 
 def pytest_report_header() -> str:
-    return f"hypothesis profile: {settings.get_current_profile_name()}, {settings().max_examples} examples"
+    return f"hypothesis profile: {profile_name(os.environ)}, {settings().max_examples} examples"

@@ -43,7 +43,7 @@ class Fault:
     place: int
 
     def __str__(self) -> str:
-        return f"{self.module}.{self.function}:{self.line}:{self.kind}"
+        return f"{self.module}.{self.function}:{self.line}:{self.kind}:{self.place}"
 
     def source(self) -> str:
         """The module with the fault in it."""

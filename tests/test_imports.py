@@ -10,6 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 HEAVY = ("lark", "mpmath", "rich", "scipy", "sympy", "typer")
+MOST_CALLS = 30_000  # a quarter of what NumPy makes; its versions differ by more than that among themselves
 EVERYTHING = "from radartrack import *"  # parts load when they are named
 CALLS = """
 import sys
@@ -47,7 +48,7 @@ def test_the_heavy_packages_are_noticed_when_they_are_loaded() -> None:
     assert run("import radartrack.derive.symbolic, sys; print('sympy' in sys.modules)").strip() == "True"
 
 
-def test_importing_radartrack_makes_at_most_a_quarter_more_calls_than_importing_numpy(tmp_path: Path) -> None:
+def test_importing_radartrack_makes_few_calls_beside_those_of_importing_numpy(tmp_path: Path) -> None:
     """Counts instead of measuring, so that other work on the machine changes nothing; the benchmarks measure.
 
     The byte code is in place after the first import, as it is wherever a package was imported once.
@@ -55,7 +56,7 @@ def test_importing_radartrack_makes_at_most_a_quarter_more_calls_than_importing_
     compiled = ("-X", f"pycache_prefix={tmp_path}")
     run(EVERYTHING, *compiled)
     numpy, radartrack = (int(run(CALLS.format(code), *compiled)) for code in ("import numpy", EVERYTHING))
-    assert numpy < radartrack < 1.25 * numpy
+    assert 0 < radartrack - numpy < MOST_CALLS
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "generated").rglob("*.py")), ids=lambda path: path.name)

@@ -1,86 +1,78 @@
-"""Runs the tests with the oldest and the newest of what pyproject.toml allows, and without what is optional.
+"""Runs the tests with the oldest and with the newest of what pyproject.toml allows, and with nothing optional.
 
-python tests/version_matrix.py [ENVIRONMENT ...] [-- WHAT PYTEST IS TOLD ...]     for example: oldest -- tests/derive
+python tests/version_matrix.py [ENVIRONMENT ...] [-- WHAT PYTEST IS TOLD ...]    for example: oldest -- tests/derive
 """
 
 import re
 import subprocess
 import sys
 import tomllib
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-HERE = Path(__file__).parents[1]
-OPTIONAL = ("dask", "distributed", "gmpy2", "matplotlib", "numba", "python-flint")
-NEEDED_BY_TESTS = ("hypothesis", "pytest", "pytest-xdist", "scipy", "setuptools")
+ROOT = Path(__file__).parents[1]
+ENVIRONMENTS_FOLDER = ROOT / "build" / "matrix"
+OPTIONAL = {"dask", "distributed", "gmpy2", "matplotlib", "numba", "python-flint"}
 
 
 class Environment(NamedTuple):
-    """A Python, which end of the versions, and what of the optional packages is there."""
+    """A Python, which end of the versions, and whether what is optional is there."""
 
     python: str
     oldest: bool = False
-    optional: tuple[str, ...] = OPTIONAL
+    bare: bool = False
 
 
 ENVIRONMENTS = {
     "oldest": Environment("python3.11", oldest=True),
-    "bare": Environment("python3.12", optional=()),
+    "bare": Environment("python3.12", bare=True),
     "newest": Environment("python3.13"),
-    "next": Environment("python3.14"),  # no Python that the project promises; it tells early what will break
+    "next": Environment("python3.14"),  # no version of Python that is promised; it tells early what will break
 }
 
 
 def requirements(environment: Environment) -> list[str]:
-    """What pip is to install: every requirement of pyproject.toml, at its lower bound or free to be the newest."""
-    project = tomllib.loads((HERE / "pyproject.toml").read_text())
-    stated = {
-        name_of(text): text for text in (*project["project"]["dependencies"], *project["dependency-groups"]["test"])
-    }
-    left_out = set(OPTIONAL) - set(environment.optional)
-    wanted = [text for name, text in stated.items() if name not in left_out]
-    if environment.oldest:
-        return [re.sub(r">=([\d.]+).*", r"==\1", text) for text in wanted]
-    return [*wanted, *(name for name in environment.optional if name not in stated)]
+    """What pip is to install: each requirement at its lower bound, or the newest version that there is."""
+    stated = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    wanted = [*stated["project"]["dependencies"], *stated["dependency-groups"]["test"]]
+    if environment.bare:
+        return [text for text in wanted if re.split(r"[^\w-]", text, maxsplit=1)[0] not in OPTIONAL]
+    return [re.sub(r">=([\d.]+).*", r"==\1", text) for text in wanted] if environment.oldest else [*wanted, "gmpy2"]
 
 
-def name_of(requirement: str) -> str:
-    """The package that a requirement is about."""
-    return re.split(r"[^\w-]", requirement, maxsplit=1)[0]
+def build(name: str) -> Path | None:
+    """The interpreter of a new environment; None where its version of Python is not there."""
+    environment, folder = ENVIRONMENTS[name], ENVIRONMENTS_FOLDER / name
+    try:
+        subprocess.run([environment.python, "-m", "venv", "--clear", folder], check=True)
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return None
+    python = folder / "bin" / "python"
+    install: list[str | Path] = [python, "-m", "pip", "install", "-qq", "--upgrade"]
+    subprocess.run([*install, "pip"], check=True)
+    subprocess.run([*install, *requirements(environment), "--editable", ROOT], check=True)
+    return python
+
+
+def outcome(name: str, told: Sequence[str]) -> str:
+    """How the tests ended in one environment."""
+    print(f"=== {name}: {ENVIRONMENTS[name]}", flush=True)
+    python = build(name)
+    if python is None:
+        return f"{ENVIRONMENTS[name].python} is not there"
+    subprocess.run([python, "-m", "pip", "list"], check=True)
+    tests: list[str | Path] = [python, "-m", "pytest", "-n", "auto", "--dist", "worksteal", *told]
+    warned = ["--override-ini", "filterwarnings=default"] if ENVIRONMENTS[name].oldest else []  # of what is newer
+    return "failed" if subprocess.run([*tests, *warned], cwd=ROOT, check=False).returncode else "passed"
 
 
 def main(arguments: list[str]) -> int:
+    """Run the environments that are named, or all, and say at the end how each went."""
     split = arguments.index("--") if "--" in arguments else len(arguments)
-    names, told = arguments[:split] or list(ENVIRONMENTS), arguments[split + 1 :]
-    failed = []
-    for name in names:
-        environment = ENVIRONMENTS[name]
-        folder = HERE / "build" / "matrix" / name
-        print(
-            f"=== {name}: {environment.python}, {'' if environment.optional else 'nothing optional, '}{folder}",
-            flush=True,
-        )
-        try:
-            subprocess.run([environment.python, "-m", "venv", "--clear", folder], check=True)
-        except FileNotFoundError:
-            print("not there")
-            continue
-        python = folder / "bin/python"
-        install = [python, "-m", "pip", "install", "-qq", "--upgrade"]
-        subprocess.run([*install, "pip"], check=True)
-        subprocess.run([*install, *requirements(environment), "--editable", HERE], check=True)
-        print(
-            subprocess.run(
-                [python, "-m", "pip", "freeze", "--exclude-editable"], check=True, capture_output=True, text=True
-            ).stdout
-        )
-        if (
-            told != ["none"]
-            and subprocess.run([python, "-m", "pytest", "-n", "auto", *told], cwd=HERE, check=False).returncode
-        ):
-            failed.append(name)
-    print("=== failed:", ", ".join(failed) or "none")
-    return bool(failed)
+    outcomes = {name: outcome(name, arguments[split + 1 :]) for name in arguments[:split] or ENVIRONMENTS}
+    print(*(f"=== {name}: {said}" for name, said in outcomes.items()), sep="\n")
+    return "failed" in outcomes.values()
 
 
 if __name__ == "__main__":

@@ -19,7 +19,9 @@ from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomi
 from radartrack.derive.algebra.radicands import DIGITS, split
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
-LARGEST_PRIME = 1000
+LARGEST_PRIME = (
+    1000  # that is divided out of a number under a root; larger ones stay together, and are proved less often
+)
 PRIMES = 8  # different ones whose roots a number may need
 FACTORS = 6  # different ones whose roots a radicand may need
 

@@ -8,8 +8,11 @@ over the rational functions, and those of different rational constants over the 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextvars import ContextVar
 from functools import lru_cache, reduce
+from math import comb
 from operator import mul
+from typing import Self
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
@@ -18,6 +21,48 @@ Terms = Mapping[PolyElement, PolyElement]
 
 
 Known = Mapping[Symbol, "ExponentialPolynomial"]
+
+
+class TooLong(ValueError):
+    """More products of monomials were asked for than are allowed."""
+
+
+class Effort:
+    """How many products of monomials may be made; where there is one, all arithmetic of this thread is counted.
+
+    It is counted, not timed: what is done is the same everywhere.
+
+    Args:
+        products: how many, until `TooLong` is raised.
+    """
+
+    def __init__(self, products: int) -> None:
+        self._left = products
+
+    def __enter__(self) -> Self:
+        self._outer = _effort.set(self)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _effort.reset(self._outer)
+
+    def spend(self, products: int) -> None:
+        """Count products that are about to be made.
+
+        Raises:
+            TooLong: when these are too many.
+        """
+        self._left -= products
+        if self._left < 0:
+            raise TooLong("the formula is too long for exact algebra")
+
+
+_effort: ContextVar[Effort | None] = ContextVar("effort", default=None)
+
+
+def _spend(products: int) -> None:
+    if effort := _effort.get():
+        effort.spend(products)
 
 
 class NotExponentialPolynomial(ValueError):
@@ -82,6 +127,7 @@ class ExponentialPolynomial:
         return self + (-other)
 
     def __mul__(self, other: ExponentialPolynomial) -> ExponentialPolynomial:
+        _spend(self._length * other._length)
         terms: dict[PolyElement, PolyElement] = {}
         for exponent, coefficient in self.terms.items():
             for other_exponent, other_coefficient in other.terms.items():
@@ -95,9 +141,15 @@ class ExponentialPolynomial:
             return self._inverse() ** -exponent
         if len(self.terms) == 1:
             ((growth, coefficient),) = self.terms.items()
+            _spend(comb(self._length + exponent - 1, exponent))  # monomials of the power
             return ExponentialPolynomial(self.ring, {growth * exponent: coefficient**exponent})
         one = ExponentialPolynomial.constant(self.ring, self.ring.one)
         return reduce(mul, [self] * exponent, one)
+
+    @property
+    def _length(self) -> int:
+        """The number of monomials."""
+        return sum(map(len, self.terms.values()))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ExponentialPolynomial) and self.terms == other.terms

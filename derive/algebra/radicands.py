@@ -12,8 +12,8 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import PolyElement, PolyRing
 
-DIGITS = 60
-CERTAIN = 1e-40
+DIGITS = 60  # of constants such as pi, to tell the sign of a coefficient
+CERTAIN = 1e-40  # a coefficient nearer to zero has no sign that is known
 
 Constants = Mapping[PolyElement, mpmath.mpf]
 

@@ -7,11 +7,17 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.evaluation.steps import steps
 from radartrack.derive.symbolic import Expr, Symbol
 
 Bounded: TypeAlias = "tuple[float, float]"  # a value, and how far it may be from the true one
 ROUNDING = 1e-15  # of one operation, generously
 TINY = 1e-300  # what underflow may lose
+
+
+def _third(x: float) -> float:
+    return math.cosh(math.acosh(x) / 3) if x > 1 else math.cos(math.acos(x) / 3)
+
 
 _FUNCTIONS: dict[type[Expr], Callable[..., float]] = {
     sp.Abs: abs,
@@ -31,6 +37,7 @@ _FUNCTIONS: dict[type[Expr], Callable[..., float]] = {
     sp.sinh: math.sinh,
     sp.tan: math.tan,
     sp.tanh: math.tanh,
+    sp.third: _third,
     sp.Pow: math.pow,
 }
 
@@ -42,42 +49,33 @@ class RoughEvaluator:
     """
 
     def __init__(self, expressions: Sequence[Expr], symbols: Sequence[Symbol]) -> None:
-        self._positions: dict[Expr, int] = {symbol: i for i, symbol in enumerate(symbols)}
-        self._arity = len(symbols)
-        self._steps: list[tuple[Callable[..., Bounded], tuple[int, ...]]] = []
-        self._results = [self._add(expression) for expression in expressions]
+        self._steps = steps(expressions, symbols, _step)
 
     def __call__(self, point: Sequence[float]) -> list[Bounded] | None:
         """The expressions at a point; None where floating point has no finite value for all that they are made of."""
         slots = [(value, 0.0) for value in point]
         try:
-            for operation, operands in self._steps:
+            for operation, operands in self._steps.steps:
                 slots.append(operation(*[slots[i] for i in operands]))
         except (ArithmeticError, ValueError):
             return None
-        found = [slots[i] for i in self._results]
+        found = [slots[i] for i in self._steps.results]
         return found if all(map(math.isfinite, sum(found, ()))) else None
 
-    def _add(self, expression: Expr) -> int:
-        if expression not in self._positions:
-            step = self._step(expression)
-            self._positions[expression] = self._arity + len(self._steps)
-            self._steps.append(step)
-        return self._positions[expression]
 
-    def _step(self, expression: Expr) -> tuple[Callable[..., Bounded], tuple[int, ...]]:
-        if not expression.args and expression.is_real:
-            number = _rounded(float(expression))
-            return lambda: number, ()
-        if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Rational):
-            exponent = float(expression.exp)
-            return _applied(lambda base: math.pow(base, exponent)), (self._add(expression.base),)
-        operands = tuple(self._add(argument) for argument in expression.args)
-        if isinstance(expression, sp.Add):
-            return _sum, operands
-        if isinstance(expression, sp.Mul):
-            return _product, operands
-        return _applied(_FUNCTIONS.get(expression.func, _not_computed)), operands
+def _step(expression: Expr) -> tuple[Callable[..., Bounded], Sequence[Expr]]:
+    """What makes a part of a formula from its own parts."""
+    if not expression.args and expression.is_real:
+        number = _rounded(float(expression))
+        return lambda: number, ()
+    if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Rational):
+        exponent = float(expression.exp)
+        return _applied(lambda base: math.pow(base, exponent)), (expression.base,)
+    if isinstance(expression, sp.Add):
+        return _sum, expression.args
+    if isinstance(expression, sp.Mul):
+        return _product, expression.args
+    return _applied(_FUNCTIONS.get(expression.func, _not_computed)), expression.args
 
 
 def _not_computed(*_: float) -> float:

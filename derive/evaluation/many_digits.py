@@ -9,6 +9,7 @@ from typing import Any
 import mpmath
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.evaluation.steps import steps
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, Symbol
 
@@ -54,6 +55,24 @@ def _remainder(argument: Number, order: Number) -> Number:
     return mpmath.exp(argument) - sum(argument**n / mpmath.factorial(n) for n in range(int(order)))
 
 
+def _stumpff(argument: Number, order: Number) -> Number:
+    """c_n of the square: where the argument is small, in as many more digits as the closed form loses."""
+    n = int(order)
+    if not argument:
+        return 1 / mpmath.factorial(n)
+    with mpmath.extradps(max(0, -n * int(mpmath.floor(mpmath.log10(abs(argument)))))):
+        square, value = argument * argument, mpmath.sin(argument) / argument if n % 2 else mpmath.cos(argument)
+        for k in range(n % 2, n, 2):
+            value = (1 / mpmath.factorial(k) - value) / square
+    return +value
+
+
+def _third(argument: Number) -> Number:
+    if argument > 1:
+        return mpmath.cosh(mpmath.acosh(argument) / 3)
+    return mpmath.cos(mpmath.acos(argument) / 3)
+
+
 # Those that formulas are written with, and those that SymPy makes of them.
 _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.Abs: mpmath.fabs,
@@ -69,6 +88,7 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.atan: mpmath.atan,
     sp.atan2: _atan2,
     sp.atanh: mpmath.atanh,
+    sp.below: lambda value, limit: mpmath.mpf(int(value < limit)),
     sp.conjugate: mpmath.conj,
     sp.cos: mpmath.cos,
     sp.cosh: _growing(mpmath.cosh),
@@ -90,8 +110,10 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.sign: mpmath.sign,
     sp.sin: mpmath.sin,
     sp.sinh: _growing(mpmath.sinh),
+    sp.stumpff: _stumpff,
     sp.tan: mpmath.tan,
     sp.tanh: mpmath.tanh,
+    sp.third: _third,
 }
 _CONSTANTS: dict[Expr, Callable[[], Number]] = {
     sp.pi: lambda: +mpmath.pi,
@@ -108,22 +130,19 @@ class Evaluator:
 
     def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol], digits: int = DIGITS) -> None:
         self._precision = digits + GUARD
-        self._positions: dict[Expr, int] = {symbol: i for i, symbol in enumerate(symbols)}
-        self._steps: list[tuple[Callable[..., Number], tuple[int, ...]]] = []
-        self._arity = len(symbols)
-        self._results = [self._add(entry) for entry in entries]
+        self._steps = steps(entries, symbols, _step)
         self._shape = entries.shape
 
     def __call__(
-        self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0, *, noisy: bool = False
+        self, point: Mapping[str, float] | Sequence[float], more_digits: int = 0, *, noise: int = 0
     ) -> Tensor[Number]:
         """The entries at one point, given in the order of the symbols; floats are taken as exact.
 
         Args:
             point: the values of the symbols.
             more_digits: beyond those for which this was made.
-            noisy: whether the last digits of every intermediate value are changed: an entry that stays what it is
-                owes nothing to how they are rounded, however many are lost.
+            noise: 1 or -1 to change the last digits of every intermediate value, one way or the other: an entry that
+                stays what it is owes nothing to how they are rounded, however many are lost.
 
         Raises:
             OverflowError: for an exponential of more than a million.
@@ -134,36 +153,31 @@ class Evaluator:
         with mpmath.workdps(self._precision + more_digits):
             residue = mpmath.mpf(10) ** (RESIDUE - self._precision - more_digits)
             slots: list[Number] = [mpmath.mpf(value) for value in values]
-            noise = [1 + n * mpmath.mpf(10) ** (LAST - self._precision - more_digits) for n in NOISE] if noisy else [1]
-            for (operation, operands), factor in zip(self._steps, cycle(noise), strict=False):
+            unit = noise * mpmath.mpf(10) ** (LAST - self._precision - more_digits)
+            factors = cycle([1 + n * unit for n in NOISE])
+            for (operation, operands), factor in zip(self._steps.steps, factors, strict=False):
                 value = operation(*(slots[i] for i in operands))
-                value = value * factor if noisy and operands else value
+                value = value * factor if noise and operands else value
                 slots.append(_tidied(value, residue) if isinstance(value, mpmath.mpc) else value)
-            return Tensor(self._shape, tuple(slots[i] for i in self._results))
+            return Tensor(self._shape, tuple(slots[i] for i in self._steps.results))
 
-    def _add(self, expression: Expr) -> int:
-        if expression not in self._positions:
-            step = self._step(expression)
-            self._positions[expression] = self._arity + len(self._steps)
-            self._steps.append(step)
-        return self._positions[expression]
 
-    def _step(self, expression: Expr) -> tuple[Callable[..., Number], tuple[int, ...]]:
-        if isinstance(expression, sp.Rational):
-            numerator, denominator = int(expression.p), int(expression.q)
-            return lambda: mpmath.mpf(numerator) / denominator, ()
-        if expression in _CONSTANTS:
-            return _CONSTANTS[expression], ()
-        if not (expression.is_Add or expression.is_Mul or expression.is_Pow or expression.func in _FUNCTIONS):
-            return _refusal(expression), ()
-        operands = tuple(self._add(argument) for argument in expression.args)
-        if isinstance(expression, sp.Add):
-            return lambda *terms: mpmath.fsum(terms), operands
-        if isinstance(expression, sp.Mul):
-            return _product, operands
-        if isinstance(expression, sp.Pow):
-            return _power(expression, operands)
-        return _FUNCTIONS[expression.func], operands
+def _step(expression: Expr) -> tuple[Callable[..., Number], Sequence[Expr]]:
+    """What makes a part of a formula from its own parts."""
+    if isinstance(expression, sp.Rational):
+        numerator, denominator = int(expression.p), int(expression.q)
+        return lambda: mpmath.mpf(numerator) / denominator, ()
+    if expression in _CONSTANTS:
+        return _CONSTANTS[expression], ()
+    if isinstance(expression, sp.Add):
+        return lambda *terms: mpmath.fsum(terms), expression.args
+    if isinstance(expression, sp.Mul):
+        return _product, expression.args
+    if isinstance(expression, sp.Pow):
+        return _power(expression)
+    if expression.func in _FUNCTIONS:
+        return _FUNCTIONS[expression.func], expression.args
+    return _refusal(expression), ()
 
 
 def _refusal(expression: Expr) -> Callable[[], Number]:
@@ -192,11 +206,11 @@ def _product(*factors: Number) -> Number:
     return result
 
 
-def _power(expression: Expr, operands: tuple[int, ...]) -> tuple[Callable[..., Number], tuple[int, ...]]:
+def _power(expression: Expr) -> tuple[Callable[..., Number], Sequence[Expr]]:
     if isinstance(expression.exp, sp.Integer):
         exponent = int(expression.exp)
-        return lambda base: base**exponent, operands[:1]
-    return lambda base, power: base**power, operands
+        return lambda base: base**exponent, (expression.base,)
+    return lambda base, power: base**power, expression.args
 
 
 def evaluate(expression: Expr, values: Mapping[Symbol, float], digits: int = DIGITS) -> Number:

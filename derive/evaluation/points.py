@@ -11,7 +11,7 @@ from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND
 
 Point = dict[str, float]
 Range = Callable[[float], float]  # a value for a fraction between 0 and 1
-SCALES = 9  # decades below the largest value
+SMALL = 1e-3  # where the scales of what may be zero begin
 
 # What stands in an example: a target 50 km away, a deviation of 50 m and of one degree.
 _ROUND: Mapping[tuple[str, Unit], float] = {
@@ -138,7 +138,8 @@ def _on_any_scale(symbol: Variable) -> Range:
 
     def value(fraction: float) -> float:
         place = 2 * fraction - 1 if symbol.low < 0 else fraction
-        return (symbol.high if place > 0 else symbol.low) * 10 ** (SCALES * (abs(place) - 1))
+        end = symbol.high if place > 0 else symbol.low
+        return math.copysign(abs(end) ** abs(place) * SMALL ** (1 - abs(place)), end)
 
     return value
 

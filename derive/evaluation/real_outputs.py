@@ -5,18 +5,20 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, product
+from operator import itemgetter
 
 import mpmath
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation.many_digits import Evaluator
-from radartrack.derive.language.model_outputs import parts, shown
+from radartrack.derive.language.model_outputs import is_power, parts, shown
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 
 CORNERS = 512
 INSIDE = 128
+HALVINGS = 60
 
 
 def require_real(
@@ -24,16 +26,23 @@ def require_real(
 ) -> None:
     """Check that outputs and their first two derivatives are real numbers, at the corners of the domain and inside.
 
+    Points inside seldom meet a pole; it is between two points at which a divisor has different signs.
+
     Raises:
         ValueError: naming the part that is none, and where.
     """
+    points = list(_points(symbols))
     for output, expression in outputs:
         slopes = [sp.diff(expression, variable) for variable in measured]
         bends = [sp.diff(slope, variable) for slope in slopes for variable in measured]
         everything = Evaluator(Tensor((1 + len(slopes) + len(bends),), (expression, *slopes, *bends)), symbols)
-        for point in _points(symbols):
+        for point in points:
             if not _real(everything, point):
                 raise ValueError(f"output {output}: {_culprit(expression, symbols, measured, point)}")
+        for part, divisor in _divisors(expression):
+            pole = _zero(Evaluator(Tensor((), (divisor,)), symbols), points)
+            if pole is not None:
+                raise ValueError(f"output {output}: {shown(part)} has no value{_where(part, symbols, pole)}")
 
 
 def _culprit(expression: Expr, symbols: Sequence[Variable], measured: Sequence[Variable], point: list[float]) -> str:
@@ -46,6 +55,31 @@ def _culprit(expression: Expr, symbols: Sequence[Variable], measured: Sequence[V
         if not all(_real(Evaluator(Tensor((), (slope,)), symbols), point) for slope in slopes):
             return f"{shown(part)} has no derivative{_where(part, symbols, point)}"
     return f"{shown(expression)} has no second derivative{_where(expression, symbols, point)}"
+
+
+def _divisors(expression: Expr) -> Iterator[tuple[Expr, Expr]]:
+    """What has poles, and what vanishes there."""
+    for part in parts(expression):
+        if is_power(part) and part.exp < sp.Integer(0) and part.base.free_symbols:
+            yield part, part.base
+        elif isinstance(part, sp.tan):
+            yield part, sp.cos(part.args[0])
+
+
+def _zero(divisor: Evaluator, points: Sequence[list[float]]) -> list[float] | None:
+    """A zero of a continuous function between two of the points; None where it has one sign at all."""
+    (lowest, below), (highest, above) = (
+        choose(((divisor(point).entries[0], point) for point in points), key=itemgetter(0)) for choose in (min, max)
+    )
+    if lowest >= 0 or highest <= 0:
+        return None
+    for _ in range(HALVINGS):
+        middle = [(first + second) / 2 for first, second in zip(below, above, strict=True)]
+        if divisor(middle).entries[0] < 0:
+            below = middle
+        else:
+            above = middle
+    return above
 
 
 def _where(part: Expr, symbols: Sequence[Variable], point: list[float]) -> str:

@@ -8,6 +8,7 @@ from itertools import permutations
 from operator import itemgetter, mul, neg, sub, truediv
 from typing import TypeAlias
 
+from radartrack.derive.evaluation.steps import steps
 from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.tree import (
     Array,
@@ -218,28 +219,29 @@ class Program:
     """A tree as a list of steps, which is run at one point after another in less time than a walk takes."""
 
     def __init__(self, tree: Tree) -> None:
-        self._places: dict[str | int, int] = {}  # of names, and of nodes by their identity
-        self._tree = tree  # lives as long as its nodes are known
-        self._steps: list[tuple[Callable[..., float], tuple[int, ...]]] = []
-        self._result = self._add(tree)
+        self._tree = tree  # lives as long as its nodes are known by their identity
+        self._steps = steps([tree], (), _step, _key)
 
     def __call__(self, names: Mapping[str, float]) -> Values | None:
         """The value where the symbols have these values; None where it is no real number."""
         slots: list[float] = []
         try:
-            for operation, operands in self._steps:
+            for operation, operands in self._steps.steps:
                 slots.append(operation(*[slots[place] for place in operands]) if operands else operation(names))
         except (ArithmeticError, TypeError, ValueError):
             return None
-        return (slots[self._result],) if not isinstance(slots[self._result], complex) else None
+        value = slots[self._steps.results[0]]
+        return (value,) if not isinstance(value, complex) else None
 
-    def _add(self, tree: Tree) -> int:
-        key = tree.name if isinstance(tree, Name) else id(tree)
-        if key not in self._places:
-            operands = tuple(map(self._add, children(tree)))
-            self._steps.append((_operation(tree) if operands else _reader(tree), operands))
-            self._places[key] = len(self._steps) - 1
-        return self._places[key]
+
+def _step(tree: Tree) -> tuple[Callable[..., float], Sequence[Tree]]:
+    below = children(tree)
+    return (_operation(tree) if below else _reader(tree)), below
+
+
+def _key(tree: Tree) -> str | int:
+    """Names are told apart by what they are, other nodes by their identity."""
+    return tree.name if isinstance(tree, Name) else id(tree)
 
 
 def _reader(tree: Tree) -> Callable[[Mapping[str, float]], float]:

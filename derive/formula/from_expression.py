@@ -48,6 +48,8 @@ class _Printer:
             return self._product(expression)
         if isinstance(expression, sp.Pow):
             return self._power(expression)
+        if isinstance(expression, sp.Abbreviation):
+            return self.tree(expression.expanded())
         return Call(expression.func.__name__.lower(), tuple(map(self.tree, expression.args)))
 
     def _product(self, expression: Expr) -> Tree:

@@ -40,7 +40,7 @@ def constants(names: Collection[str]) -> dict[str, str]:
 
 def unknown_name(name: str, names: Collection[str]) -> str:
     """The refusal of a name."""
-    return _unknown("name", name, {*names, *constants(names).values()})
+    return _unknown("name", name, {*names, *constants(names).values()} - {"inf"})  # which stands in limits alone
 
 
 def unknown_function(name: str) -> str:

@@ -25,7 +25,7 @@ def require_smooth(output: str, expression: Expr) -> None:
         ValueError: naming what has none.
     """
     for node in reversed(list(parts(expression))):  # the whole before its parts: a case before its condition
-        if _is_power(node) and not isinstance(node.exp, sp.Rational):
+        if is_power(node) and not isinstance(node.exp, sp.Rational):
             raise ValueError(f"output {output}: in {shown(node)} the exponent is no number; exp and log say it")
         if not isinstance(node, MADE_OF) and node not in {sp.pi, sp.E}:
             allowed = ", ".join(sorted(function.__name__ for function in SMOOTH))
@@ -62,7 +62,8 @@ def parts(expression: Expr) -> Iterator[Expr]:
     yield expression
 
 
-def _is_power(node: Expr) -> bool:
+def is_power(node: Expr) -> bool:
+    """Whether it is a power, and no exponential, which SymPy takes for one."""
     return isinstance(node, sp.Pow) and not isinstance(node, sp.exp)
 
 

@@ -73,7 +73,7 @@ class Quantity:
     @property
     def is_covariance(self) -> bool:
         """Whether it is a covariance matrix, whose entries are measured against its diagonal."""
-        return "covariance" in self.name.split(".")
+        return not {"covariance", "process_noise"}.isdisjoint(self.name.split("."))
 
     @property
     def module(self) -> str:

@@ -57,14 +57,14 @@ class Variable(Symbol):
         sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
         variable.meaning, variable.unit = meaning, unit
-        variable.low, variable.high = (end if isinstance(end, int | float) else float(end) for end in (low, high))
+        variable.low, variable.high = map(_plain_number, (low, high))
         variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
 
-    def below(self, high: float) -> Variable:
-        """The same symbol with a domain that ends there at the latest."""
-        kind = {"whole": self.whole, "is_correlation": self.is_correlation}
-        return type(self)(self.name, self.meaning, self.unit, self.low, min(self.high, high), **kind)
+    def below(self, high: float) -> Self:
+        """The same symbol with a domain that ends there at the latest, which is what bounds it then."""
+        end, whole, correlation = min(self.high, high), self.whole, self.is_correlation
+        return type(self)(self.name, self.meaning, self.unit, self.low, end, whole=whole, is_correlation=correlation)
 
     def on(self, low: float, high: float) -> Variable:
         """The same symbol, to the algebra too, with another domain."""
@@ -92,6 +92,11 @@ class Variable(Symbol):
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
         kind = {"whole": self.whole, "at_most": self.at_most, "is_correlation": self.is_correlation}
         return (self.name, self.meaning, self.unit, self.low, self.high), kind
+
+
+def _plain_number(value: Any) -> float:
+    """An end of a domain as it was given, unless it was a number of SymPy's or NumPy's."""
+    return value if type(value) in {int, float} else float(value)
 
 
 def length(name: str, meaning: str, low: float = 1.0, high: float = 1e8) -> Variable:

@@ -15,11 +15,11 @@ from math import factorial, prod
 from typing import TYPE_CHECKING
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.common_denominator import even_powers
 from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial, ring_over
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.moments.gaussian_operator import GaussianOperator
-from radartrack.derive.stable.common_denominator import even_powers
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
 if TYPE_CHECKING:

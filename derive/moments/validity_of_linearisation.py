@@ -15,12 +15,12 @@ from math import factorial, prod
 from operator import mul
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.common_denominator import Denominator, collect, denominators, without_squares
 from radartrack.derive.algebra.differential_ring import DifferentialRing
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.moments.mean_square import MeanSquare, Powers
-from radartrack.derive.stable.common_denominator import Denominator, collect, denominators, without_squares
 from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.symbolic import Expr, PolyElement, Symbol
 

@@ -34,7 +34,7 @@ def observation() -> Tensor[Expr]:
 # fmt: off - a table reads best with few lines a row
 QUANTITIES = (
     Quantity(
-        name="kinematics.plane.transition",
+        name="motion.plane.transition",
         meaning="transition of (x, vx, y, vy) from scan to scan at constant velocity",
         axes=(UNITS, tuple(unit**-1 for unit in UNITS)),
         symbols=(T,),
@@ -44,7 +44,7 @@ QUANTITIES = (
         derivation=transition,
     ),
     Quantity(
-        name="kinematics.plane.observation",
+        name="motion.plane.observation",
         meaning="position (x, y) from the state (x, vx, y, vy)",
         axes=((METRE,) * AXES, tuple(unit**-1 for unit in UNITS)),
         symbols=(),

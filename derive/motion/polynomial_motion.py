@@ -1,117 +1,102 @@
-"""Polynomial motion of one axis, driven by white noise in its highest derivative, from scan to scan.
+"""Polynomial motion of one axis, driven by noise in its next derivative, from scan to scan.
 
-The n-th derivative of the position is white noise of intensity q: x⁽ⁿ⁾ = w, E w(t) w(s) = q δ(t − s). With A the
-shift from each derivative to the next, exact discretisation gives F(T) = e^(AT) and
-Q(T) = q ∫₀ᵀ e^(As) g gᵀ e^(As)ᵀ ds, where g is the last unit vector.
+The n-th derivative of the position is noise: x⁽ⁿ⁾ = w. It is white, E w(t) w(s) = q δ(t − s), or constant over a
+period, of deviation σ_w. In a Wiener sequence it is neither: the (n−1)-th derivative jumps at each scan, by σ_w.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from fractions import Fraction
+from collections.abc import Iterator
 from functools import cache
-from math import factorial
 
-from radartrack.derive import symbolic as sp
 from radartrack.derive.bibliography import cite
-from radartrack.derive.language.quantity import Conditioning, Quantity
+from radartrack.derive.language.matrix import ONE, ZERO
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.motion.linear_motion import LinearMotion
+from radartrack.derive.motion.motion_quantities import CONTINUOUS, PIECEWISE, WIENER_SEQUENCE, State, as_derived
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.units import METRE, SECOND, Unit
 
-SOURCE = cite("barshalom2001", "6.2")
+SOURCE = cite("barshalom2001", "6.2-6.3")
 MOTIONS = {
-    1: ("constant_position", "position", "velocity"),
-    2: ("constant_velocity", "position and velocity", "acceleration"),
-    3: ("constant_acceleration", "position, velocity and acceleration", "jerk"),
-    4: ("constant_jerk", "position, velocity, acceleration and jerk", "derivative of the jerk"),
+    1: ("constant_position", "position", "position", "velocity"),
+    2: ("constant_velocity", "position and velocity", "velocity", "acceleration"),
+    3: ("constant_acceleration", "position, velocity and acceleration", "acceleration", "jerk"),
+    4: ("constant_jerk", "position, velocity, acceleration and jerk", "jerk", "derivative of the jerk"),
 }
 
 
 @cache
+def motion(size: int) -> LinearMotion:
+    """A position and its derivatives, `size` in all; noise drives the last one."""
+    drift = tuple(tuple(ONE if n == m + 1 else ZERO for n in range(size)) for m in range(size))
+    return LinearMotion(drift, (size - 1,))
+
+
 def transition(size: int) -> Tensor[Expr]:
     """F(T) = e^(AT) for `size` derivatives; A shifts, so the series ends."""
-    return Tensor.build((size, size), lambda m, n: _series(n - m))
+    return motion(size).transition
 
 
 @cache
 def process_noise(size: int) -> Tensor[Expr]:
-    """Q(T), the integral over the last column of F."""
-    response = transition(size)
-
-    def entry(m: int, n: int) -> Expr:
-        return noise_intensity(size) * _integral(response[m, size - 1] * response[n, size - 1])
-
-    return Tensor.build((size, size), entry)
+    """Q(T) for white noise in the next derivative."""
+    return motion(size).continuous_noise(noise_intensity(size))
 
 
 @cache
 def noise_intensity(size: int) -> Variable:
     """Q, the intensity of the white noise that drives a motion of `size` derivatives."""
-    return Variable("q", f"intensity of the white noise in the {MOTIONS[size][2]}", _intensity(size), 1e-9, 1e6)
+    unit = METRE**2 / SECOND ** (2 * size - 1)
+    return Variable("q", f"intensity of the white noise in the {MOTIONS[size][3]}", unit, 1e-9, 1e6)
 
 
-def quantities() -> list[Quantity]:
-    """F(T) and Q(T) of every motion."""
-    return [quantity for size in MOTIONS for quantity in (_transition(size), _process_noise(size))]
+@cache
+def noise_deviation(size: int) -> Variable:
+    """The deviation of a noise that is constant over a period."""
+    meaning = f"standard deviation of the {MOTIONS[size][3]}, constant over a period"
+    return Variable("sigma_w", meaning, METRE / SECOND**size, 1e-6, 1e3)
 
 
-def _series(power: int) -> Expr:
-    return T**power / sp.Integer(factorial(power)) if power >= 0 else sp.Integer(0)
+@cache
+def jump_deviation(size: int) -> Variable:
+    """The deviation of a jump at a scan."""
+    meaning = f"standard deviation of the jump of the {MOTIONS[size][2]} at a scan"
+    return Variable("sigma_w", meaning, METRE / SECOND ** (size - 1), 1e-6, 1e3)
 
 
-def _integral(monomial: Expr) -> Expr:
-    """∫₀ᵀ of c sᵖ, written with T for s."""
-    power = int(monomial.as_powers_dict().get(T, sp.Integer(0)))
-    return monomial * T / sp.Integer(power + 1)
+def quantities() -> Iterator[Quantity]:
+    """F and Q of every motion."""
+    for size in MOTIONS:
+        yield from _quantities(size)
 
 
-def _units(size: int) -> tuple[Unit, ...]:
+def units(size: int) -> tuple[Unit, ...]:
+    """Those of a position and its derivatives."""
     return tuple(METRE / SECOND**n for n in range(size))
 
 
-def _intensity(size: int) -> Unit:
-    return METRE**2 / SECOND ** (2 * size - 1)
+def _quantities(size: int) -> Iterator[Quantity]:
+    name, text, last, driven = MOTIONS[size]
+    state, of = State(name, f"{text} of one axis", units(size), SOURCE), motion(size)
+    q, steady, jump = noise_intensity(size), noise_deviation(size), jump_deviation(size)
+    white = f"white noise in the {driven}"
+    constant = f"a {driven} that is noise, constant over a period"
+    jumping = f"jumps of the {last} at each scan, a Wiener sequence"
 
+    def piecewise() -> Tensor[Expr]:
+        return of.piecewise_noise(steady)
 
-def _transition(size: int) -> Quantity:
-    units = _units(size)
-    inverse = tuple(unit ** Fraction(-1) for unit in units)
-    return _quantity(size, "transition", "transition", "F = e^(AT)", (units, inverse), (T,), lambda: transition(size))
+    def sequence() -> Tensor[Expr]:
+        return of.jump_noise(jump)
 
+    def continuous() -> Tensor[Expr]:
+        return process_noise(size)
 
-def _process_noise(size: int) -> Quantity:
-    units = _units(size)
-    return _quantity(
-        size,
-        "process_noise",
-        "covariance of the process noise",
-        "Q = q int_0^T e^(As) g g' e^(As)' ds",
-        (units, units),
-        (T, noise_intensity(size)),
-        lambda: process_noise(size),
-    )
-
-
-def _quantity(
-    size: int,
-    name: str,
-    meaning: str,
-    word: str,
-    axes: tuple[tuple[Unit, ...], ...],
-    symbols: tuple[Variable, ...],
-    derivation: Callable[[], Tensor[Expr]],
-) -> Quantity:
-    motion, state, driven = MOTIONS[size]
-    return Quantity(
-        name=f"kinematics.{motion}.{name}",
-        meaning=f"{meaning} of {state} of one axis from scan to scan, with white noise in the {driven}",
-        axes=axes,
-        symbols=symbols,
-        conditioning=Conditioning.NONE,
-        source=SOURCE,
-        word=word,
-        derivation=derivation,
-    )
+    yield state.transition((T,), lambda: of.transition, as_derived(lambda: of.transition))
+    yield state.noise(".continuous", white, CONTINUOUS, (T, q), continuous, as_derived(continuous))
+    yield state.noise(".piecewise", constant, PIECEWISE, (T, steady), piecewise, as_derived(piecewise))
+    yield state.noise(".wiener_sequence", jumping, WIENER_SEQUENCE, (T, jump), sequence, as_derived(sequence))

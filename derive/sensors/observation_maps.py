@@ -17,11 +17,12 @@ from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments import taylor
-from radartrack.derive.stable.common_denominator import collected_form
+from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, Unit
 
 Axes = tuple[tuple[Unit, ...], ...]
+Derived = Callable[[Tensor[Expr]], Tensor[Expr]]
 SINGULAR = "zero where they do not exist, at the radar and for angles on the vertical axis"
 
 
@@ -39,6 +40,15 @@ class Direction:
     norms: Mapping[Expr, Symbol]
     coordinates: Mapping[Expr, Expr]
 
+    def is_enough_for(self, entry: Expr) -> bool:
+        """Whether every root and sum of squares in an entry is one of the norms, or its square."""
+        return {power.base for power in entry.atoms(sp.Pow) if power.base.args} <= {root**2 for root in self.norms}
+
+    def norm(self, definition: Expr) -> Expr:
+        """A root or a sum of squares in terms of the norms."""
+        squares = {root**2: norm**2 for root, norm in self.norms.items()}
+        return {**self.norms, **squares}[definition]
+
 
 @dataclass(frozen=True, eq=False)
 class Observation:
@@ -50,7 +60,8 @@ class Observation:
         state: the symbols of the state.
         outputs: name and expression of each measured quantity.
         units: the unit of each output.
-        direction: over which the derivatives are written.
+        directions: over which the derivatives are written, each over the first whose norms are enough.
+        where: the derivatives do not exist, and what they are there.
     """
 
     name: str
@@ -58,72 +69,77 @@ class Observation:
     state: tuple[Variable, ...]
     outputs: Mapping[str, Expr]
     units: tuple[Unit, ...]
-    direction: Direction
+    directions: tuple[Direction, ...]
+    where: str = SINGULAR
+
+    @property
+    def symbols(self) -> tuple[Variable, ...]:
+        """What the map depends on."""
+        return self.state
 
     @property
     def map(self) -> Tensor[Expr]:
         """The measured quantities, shape [out]."""
         return Tensor((len(self.outputs),), tuple(self.outputs.values()))
 
+    def form(self, derived: Derived) -> StableForm:
+        """What is derived of the outputs, as it is written."""
+        return self.written(derived(self.map))
+
     def written(self, derived: Tensor[Expr]) -> StableForm:
         """The same entries over distance and direction."""
         entries = derived.map_distinct(self._rewritten)
-        return StableForm(self.direction.definitions, entries).only(entries)
+        definitions = {name: value for direction in self.directions for name, value in direction.definitions.items()}
+        return StableForm(definitions, entries).only(entries)
 
     def _rewritten(self, entry: Expr) -> Expr:
         """Cosines and distance for coordinates and norms; what they have in common is divided out."""
+        direction = next(direction for direction in self.directions if direction.is_enough_for(entry))
         if entry.has(sp.atan2):
-            return entry.xreplace(dict(self.direction.norms))
+            return entry.xreplace(dict(direction.norms))
         over_one = collected_form(Tensor((), (entry,)))
         normed = over_one.entries.entries[0].xreplace(
-            {name: self._norm(definition) for name, definition in over_one.definitions.items()}
+            {name: direction.norm(definition) for name, definition in over_one.definitions.items()}
         )
-        above, below = sp.fraction(sp.factor(normed.xreplace(dict(self.direction.coordinates))))
+        above, below = sp.fraction(sp.factor(normed.xreplace(dict(direction.coordinates))))
         return sp.ratio(above, below) if below.free_symbols else above / below
-
-    def _norm(self, definition: Expr) -> Expr:
-        """A root or a sum of squares in terms of the norms."""
-        squares = {root**2: norm**2 for root, norm in self.direction.norms.items()}
-        return {**self.direction.norms, **squares}[definition]
 
 
 def quantities_of(observation: Observation) -> list[Quantity]:
     """Map, Jacobian and Hessian of an observation."""
     inward = tuple(variable.unit**-1 for variable in observation.state)
-    outputs, state = observation.map, observation.state
-    rows: tuple[tuple[str, str, str, Axes, Callable[[], Tensor[Expr]]], ...] = (
-        ("map", "g", observation.title, (observation.units,), lambda: outputs),
+    state = observation.state
+    rows: tuple[tuple[str, str, str, Axes, Derived], ...] = (
+        ("map", "g", observation.title, (observation.units,), lambda outputs: outputs),
         (
             "jacobian",
             "dg/dstate",
-            f"first derivatives of {observation.title}, [out, in]; {SINGULAR}",
+            f"first derivatives of {observation.title}, [out, in]; {observation.where}",
             (observation.units, inward),
-            lambda: taylor.jacobian(outputs, state),
+            lambda outputs: taylor.jacobian(outputs, state),
         ),
         (
             "hessian",
             "d2g/dstate2",
-            f"second derivatives of {observation.title}, [out, in, in]; {SINGULAR}",
+            f"second derivatives of {observation.title}, [out, in, in]; {observation.where}",
             (observation.units, inward, inward),
-            lambda: taylor.hessian(outputs, state),
+            lambda outputs: taylor.hessian(outputs, state),
         ),
     )
     return [_quantity(observation, *row) for row in rows]
 
 
-def _quantity(
-    observation: Observation, name: str, word: str, meaning: str, axes: Axes, derivation: Callable[[], Tensor[Expr]]
-) -> Quantity:
+def _quantity(observation: Observation, name: str, word: str, meaning: str, axes: Axes, derived: Derived) -> Quantity:
     return Quantity(
         name=f"observe.{observation.name}.{name}",
         meaning=meaning,
         axes=axes,
-        symbols=observation.state,
+        symbols=observation.symbols,
         conditioning=Conditioning.NONE,
         source=cite("barshalom2011", "extended Kalman filter"),
         word=word,
-        derivation=derivation,
-        rewriting=lambda: observation.written(derivation()),
+        derivation=lambda: derived(observation.map),
+        rewriting=lambda: observation.form(derived),
         is_difference=True,
     )
 
@@ -142,7 +158,7 @@ def _named(name: str) -> Symbol:
 
 
 x, y, z = (_coordinate(name) for name in "xyz")
-vx, vy = _speed("vx", "x"), _speed("vy", "y")
+vx, vy, vz = (_speed(f"v{axis}", axis) for axis in "xyz")
 distance, ground = _named("distance"), _named("ground_distance")
 cos_azimuth, sin_azimuth = _named("cos_azimuth"), _named("sin_azimuth")
 cos_elevation, sin_elevation = _named("cos_elevation"), _named("sin_elevation")
@@ -157,7 +173,8 @@ IN_PLANE = Direction(
 )
 BY_COSINES = Direction(
     {
-        distance: sp.hypot(sp.hypot(x, y), z),
+        ground: sp.hypot(x, y),
+        distance: sp.hypot(ground, z),
         cosine_x: sp.ratio(x, distance),
         cosine_y: sp.ratio(y, distance),
         cosine_z: sp.ratio(z, distance),
@@ -183,17 +200,26 @@ BY_ANGLES = Direction(
     },
 )
 POLAR = {"r": plane, "beta": sp.atan2(y, x)}
+SPHERICAL = {"r": space, "beta": sp.atan2(x, y), "epsilon": sp.atan2(z, plane)}
 
 # fmt: off - a table reads best with few lines a row
 OBSERVATIONS = (
-    Observation("polar", "range and azimuth of a position in the plane", (x, y), POLAR, (METRE, RADIAN), IN_PLANE),
+    Observation(
+        "bearing",
+        "azimuth of a position in the plane",
+        (x, y),
+        {"beta": sp.atan2(y, x)},
+        (RADIAN,),
+        (IN_PLANE,),
+    ),
+    Observation("polar", "range and azimuth of a position in the plane", (x, y), POLAR, (METRE, RADIAN), (IN_PLANE,)),
     Observation(
         "polar_doppler",
         "range, azimuth and range rate of a position and velocity in the plane",
         (x, y, vx, vy),
         POLAR | {"rdot": (x * vx + y * vy) / plane},
         (METRE, RADIAN, METRE_PER_SECOND),
-        IN_PLANE,
+        (IN_PLANE,),
     ),
     Observation(
         "ruv",
@@ -201,15 +227,23 @@ OBSERVATIONS = (
         (x, y, z),
         {"r": space, "u": x / space, "v": y / space},
         (METRE, ONE, ONE),
-        BY_COSINES,
+        (BY_COSINES,),
     ),
     Observation(
         "spherical",
         "range, azimuth and elevation of a position in space",
         (x, y, z),
-        {"r": space, "beta": sp.atan2(x, y), "epsilon": sp.atan2(z, plane)},
+        SPHERICAL,
         (METRE, RADIAN, RADIAN),
-        BY_ANGLES,
+        (BY_COSINES, BY_ANGLES),
+    ),
+    Observation(
+        "spherical_doppler",
+        "range, azimuth, elevation and range rate of a position and velocity in space",
+        (x, y, z, vx, vy, vz),
+        SPHERICAL | {"rdot": (x * vx + y * vy + z * vz) / space},
+        (METRE, RADIAN, RADIAN, METRE_PER_SECOND),
+        (BY_COSINES, BY_ANGLES),
     ),
 )
 # fmt: on

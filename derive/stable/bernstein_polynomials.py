@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 Monomial = tuple[int, ...]
 Factored = tuple[PolyElement, PolyElement]
-HEADROOM = 3
-GRID = 8
-ELEVATIONS = 3
+HEADROOM = 3  # how often terms may outweigh their sum, two bits; less, and short forms are refused for longer ones
+GRID = 8  # intervals a side for two attenuations at which that is tried, fewer for more: their number is a power
+ELEVATIONS = 3  # degrees that are tried: a higher one may give terms of one sign, and is longer
 
 
 @dataclass(frozen=True)

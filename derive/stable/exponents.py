@@ -36,7 +36,7 @@ class Exponents:
         """A name for each product: that of a variance or a covariance, where it is one."""
         found: dict[Symbol, Expr] = {}
         for decay in self._decays:
-            kind = "variance" if decay.variance_is_positive else "covariance"
+            kind = _kind(decay)
             name = f"{kind}_{decay.attenuation.name.removeprefix('attenuation_')}"
             while sp.Symbol(name, real=True) in found:
                 name += "_"
@@ -55,19 +55,34 @@ class Exponents:
         variables = range(len(self._decays))
         for chosen in chain.from_iterable(combinations(variables, n) for n in range(1, len(variables) + 1)):
             live = _only(coefficients, chosen)
-            orders = [_order(live, i) for i in range(len(chosen))]
+            for place, variable in enumerate(chosen):
+                if not self._decays[variable].variance_is_positive:
+                    live = _by_parity(live, place)
+            factors = [self._factors(live, place, variable) for place, variable in enumerate(chosen)]
             for counts, value in live.items():
-                rests = (
-                    _rest(self._step(variable, count), order)
-                    for variable, count, order in zip(chosen, counts, orders, strict=True)
-                )
-                yield sp.Mul(sp.Rational(value), *rests)
+                yield sp.Mul(sp.Rational(value), *(found[count] for found, count in zip(factors, counts, strict=True)))
+
+    def _factors(self, coefficients: Mapping[Monomial, Fraction], place: int, variable: int) -> dict[int, Expr]:
+        """What one variable contributes to a product, by its count: negative ones stand for the odd part."""
+        step = {counts[place]: self._step(variable, counts[place]) for counts in coefficients}
+        if self._decays[variable].variance_is_positive:
+            order = _order(coefficients, place)
+            return {count: _rest(exponent, order) for count, exponent in step.items()}
+        even = _order({c: value for c, value in coefficients.items() if c[place] > 0}, place, 2, 2)
+        odd = _order({c: value for c, value in coefficients.items() if c[place] < 0}, place, 1, 2)
+        return {count: _even(x, even) if count > 0 else _odd(x, odd) for count, x in step.items()}
 
     def _exponent(self, counts: Monomial) -> Expr:
         return sp.Add(*(self._step(variable, count) for variable, count in enumerate(counts)))
 
     def _step(self, variable: int, count: int) -> Expr:
         return sp.Rational(-count * self._decays[variable].step) * list(self.names)[variable]
+
+
+def _kind(decay: Decay) -> str:
+    if decay.variance_is_positive:
+        return "variance"
+    return "covariance" if any(getattr(s, "is_correlation", False) for s in decay.product.free_symbols) else "exponent"
 
 
 def _only(coefficients: Mapping[Monomial, Fraction], chosen: Sequence[int]) -> dict[Monomial, Fraction]:
@@ -80,9 +95,20 @@ def _only(coefficients: Mapping[Monomial, Fraction], chosen: Sequence[int]) -> d
     return {counts: value for counts, value in sorted(found.items()) if value}
 
 
-def _order(coefficients: Mapping[Monomial, Fraction], place: int) -> int:
+def _by_parity(coefficients: Mapping[Monomial, Fraction], place: int) -> dict[Monomial, Fraction]:
+    """e^(−nx) − 1 as (cosh nx − 1) − sinh nx, at the counts n and −n: of a covariance both signs of n occur."""
+    found: dict[Monomial, Fraction] = {}
+    for counts, value in coefficients.items():
+        count = counts[place]
+        for other, part in ((abs(count), value), (-abs(count), value if count > 0 else -value)):
+            key = (*counts[:place], other, *counts[place + 1 :])
+            found[key] = found.get(key, Fraction(0)) + part
+    return {counts: value for counts, value in sorted(found.items()) if value}
+
+
+def _order(coefficients: Mapping[Monomial, Fraction], place: int, first: int = 1, step: int = 1) -> int:
     """The power of one variable with which a sum of products begins, whatever the others are."""
-    for order in range(1, HIGHEST):
+    for order in range(first, HIGHEST, step):
         found: dict[Monomial, Fraction] = {}
         for counts, value in coefficients.items():
             others = counts[:place] + counts[place + 1 :]
@@ -94,3 +120,17 @@ def _order(coefficients: Mapping[Monomial, Fraction], place: int) -> int:
 
 def _rest(exponent: Expr, order: int) -> Expr:
     return sp.expm1(exponent) if order == 1 else sp.remainder(exponent, order)
+
+
+def _even(exponent: Expr, order: int) -> Expr:
+    """cosh x − 1, without the terms of its series below an order."""
+    if order == 2:
+        return 2 * sp.sinh(exponent / 2) ** 2
+    return (sp.remainder(exponent, order) + sp.remainder(-exponent, order)) / 2
+
+
+def _odd(exponent: Expr, order: int) -> Expr:
+    """−sinh |n| x of an exponent −nx with a negative count n, without the terms of its series below an order."""
+    if order == 1:
+        return -sp.sinh(exponent)
+    return (sp.remainder(-exponent, order) - sp.remainder(exponent, order)) / 2

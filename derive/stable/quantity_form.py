@@ -5,12 +5,10 @@ from __future__ import annotations
 from functools import cache
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.algebra.differential_ring import NotDifferentiable
-from radartrack.derive.algebra.rational_function import NotRational, is_zero
+from radartrack.derive.algebra.equality import proved_zero
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
-from radartrack.derive.stable.common_denominator import vanishes
 from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
@@ -37,14 +35,21 @@ def _form(quantity: Quantity, *_origin: object) -> StableForm:
 
 def readable(quantity: Quantity) -> Tensor[Expr]:
     """The form with its intermediates filled in, to be read: 1 − e^x stands where code calls expm1."""
-    form = form_of(quantity)
+    form = in_one_form(form_of(quantity))
     plain = {symbol: without_expm1(definition) for symbol, definition in form.definitions.items()}
     return StableForm(plain, form.entries.map(without_expm1)).expanded()
 
 
+def in_one_form(form: StableForm) -> StableForm:
+    """With the second of two forms of a function, the textbook's, where code chooses between them by size."""
+    choices = {symbol: sp.Integer(0) for symbol, value in form.definitions.items() if isinstance(value, sp.below)}
+    entries = form.entries.map(lambda entry: entry.xreplace(choices))
+    return StableForm(form.definitions, entries, form.arbitrary).only(entries)
+
+
 def without_expm1(expression: Expr) -> Expr:
-    """The expression with e^x − 1 in place of calls of expm1, and more terms of the series likewise."""
-    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(sp.remainder)})
+    """The expression with e^x − 1 in place of calls of expm1, and what is left of other series likewise."""
+    expression = expression.xreplace({call: call.expanded() for call in expression.atoms(sp.Abbreviation)})
     calls = expression.atoms(sp.expm1)
     opposites = {-call: 1 - sp.exp(call.args[0]) for call in calls}
     return expression.xreplace(opposites).xreplace({call: sp.exp(call.args[0]) - 1 for call in calls})
@@ -54,20 +59,5 @@ def _prove(form: StableForm, derived: Tensor[Expr]) -> None:
     for rewritten, expected in zip(form.proposition(), derived, strict=True):
         if rewritten == expected or with_sums_expanded(rewritten) == with_sums_expanded(expected):
             continue
-        if not _vanishes(sp.unguarded(rewritten) - expected):
+        if not proved_zero(sp.unguarded(rewritten) - expected):
             raise NotProved(f"{rewritten} is not equal to {expected}")
-
-
-def _vanishes(expression: Expr) -> bool:
-    """Whether it is zero: as a rational function, over roots, or by what SymPy can cancel; all prove it."""
-    try:
-        return is_zero(expression)
-    except NotRational:
-        return _vanishes_over_roots(expression) or sp.cancel(expression) == sp.Integer(0)
-
-
-def _vanishes_over_roots(expression: Expr) -> bool:
-    try:
-        return vanishes(expression)
-    except NotDifferentiable:
-        return False

@@ -7,7 +7,7 @@ from radartrack.derive.algebra.exponential_polynomial import NotExponentialPolyn
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.stable.attenuation import stable_form
-from radartrack.derive.stable.common_denominator import collected_form
+from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 
 

@@ -11,7 +11,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.writing.numpy_expression import code
 
 POWERS = {2: "squared", 3: "cubed"}
-LONGEST = 30
+LONGEST = 30  # characters of a sum inside a product; longer ones get a name, so that a line can be read
 
 
 def with_common_parts(

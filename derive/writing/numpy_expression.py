@@ -12,6 +12,7 @@ FUNCTIONS: dict[type[Expr], str] = {
     sp.asin: "np.arcsin",
     sp.atan: "np.arctan",
     sp.atan2: "np.arctan2",
+    sp.below: "np.less",
     sp.cos: "np.cos",
     sp.cosh: "np.cosh",
     sp.exp: "np.exp",
@@ -23,6 +24,7 @@ FUNCTIONS: dict[type[Expr], str] = {
     sp.sinh: "np.sinh",
     sp.tan: "np.tan",
     sp.tanh: "np.tanh",
+    sp.third: "_third",
 }
 SUM, PRODUCT, POWER, ATOM = range(4)
 
@@ -59,9 +61,9 @@ def _code(expression: Expr) -> tuple[str, int]:
         return (text, PRODUCT) if sign == "+" else (f"-{text}", SUM)
     if isinstance(expression, sp.Pow):
         return _power(expression)
-    if isinstance(expression, sp.remainder):
+    if isinstance(expression, sp.remainder | sp.stumpff):
         argument, order = expression.args
-        return f"_remainder({code(argument)}, {int(order)})", ATOM
+        return f"_{expression.func.__name__}({code(argument)}, {int(order)})", ATOM
     if expression.func in FUNCTIONS:
         arguments = ", ".join(code(argument) for argument in expression.args)
         return f"{FUNCTIONS[expression.func]}({arguments})", ATOM

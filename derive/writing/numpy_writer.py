@@ -71,6 +71,35 @@ def _remainder(x: Floats, order: int) -> Floats:
 '''
 
 
+STUMPFF = '''
+
+def _stumpff(x: Floats, order: int) -> Floats:
+    """1/n! - x^2/(n+2)! + x^4/(n+4)! - ..., by this series; where it is long, by cosine or sine less its beginning."""
+    is_small = np.abs(x) < order
+    small, large = np.where(is_small, x * x, 0.0), np.where(is_small, 1.0, x)
+    series = np.ones_like(small)
+    for n in range(order + 30, order, -2):
+        series = 1.0 - small * series / (n * (n - 1))
+    closed, term = (np.sin(large) / large, 1.0) if order % 2 else (np.cos(large), 1.0)
+    for n in range(order % 2, order, 2):
+        closed = (term - closed) / large**2
+        term /= (n + 1) * (n + 2)
+    return np.where(is_small, series * term, closed)
+'''
+
+
+THIRD = '''
+
+def _third(x: Floats) -> Floats:
+    """The positive root c of 4 c^3 - 3 c = x, a cosine or hyperbolic cosine and a step of Newton's."""
+    wide, flat = np.maximum(x, 1.0), np.minimum(x, 1.0)
+    c = np.where(x > 1.0, np.cosh(np.arccosh(wide) / 3.0), np.cos(np.arccos(flat) / 3.0))
+    return c - ((4.0 * c**2 - 3.0) * c - x) / (12.0 * c**2 - 3.0)
+'''
+
+HELPERS = {"_ratio(": RATIO, "_remainder(": REMAINDER, "_stumpff(": STUMPFF, "_third(": THIRD}
+
+
 @dataclass(frozen=True)
 class Function:
     """A quantity as a NumPy function.
@@ -178,10 +207,13 @@ def module_text(title: str, functions: Sequence[Function], accuracy: Mapping[str
         'not to be edited.\n"""\n'
     )
     written = [function.text(accuracy[function.quantity.name]) for function in functions]
-    used = "".join(written)
-    helpers = PRELUDE + (RATIO if "_ratio(" in used else "") + (REMAINDER if "_remainder(" in used else "")
-    body = "\n\n".join([f"{header}\n{helpers}", *written])
+    body = "\n\n".join([f"{header}\n{PRELUDE}{helpers(''.join(written))}", *written])
     return body.replace("\nFloats = ", f"\n__all__ = [\n{names}]\n\nFloats = ", 1)
+
+
+def helpers(statements: str) -> str:
+    """The functions beside NumPy's that statements call."""
+    return "".join(helper for call, helper in HELPERS.items() if call in statements)
 
 
 def _assignment(target: str, expression: Expr) -> str:

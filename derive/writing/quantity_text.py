@@ -11,12 +11,8 @@ from radartrack.derive.stable.quantity_form import form_of, readable
 from radartrack.derive.symbolic import Symbol
 from radartrack.derive.writing.common_subexpressions import with_common_parts
 from radartrack.derive.writing.numpy_expression import code
+from radartrack.derive.writing.numpy_writer import helpers
 
-RATIO = """
-def _ratio(above, below):  # the quotient; 0 where the divisor is 0
-    quotient = np.zeros(np.broadcast(above, below).shape)
-    return np.divide(above, below, out=quotient, where=np.not_equal(below, 0))
-"""
 LATEX_NAMES = {
     "r": "r",
     "rdot": r"\dot{r}",
@@ -59,8 +55,8 @@ def python(quantity: Quantity, index: Index | None = None) -> str:
     definitions, results = with_common_parts(form.only(wanted).definitions, wanted)
     lines = [f"{symbol.name} = {code(definition)}" for symbol, definition in definitions.items()]
     lines.append(f"result = {nested(Tensor(wanted.shape, tuple(results)).map(code))}")
-    helper = f"\n{RATIO}\n" if any("_ratio(" in line for line in lines) else ""
-    return "\n".join([f"import numpy as np\n{helper}", *lines])
+    helper = helpers("\n".join(lines))
+    return "\n".join(["import numpy as np\n", *(["Floats = np.ndarray | float", helper, ""] if helper else []), *lines])
 
 
 def latex_name(symbol: Symbol) -> str:

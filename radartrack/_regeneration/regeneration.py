@@ -181,6 +181,7 @@ def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
 
     Raises:
         NotDerived: saying of which quantity, and why.
+        NotProved: a rewritten form is not proved equal to its definition.
     """
     with _refusing(task if isinstance(task, str) else ".".join(task)):
         return _done(task, quantities)

@@ -73,10 +73,12 @@ def replace_file(target: Path, content: str | bytes) -> None:
     A symbolic link at `target` is followed. Whatever goes wrong, the file is as before.
 
     Raises:
-        OSError: the file system refuses.
+        OSError: the file system refuses, or there is a device, a pipe or a directory.
 
     """
     target = Path(os.path.realpath(target))
+    if target.exists() and not target.is_file():
+        raise OSError(errno.EINVAL, "this is no file that could be replaced", str(target))
     new = target.with_name(f".swap-{secrets.token_hex(8)}")
     try:
         with new.open("xb") as file:

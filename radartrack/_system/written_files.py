@@ -15,6 +15,9 @@ from dataclasses import dataclass
 from hashlib import sha256
 from itertools import count
 from pathlib import Path
+from types import MappingProxyType
+
+from radartrack._system.directory_swap import replace_file
 
 RECORD = "written.json"
 CACHE = "__pycache__"
@@ -42,7 +45,18 @@ class Owners:
 
 def record(files: Mapping[str, str]) -> str:
     """The record of what is written to a directory."""
-    return json.dumps({name: digest(text.encode()) for name, text in sorted(files.items())}, indent=1) + "\n"
+    return _text({name: digest(text.encode()) for name, text in files.items()})
+
+
+def write(directory: Path, name: str, content: str | bytes) -> None:
+    """Write one file of a directory that may hold others' too, and record it.
+
+    Raises:
+        OSError: the file system refuses.
+    """
+    data = content.encode() if isinstance(content, str) else content
+    replace_file(directory / RECORD, _text({**read_record(directory), name: digest(data)}))
+    replace_file(directory / name, data)
 
 
 def read_record(directory: Path) -> Digests:
@@ -56,7 +70,7 @@ def read_record(directory: Path) -> Digests:
     return stored
 
 
-def owners(directory: Path, shipped: Digests) -> Owners:
+def owners(directory: Path, shipped: Digests = MappingProxyType({})) -> Owners:
     """Who owns what is in a directory.
 
     Args:
@@ -94,6 +108,10 @@ def keep_beside(directory: Path, names: Iterable[str]) -> Path:
 def digest(content: bytes) -> str:
     """Of a text, whatever ends its lines."""
     return sha256(content.replace(b"\r\n", b"\n")).hexdigest()
+
+
+def _text(digests: Digests) -> str:
+    return json.dumps(dict(sorted(digests.items())), indent=1) + "\n"
 
 
 def _digest_of(path: Path) -> str | None:

@@ -41,8 +41,8 @@ def check(
         quantity=name,
         formula="" if latex else formula,
         latex=formula if latex else "",
-        given=_pairs(given or [], "--given"),
-        let=_pairs(let or [], "--let"),
+        given=pairs(given or [], "--given"),
+        let=pairs(let or [], "--let"),
     )
     files = declared(model)
     try:
@@ -58,7 +58,7 @@ def check(
     raise typer.Exit(EXIT[record["verdict"]])
 
 
-def _pairs(given: list[str], option: str) -> dict[str, str]:
+def pairs(given: list[str], option: str) -> dict[str, str]:
     """`name=value` as a mapping."""
     pairs: dict[str, str] = {}
     for one in given:

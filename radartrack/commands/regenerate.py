@@ -46,7 +46,7 @@ def regenerate(
         _refuse(f"Nothing was written: {error}")
     except NotProved as error:
         terminal.complain(f"Nothing was written: {error}")
-        raise typer.Exit(1) from None
+        raise typer.Exit(2 if model else 1) from None
     files = regeneration.texts(derivation, measured)
     found = [difference for difference in regeneration.differences(directory, files) if difference]
     if check:

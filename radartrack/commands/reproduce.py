@@ -15,7 +15,7 @@ from rich.markup import escape
 from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from radartrack._system import output_files, terminal
+from radartrack._system import output_files, terminal, written_files
 
 if TYPE_CHECKING:
     from radartrack._reports.experiment_section import Experiment
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 PLAIN_WIDTH = 140  # in a file or a pipe
 TIMEOUT = 20.0
+REPORT = "report.html"
+KINDS = {".csv", ".svg", ".png"}
 STYLES = {"agrees": "green", "differs": "bold red", "depends": "yellow"}
 
 
@@ -49,9 +51,11 @@ def reproduce(
     from radartrack.reproduction.papers import PAPERS
 
     _make(out)
-    output_files.refuse_unwritable({"report.html": out / "report.html"})
-    console = terminal.console(PLAIN_WIDTH)
     names = [str(name) for name in dict.fromkeys(papers or PaperName)]
+    if theirs := _in_the_way(out, names):
+        _refuse(f"--out: {out / theirs[0]} is in the way: it was not written by this command, or was edited since.")
+    output_files.refuse_unwritable({REPORT: out / REPORT})
+    console = terminal.console(PLAIN_WIDTH)
     experiments = []
     with _progress() as step:
         for name in names:
@@ -59,7 +63,7 @@ def reproduce(
             step(f"{found.title}: figures")
             experiments.append(_written(PAPERS[name], found, out))
             _show(found, console)
-    _report(names, experiments, out / "report.html")
+    written_files.write(out, REPORT, _report(names, experiments))
     terminal.say(f"\nFigures, data and report.html are in {terminal.one_line(str(out))}")
 
 
@@ -68,6 +72,17 @@ def _make(out: Path) -> None:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         _refuse(f"{out}: {error.strerror or error}")
+
+
+def _in_the_way(out: Path, papers: Sequence[str]) -> list[str]:
+    """What is not ours and is called as what will be written."""
+    found = written_files.owners(out)
+    begins = tuple(f"{paper}_" for paper in papers)
+    return sorted(
+        name
+        for name in found.others | found.edited
+        if name in {REPORT, written_files.RECORD} or (name.startswith(begins) and Path(name).suffix in KINDS)
+    )
 
 
 def _refuse(reason: str) -> None:
@@ -80,15 +95,16 @@ def _written(paper: Paper, found: Reproduction, out: Path) -> Experiment:
     from radartrack._reports.experiment_section import Experiment, Shown
 
     for name, table in (*found.tables.items(), ("findings", found.findings_table())):
-        table.write(out / f"{found.paper}_{name}.csv")
+        written_files.write(out, f"{found.paper}_{name}.csv", table.csv())
     shown = []
     for picture in paper.pictures(found):
-        picture.write(out)
+        for name, content in picture.files().items():
+            written_files.write(out, name, content)
         shown.append(Shown(picture.svg(), picture.caption, picture.alt))
     return Experiment(found.paper, found.title, [vars(finding) for finding in found.findings], shown)
 
 
-def _report(names: Sequence[str], experiments: Sequence[Experiment], path: Path) -> None:
+def _report(names: Sequence[str], experiments: Sequence[Experiment]) -> str:
     """The experiments and the audit of the same papers on one page."""
     from radartrack._reports import audit_page
     from radartrack.commands.audit import decided
@@ -97,7 +113,7 @@ def _report(names: Sequence[str], experiments: Sequence[Experiment], path: Path)
     files = {file.stem: file for file in shipped()}
     claims = [read_claims(files[name]) for name in names]
     audits, _ = decided(claims, TIMEOUT, typeset=True)
-    output_files.write(path, audit_page.page(audits, experiments))
+    return audit_page.page(audits, experiments)
 
 
 def _show(found: Reproduction, console: Console) -> None:

@@ -6,14 +6,11 @@ import io
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-
-from radartrack._system.directory_swap import replace_file
 
 BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
     "#000000", "#b87a00", "#3a9bd9", "#007a5a", "#0059a0", "#c04a00", "#a8487d",
@@ -58,10 +55,9 @@ class Picture:
         """The figure as PNG; the same bytes for the same figure."""
         return self._saved("png", {"Software": None})
 
-    def write(self, directory: Path) -> None:
-        """Write SVG and PNG."""
-        replace_file(directory / f"{self.name}.svg", self.svg())
-        replace_file(directory / f"{self.name}.png", self.png())
+    def files(self) -> dict[str, bytes]:
+        """SVG and PNG, by the names of their files."""
+        return {f"{self.name}.svg": self.svg(), f"{self.name}.png": self.png()}
 
     def _saved(self, kind: str, metadata: dict[str, Any]) -> bytes:
         buffer = io.BytesIO()

@@ -6,14 +6,12 @@ import csv
 import io
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
 from radartrack._arrays.repeated_trials import Estimate
 from radartrack._arrays.validation import RealArray
-from radartrack._system.directory_swap import replace_file
 
 Verdict: TypeAlias = Literal["agrees", "differs", "depends"]
 Cell: TypeAlias = str | int | float
@@ -53,13 +51,13 @@ class Table:
         ]
         return Table({name: [column[place] for place in chosen] for name, column in self.columns.items()})
 
-    def write(self, path: Path) -> None:
-        """Write the table as CSV; numbers with six digits, nothing where there is none."""
+    def csv(self) -> str:
+        """The table as CSV; numbers with six digits, nothing where there is none."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(self.columns)
         writer.writerows([_text(cell) for cell in row] for row in self.rows())
-        replace_file(path, text.getvalue())
+        return text.getvalue()
 
 
 @dataclass(frozen=True)

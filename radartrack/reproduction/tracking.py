@@ -15,7 +15,7 @@ import numpy as np
 from radartrack import convert, kalman, observe
 from radartrack._arrays.validation import RealArray
 from radartrack.convert import Converted, Method
-from radartrack.generated import kinematics
+from radartrack.generated import motion as motions
 from radartrack.kalman import Belief, Motion
 from radartrack.simulate import Plots, Radar, Straight, plots
 
@@ -106,7 +106,7 @@ def scene(period: float, azimuth_std: float, direction: int, scans: int, trials:
 
 def motion(period: float) -> Motion:
     """Constant velocity in the plane without process noise, as in the paper but for the misprint in F."""
-    return Motion(kinematics.plane_transition(T=period), np.zeros((4, 4)))
+    return Motion(motions.plane_transition(T=period), np.zeros((4, 4)))
 
 
 def motion_as_printed(period: float) -> Motion:
@@ -150,7 +150,7 @@ def track(
         return _tracked(view, _by_prediction(view, position, noise, moves, _at_mean(conversion.covariance)))
     at = view.plots if weighting == "measurement" else view.exact
     noise = _converted(conversion.covariance, at).covariance
-    return _tracked(view, kalman.run(START, moves, position, kinematics.plane_observation(), noise))
+    return _tracked(view, kalman.run(START, moves, position, motions.plane_observation(), noise))
 
 
 def track_decorrelated(view: Scene) -> Tracked:
@@ -199,7 +199,7 @@ def _by_prediction(view: Scene, position: RealArray, first: RealArray, moves: Mo
     for scan in range(position.shape[-2]):
         belief = kalman.predict(belief, moves)
         noise = first[:, scan] if scan < first.shape[1] else covariance(view.radar.noise, belief)
-        belief = kalman.update(belief, position[:, scan], kinematics.plane_observation(), noise)
+        belief = kalman.update(belief, position[:, scan], motions.plane_observation(), noise)
         beliefs.append(belief)
     return Belief(*(np.stack(parts, axis=1) for parts in zip(*beliefs, strict=True)))
 

@@ -19,6 +19,10 @@ def _ratio(above: Value, below: Value) -> Value:
     return np.divide(above, below, out=np.zeros(np.broadcast(above, below).shape), where=np.asarray(below != 0))
 
 
+def _third(x: Value) -> Value:
+    return np.where(x > 1, np.cosh(np.arccosh(np.maximum(x, 1)) / 3), np.cos(np.arccos(np.minimum(x, 1)) / 3))
+
+
 def _power(base: Value, exponent: Value) -> Value:
     if isinstance(exponent, float) and exponent.is_integer() and abs(exponent) <= 16:
         whole = int(abs(exponent))
@@ -49,6 +53,7 @@ OPERATIONS: dict[str, Callable[..., Value]] = {
     "square": np.square,
     "tan": np.tan,
     "tanh": np.tanh,
+    "third": _third,
 }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
+import math
 import platform
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing
@@ -22,7 +23,7 @@ from radartrack.verification.layers.identity import Identity
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
 from radartrack.verification.layers.ulp_search import Accuracy
-from radartrack.verification.outcome import FUNCTION, Function, Layer, Outcome, examined
+from radartrack.verification.outcome import BROKEN, FUNCTION, Function, Layer, Outcome, examined
 from radartrack.verification.own_models import NONE, OwnModels
 from radartrack.verification.paths import along, paths_of
 from radartrack.verification.simulation.draws import CHUNK, Draws, Sums, tasks_for
@@ -113,6 +114,7 @@ class Campaign:
     checkpoint: Path | None = None
     own: OwnModels = NONE
     _trials: dict[str, list[Trial]] = field(default_factory=dict)
+    _reasons: dict[str, str] = field(default_factory=dict)
 
     @cached_property
     def kept(self) -> Checkpoint:
@@ -165,8 +167,8 @@ class Campaign:
         if simulated(quantity):
             try:
                 yield from trials(quantity, self._function(quantity), self.effort.seed)
-            except NotGenerated:
-                return
+            except BROKEN as error:  # a function that is missing among them
+                self._reasons[quantity.name] = f"{type(error).__name__}: {error}"
 
     def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
         quantity = self._find(name)
@@ -188,7 +190,7 @@ class Campaign:
             return monte_carlo.reason(quantity)
         planned = self._simulations(quantity)
         if not planned:
-            return Outcome.failed(monte_carlo.NAME, f"{quantity.name} has no generated function")
+            return Outcome.failed(monte_carlo.NAME, self._reasons[quantity.name])
         results = ((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
         return monte_carlo.decided(results, budget(quantity))
 
@@ -215,12 +217,14 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
 
 
 def _departures(quantity: Quantity, trial: Trial) -> dict[str, Departures]:
-    """How far the conversions depart from the function that was simulated."""
-    others = paths_of(quantity)[1:]
-    if not others:
-        return {}
-    function = generated(quantity)
-    return {path: departures(quantity, trial, function, along(path, quantity)[1]) for path in others}
+    """How far the conversions depart from the function that was simulated; one that breaks down is nowhere."""
+    others, found = paths_of(quantity)[1:], {}
+    for path in others:
+        try:
+            found[path] = departures(quantity, trial, generated(quantity), along(path, quantity)[1])
+        except BROKEN:
+            found[path] = (math.nan,)
+    return found
 
 
 def _installed(name: str) -> bool:

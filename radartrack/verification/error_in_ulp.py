@@ -21,25 +21,38 @@ Norm = Callable[[list[float]], float]
 Exact = Callable[[Tensor[Expr], Sequence[Symbol]], Callable[[Sequence[float]], Tensor[Any]]]
 
 
-def errors(
-    function: Callable[..., Any], quantity: Quantity, points: Points, exact_arithmetic: Exact = Evaluator
-) -> npt.NDArray[np.float64]:
-    """The largest error of any entry at each point, in ulp of what the entry is measured against.
+class Yardstick:
+    """The exact entries of a quantity at some points, and what errors of them are measured against.
 
     A variance is measured against itself, a covariance against √(c_ii c_jj), any other entry against the norm
     of the entries that share its unit, and an entry of a difference against the sizes of its terms. A scale
     that the quantity states goes before all of these.
+
+    Attributes:
+        exact: at each point the entries, in row-major order.
+        scales: likewise.
     """
-    computed = np.asarray(function(**points), dtype=np.float64)
-    flat = computed.reshape(-1, math.prod(quantity.shape)).tolist()
-    evaluator = exact_arithmetic(quantity.expression, quantity.symbols)
-    columns = [points[symbol.name].tolist() for symbol in quantity.symbols]
-    rows = zip(*columns, strict=True) if columns else iter([()])
-    scales = _scales(quantity, exact_arithmetic)
-    exact = ((row, evaluator(row).entries) for row in rows)
-    return np.array(
-        [_error(found, values, scales(row, values)) for found, (row, values) in zip(flat, exact, strict=True)]
-    )
+
+    def __init__(self, quantity: Quantity, points: Points, exact_arithmetic: Exact = Evaluator) -> None:
+        evaluator = exact_arithmetic(quantity.expression, quantity.symbols)
+        columns = [points[symbol.name].tolist() for symbol in quantity.symbols]
+        rows = list(zip(*columns, strict=True)) if columns else [()]
+        scales = _scales(quantity, exact_arithmetic)
+        self.exact = [evaluator(row).entries for row in rows]
+        self.scales = [scales(row, values) for row, values in zip(rows, self.exact, strict=True)]
+
+    def errors(self, computed: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """The errors of computed entries in ulp of their scales; both of shape (points, entries)."""
+        rows = zip(computed.tolist(), self.exact, self.scales, strict=True)
+        return np.array([list(map(_ulps, *row)) for row in rows])
+
+
+def errors(
+    function: Callable[..., Any], quantity: Quantity, points: Points, exact_arithmetic: Exact = Evaluator
+) -> npt.NDArray[np.float64]:
+    """The largest error of any entry at each point, in ulp of what `Yardstick` measures it against."""
+    computed = np.asarray(function(**points), dtype=np.float64).reshape(-1, math.prod(quantity.shape))
+    return np.asarray(Yardstick(quantity, points, exact_arithmetic).errors(computed).max(axis=-1))
 
 
 def _scales(quantity: Quantity, exact_arithmetic: Exact) -> Callable[[tuple[float, ...], tuple[Any, ...]], list[float]]:
@@ -74,10 +87,6 @@ def _euclidean(magnitudes: list[float]) -> float:
 
 def _geometric_mean(magnitudes: list[float]) -> float:
     return math.sqrt(magnitudes[0]) * math.sqrt(magnitudes[1])
-
-
-def _error(computed: list[float], exact: tuple[Any, ...], scales: list[float]) -> float:
-    return max(_ulps(found, value, scale) for found, value, scale in zip(computed, exact, scales, strict=True))
 
 
 def _ulps(computed: float, exact: Any, scale: float) -> float:

@@ -14,6 +14,18 @@ from radartrack.derive.language.quantity import Quantity
 Function = Callable[..., Any]
 FUNCTION = "function"  # the path to a quantity that is its own
 
+BROKEN = (
+    ArithmeticError,
+    AttributeError,
+    ImportError,
+    LookupError,
+    NameError,
+    RuntimeError,
+    TypeError,
+    ValueError,
+)
+"""What code that breaks down may raise, the compiler of machine code among it."""
+
 
 class Verdict(StrEnum):
     """Whether a layer found nothing wrong, found something, or has nothing to say."""
@@ -100,5 +112,5 @@ def examined(layer: Layer, quantity: Quantity, function: Function) -> Outcome:
     try:
         with np.errstate(all="ignore"):  # what is no number is a figure that fails, and no warning
             return layer(quantity, function)
-    except (ArithmeticError, AttributeError, LookupError, NameError, TypeError, ValueError) as error:
+    except BROKEN as error:
         return Outcome.failed(layer.name, f"{type(error).__name__}: {error}")

@@ -120,15 +120,16 @@ def _conversions() -> dict[str, Part]:
 
 def _fill(path: str, name: str) -> Fill:
     """What fills mean and covariance."""
-    if path == MACHINE_CODE:
-        return machine_code.conversion(name)
-    module = import_module(f"radartrack.generated.{'conversions' if path == ARRAYS else 'loops'}")
+    compiled = machine_code.conversion(name) if path == MACHINE_CODE else None
+    if compiled is not None:
+        return compiled
+    module = import_module(f"radartrack.generated.{'loops' if path == ONE_PLOT else 'conversions'}")
     function: Fill = getattr(module, name)
-    return function if path == ARRAYS else lambda *arrays: _plot_by_plot(function, *arrays)
+    return function if path != ONE_PLOT else lambda *arrays: _plot_by_plot(function, *arrays)
 
 
 def _plot_by_plot(loop: Fill, *arrays: Array) -> None:
-    """Each plot alone in plain numbers, into dictionaries, as `radartrack._arrays.one_plot` calls the loop."""
+    """Each plot alone in plain numbers, into dictionaries, as `radartrack._conversion.one_plot` calls the loop."""
     *inputs, means, covariances = arrays
     for plot, values in enumerate(zip(*(column.tolist() for column in inputs), strict=True)):
         mean: dict[tuple[int, ...], float] = {}

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive.finite_sample.least_squares_filter import fewest_scans
-from radartrack.generated import finite_sample, kinematics
+from radartrack.generated import finite_sample, motion
 from tests.least_squares import ExactFit, full_fit
 
 ULP = 2.0**-52
@@ -143,5 +143,5 @@ def test_the_gain_is_what_the_covariances_say(k: int, C: float, degree: int) -> 
 
 
 def test_process_noise_of_constant_velocity_is_the_known_one() -> None:
-    noise = kinematics.constant_velocity_process_noise(T=2.0, q=3.0)
+    noise = motion.constant_velocity_process_noise_continuous(T=2.0, q=3.0)
     assert np.allclose(noise, 3.0 * np.array([[8 / 3, 2.0], [2.0, 2.0]]), rtol=1e-15)

@@ -221,14 +221,14 @@ def assert_close(value: Array, spread: Array, expected: tuple[Row, list[Row]], s
 ONE, NONE = Fraction(1), Fraction(0)
 
 
-@given(seen=st.one_of(plots(2), plots(10), plots(40)))
-def test_the_motion_through_plots_is_that_of_exact_arithmetic_or_an_error_says_why_not(seen: Plots) -> None:
+def assert_right_or_refused(seen: Plots) -> bool:
+    """Whether there is a motion through plots, which then is that of exact arithmetic; else an error says why not."""
     motion = answered(lambda: fusion.fuse_plots(*seen))
     if isinstance(motion, str):
         few = len(set(seen.t)) < 2
         assert ("two different times" in motion) == few
         assert few or "t must differ by more" in motion or "covariance must be less unequal" in motion
-        return
+        return False
     elapsed = [Fraction(time) - Fraction(float(motion.time)) for time in seen.t]
     designs = [[[ONE, NONE, time, NONE], [NONE, ONE, NONE, time]] for time in elapsed]
     extents, duration = np.ptp(seen.position, axis=0), np.ptp(seen.t)
@@ -236,6 +236,25 @@ def test_the_motion_through_plots_is_that_of_exact_arithmetic_or_an_error_says_w
     assert motion.covariance is not None
     value = np.concatenate([motion.position, motion.velocity])
     assert_close(value, motion.covariance, exact_estimate(designs, seen.position, seen.covariance), size)
+    return True
+
+
+@given(seen=st.one_of(plots(2), plots(10), plots(40)))
+def test_the_motion_through_plots_is_that_of_exact_arithmetic_or_an_error_says_why_not(seen: Plots) -> None:
+    assert_right_or_refused(seen)
+
+
+@pytest.mark.parametrize("spread", [0.0, 1e5], ids=["on a line", "off a line"])
+def test_motions_through_plots_of_very_unequal_accuracies_are_right_or_refused(spread: float) -> None:
+    """Of variances from 1e-40 to 1e40; off a line, by so many deviations that some cannot be fused."""
+    generator, fused = np.random.default_rng(3), 0
+    for _ in range(150):
+        t = generator.choice([0.0, 1.0, 7.3, 100.0], 5) + generator.choice([0.0, 1.7e9])
+        deviations = 10.0 ** generator.integers(-20, 21, (5, 2)) * generator.uniform(1, 3, (5, 2))
+        position = 1e5 + (t - t[0])[:, np.newaxis] * [300.0, -200.0] + spread * generator.normal(size=(5, 2))
+        covariance = deviations[:, :, np.newaxis] * deviations[:, np.newaxis] * np.array([[1.0, 0.5], [0.5, 1.0]])
+        fused += assert_right_or_refused(Plots(t.tolist(), position, covariance))
+    assert fused > (140 if spread == 0 else 100)
 
 
 @given(seen=st.one_of(plots(2), plots(10), plots(40)))

@@ -68,7 +68,9 @@ def test_measurement_jacobian_and_hessian_are_those_of_the_definition_differenti
     got = observed(sensor, state)
     distance = np.hypot(*state[:2])
     unit = np.where(np.arange(SIZES[sensor]) < POSITIONS[sensor], distance, 300.0)
-    for output, value in enumerate(measured_by_mpmath(sensor, *state)):
+    with mpmath.workdps(50):
+        measured = measured_by_mpmath(sensor, *map(mpmath.mpf, state.tolist()))
+    for output, value in enumerate(measured):
         scale = {"r": distance, "rdot": 300.0}.get("r" if output == 0 else "", 1.0)
         if sensor == "polar_doppler" and output == 2:
             scale = 300.0

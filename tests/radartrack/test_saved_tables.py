@@ -95,7 +95,7 @@ def flights(draw: st.DrawFn) -> tuple[list[float], list[float], list[float]]:
     t = [beginning + draw(STEPS) for _ in range(count)]
     r = draw(st.lists(LENGTHS, min_size=count, max_size=count))
     azimuth = draw(st.lists(st.floats(-7.0, 7.0), min_size=count, max_size=count))
-    return (t if len(set(t)) > 1 else [*t[1:], 5e99]), r, azimuth
+    return (t if max(t) - min(t) > 1e-90 else [*t[1:], 5e99]), r, azimuth
 
 
 LABELS = st.text(st.characters(exclude_categories=()), max_size=4).map(lambda text: text.rstrip("\0"))
@@ -363,8 +363,10 @@ def bomb(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def lying(path: Path) -> bytes:
-    """The bomb, whose list of members says that each is small."""
-    return with_directory(path.read_bytes(), 24, 200, "I")
+    """The bomb, whose list of members says that it is small."""
+    content = bytearray(path.read_bytes())
+    struct.pack_into("<I", content, content.rfind(b"radial.npy") - 22, 200)
+    return bytes(content)
 
 
 def test_bombs_are_refused_before_they_are_unpacked(bomb: Path, tmp_path: Path) -> None:
@@ -390,7 +392,7 @@ import os, sys
 from itertools import count
 from pathlib import Path
 from radartrack import VarianceTable
-from tests.radartrack.replacements import kill_at
+from tests.radartrack._system.replacements import kill_at
 table, target = VarianceTable.load(sys.argv[1]), Path(sys.argv[2])
 for step in count():
     child = os.fork()

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import radartrack as rt
 from radartrack import simulate
-from radartrack._arrays.sensors import SENSORS
+from radartrack._conversion.sensors import SENSORS
 from radartrack.simulate import Accelerated, Radar, Straight, Target, Turning
 
 TARGETS: list[Target] = [

@@ -218,7 +218,7 @@ def stored(path: Path) -> dict[str, NDArray[Any]]:
 
 def resaved(path: Path, columns: dict[str, NDArray[Any]]) -> None:
     with path.open("wb") as file:
-        np.savez(file, allow_pickle=True, **columns)
+        np.savez(file, **dict[str, Any](columns))
 
 
 def forge(change: Callable[[dict[str, NDArray[Any]]], None]) -> Callable[[Path], None]:

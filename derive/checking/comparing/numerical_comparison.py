@@ -60,6 +60,7 @@ class Comparison:
     """Two formulas in the same symbols, ready to be evaluated."""
 
     def __init__(self, printed: Expr, derived: Expr, symbols: Sequence[Symbol]) -> None:
+        self.printed = printed
         self._symbols = symbols
         self._derived = derived
         self._evaluator = Evaluator(Tensor((2,), (printed, derived)), symbols)
@@ -82,9 +83,17 @@ class Comparison:
         if all(map(is_real, rough)) and values.relative <= NOISE and not thorough:
             return Here.AGREE
         for more_digits in MORE_DIGITS:
-            fine = self._evaluated(point, more_digits)
-            if isinstance(fine, Here) or (found := _found(point, rough, fine)) is not Here.UNKNOWN:
-                return fine if isinstance(fine, Here) else found
+            fine = self._evaluated(point, more_digits, noise=1)
+            if isinstance(fine, Here):
+                return fine
+            found = _found(point, rough, fine)
+            if isinstance(found, Here) and found is not Here.UNKNOWN:
+                return found
+            other = self._evaluated(point, more_digits, noise=-1)
+            if found is not Here.UNKNOWN and not isinstance(other, Here):
+                confirmed = _found(point, fine, other)
+                if isinstance(confirmed, type(found)):
+                    return confirmed
             rough = fine
         return Here.UNKNOWN
 
@@ -98,10 +107,10 @@ class Comparison:
         found = [self.at(point) for point in points]
         return Here.AGREE in found and all(one is Here.AGREE or one is Here.OUTSIDE for one in found)
 
-    def _evaluated(self, point: Point, more_digits: int = 0) -> tuple[Number, Number] | Here:
+    def _evaluated(self, point: Point, more_digits: int = 0, *, noise: int = 0) -> tuple[Number, Number] | Here:
         try:
             values = [point[symbol.name] for symbol in self._symbols]
-            printed, derived = self._evaluator(values, more_digits, noisy=bool(more_digits))
+            printed, derived = self._evaluator(values, more_digits, noise=noise)
         except (ArithmeticError, ValueError):
             return Here.UNKNOWN if self._is_defined(point) else Here.OUTSIDE
         return printed, derived

@@ -12,9 +12,9 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
 
-HALVINGS = (40, 41)
-DIGITS = 400
-HIGHEST = 20
+HALVINGS = (40, 41)  # of the deviations: so small that only the leading order is left, one halving apart to read it
+DIGITS = 400  # forty halvings to the twentieth order cost 240
+HIGHEST = 20  # order; a difference of a higher one is none that a paper could mean
 
 
 def orders(difference: Expr, quantity: Expr, symbols: Sequence[Variable]) -> tuple[int, int] | None:

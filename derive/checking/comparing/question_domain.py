@@ -53,7 +53,7 @@ class Domain:
 
     def contains(self, point: Point) -> bool:
         """Whether all symbols are inside their limits at values of the free ones."""
-        values = _evaluated(self._moving, self.symbols, point)
+        values = _evaluated({symbol: self.conditions[symbol] for symbol in self._moving}, self.symbols, point)
         limited = (*self._limited, *self._moving)
         return values is not None and all(_is_inside(symbol, values) for symbol in limited)
 
@@ -65,14 +65,11 @@ class Domain:
         return [s.below(known[s.at_most.name]) if s.at_most and s.at_most.name in known else s for s in self.symbols]
 
     @cached_property
-    def _moving(self) -> dict[Variable, Expr]:
-        """What symbols are replaced by that are set to a formula in the free ones."""
+    def _moving(self) -> list[Variable]:
+        """The symbols that are set to a formula in the free ones."""
         free = set[Symbol](self.symbols)
-        return {
-            symbol: value
-            for symbol, value in self.conditions.items()
-            if isinstance(symbol, Variable) and value.free_symbols and value.free_symbols <= free
-        }
+        replaced = [symbol for symbol in self.conditions if isinstance(symbol, Variable)]
+        return [symbol for symbol in replaced if set() < self.conditions[symbol].free_symbols <= free]
 
 
 def _evaluated(formulas: Mapping[Symbol, Expr], symbols: Sequence[Variable], point: Point) -> Point | None:

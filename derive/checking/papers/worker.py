@@ -66,8 +66,7 @@ def main() -> None:
         cast("TextIOWrapper", stream).reconfigure(encoding="utf-8")  # as the parent has it, whatever the terminal has
     requests: queue.SimpleQueue[str] = queue.SimpleQueue()
     threading.Thread(target=_read, args=(requests,), daemon=True).start()
-    sys.stdout.write(READY + "\n")
-    sys.stdout.flush()
+    _tell(READY)
     worlds = Worlds()
     while True:
         request = json.loads(requests.get())
@@ -75,8 +74,15 @@ def main() -> None:
             worlds.declare(request["world"], request["files"])
             continue
         for answer in _answers(request, worlds):
-            sys.stdout.write(json.dumps(answer) + "\n")
-            sys.stdout.flush()
+            _tell(json.dumps(answer))
+
+
+def _tell(line: str) -> None:
+    try:
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()
+    except OSError:
+        os._exit(0)  # nobody listens any more
 
 
 def _read(requests: queue.SimpleQueue[str]) -> None:

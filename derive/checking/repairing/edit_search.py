@@ -48,16 +48,20 @@ from radartrack.derive.formula.tree import (
     names as names_of,
 )
 
-QUICK = 2  # points that rule out nearly every edit
-FACTORS = 13
-FIRST_EDITS = 150
+# Tuned by the campaign of slips (tests/derive/checking/repairing/test_mutants.py): slips are put into every entry of
+# the catalogue, and what each came from must be among the first suggestions, in less than two seconds.
+QUICK = 2  # points that rule out nearly every edit; at one, edits of even functions pass by chance and cost all points
+FACTORS = 13  # powers that a fit solves for: with more, points run out and a fit means nothing; with fewer, the sine
+# or the deviation that a long covariance misses is not among them
+FIRST_EDITS = 150  # of two at once: each costs a whole search for the second; beyond, two seconds are over
 LIKELY = 1.2  # the cost of an edit that may be one of two
 PLAIN = 2.0  # the cost of one edit that is likelier than any two
-SCATTERED = 0.6  # the cost of each different symbol of a factor after the second
-LARGE = 60  # nodes from which two edits at once are not looked for
-HUGE = 500  # nodes from which one edit in one place is enough
+SCATTERED = 0.6  # the cost of each different symbol of a factor after the second: without it, a factor of many symbols
+# that fits by chance goes before the sign that was lost
+LARGE = 60  # nodes from which two edits at once are not looked for: their number grows with the square
+HUGE = 500  # nodes from which one edit in one place is enough: all edits of the longest covariance take ten seconds
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
-MOST_COMPLEX = 6
+MOST_COMPLEX = 6  # powers and numbers in a missing factor; longer ones fit anything, and nobody loses them in print
 
 Terms: TypeAlias = frozenset[Values | None]  # by what they are worth
 

@@ -8,8 +8,10 @@ from collections.abc import Iterable, Iterator
 from radartrack.derive.evaluation.tree_values import Screen, Values, close
 from radartrack.derive.formula.tree import Array, Name, Negation, Number, Tree, parts
 
-SCALE = 1e7  # digits of a size that are looked at
-MOST = 2000
+SCALE = (
+    1e7  # digits of a size that are looked at: coarser, and each look-up finds many; finer, and rounding hides a part
+)
+MOST = 2000  # different parts; the longest entry has a thousand, a stranger may have thirty thousand
 
 
 class Pieces:

@@ -10,12 +10,14 @@ from fractions import Fraction
 from radartrack.derive.evaluation.tree_values import Values, close
 from radartrack.derive.formula.tree import Call, Negation, Number, Power, Product, Quotient, Tree
 
+# Numbers and powers as formulas of the field have them (the finite-sample filters have the largest); beyond, noise of a
+# part in 1e9 fits some fraction, and every ratio would be "a number".
 LARGEST_DENOMINATOR = 10_000
 LARGEST_NUMERATOR = 10_000
 LARGEST_POWER = 6
 SPARE = 3  # points beyond the unknowns, so that a fit means something
-INDEPENDENT = 1e-3
-EXACT = 1e-6
+INDEPENDENT = 1e-3  # of a factor's logarithm that earlier ones leave; less, and its power is made of rounding
+EXACT = 1e-6  # how far a power may be from a whole number: values are good to 1e-10, the system costs four digits
 
 
 @dataclass(frozen=True)

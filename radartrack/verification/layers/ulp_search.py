@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.evaluation.balls import exact_arithmetic
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
-from radartrack.verification.balls import exact_arithmetic
 from radartrack.verification.domain_points import Points, coarse, sample
 from radartrack.verification.error_in_ulp import errors
 from radartrack.verification.outcome import Function, Outcome

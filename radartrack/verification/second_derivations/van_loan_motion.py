@@ -1,8 +1,9 @@
-"""Polynomial motion driven by white noise, from one exponential of a matrix (Van Loan 1978), in many digits."""
+"""Linear motions driven by noise, from one exponential of a matrix (Van Loan 1978), in many digits."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import mpmath
@@ -14,6 +15,8 @@ METHOD = "the exponential of a matrix (Van Loan)"
 Number = Any
 Matrix = Any
 At = Mapping[str, Number]
+Row = tuple[str, Callable[[At], Tensor[Number]]]
+RESIDUE = 1e-50  # of 60 digits
 PLANE = ("x", "vx", "y", "vy")
 
 
@@ -40,43 +43,154 @@ def moved(state: Sequence[Number], time: Number) -> list[Number]:
     return list(exponential(drift(len(state)) * time) * mpmath.matrix(list(state)))
 
 
-def _transition_and_noise(size: int, time: Number, intensity: Number) -> tuple[Matrix, Matrix]:
-    """F and Q, from e^(M T) with M = [[−A, q g gᵀ], [0, Aᵀ]], whose right blocks are F⁻¹ Q and Fᵀ."""
-    both, a = mpmath.matrix(2 * size, 2 * size), drift(size)
-    both[:size, :size], both[size:, size:] = -a, a.T
-    both[size - 1, 2 * size - 1] = intensity
-    found = exponential(both * time)
-    transition = found[size:, size:].T
-    return transition, transition * found[:size, size:]
+@dataclass(frozen=True)
+class Driven:
+    """x' = A x + G w at one point of the domain.
+
+    Attributes:
+        drift: A.
+        inputs: G, one column a noise.
+        time: from scan to scan.
+    """
+
+    drift: Matrix
+    inputs: Matrix
+    time: Number
+
+    def transition(self) -> Matrix:
+        """F."""
+        return self._exponential(self.drift)
+
+    def white(self, intensity: Number) -> Matrix:
+        """Q, from e^(M T) with M = [[−A, q G Gᵀ], [0, Aᵀ]], whose right blocks are F⁻¹ Q and Fᵀ."""
+        found = self._exponential(_blocks(-self.drift, intensity * self.inputs * self.inputs.T, self.drift.T))
+        size = self.drift.rows
+        return found[size:, size:].T * found[:size, size:]
+
+    def constant(self, deviation: Number) -> Matrix:
+        """Q, from e^(M T) with M = [[A, G], [0, 0]], whose right upper block is ∫ e^(As) G ds."""
+        size, noises = self.inputs.rows, self.inputs.cols
+        found = self._exponential(_blocks(self.drift, self.inputs, mpmath.matrix(noises, noises)))
+        return self._covariance(found[:size, size:], deviation)
+
+    def jumping(self, deviation: Number) -> Matrix:
+        """Q of jumps at the beginning of the period."""
+        return self._covariance(self.transition() * self.inputs, deviation)
+
+    def _exponential(self, matrix: Matrix) -> Matrix:
+        return mpmath.expm(matrix * self.time)
+
+    @staticmethod
+    def _covariance(columns: Matrix, deviation: Number) -> Matrix:
+        return deviation**2 * columns * columns.T
 
 
-def _tensor(matrix: Matrix) -> Tensor[Number]:
-    return Tensor.build((matrix.rows, matrix.cols), lambda m, n: matrix[m, n])
+def _blocks(upper: Matrix, beside: Matrix, lower: Matrix) -> Matrix:
+    """[[upper, beside], [0, lower]]."""
+    size = upper.rows + lower.rows
+    both = mpmath.matrix(size, size)
+    both[: upper.rows, : upper.rows], both[: upper.rows, upper.rows :] = upper, beside
+    both[upper.rows :, upper.rows :] = lower
+    return both
 
 
-def _transition(size: int) -> Callable[[At], Tensor[Number]]:
-    return lambda at: _tensor(_transition_and_noise(size, at["T"], mpmath.mpf(1))[0])
+def _polynomial(size: int) -> Callable[[At], Driven]:
+    return lambda at: Driven(drift(size), _last(size), at["T"])
 
 
-def _noise(size: int) -> Callable[[At], Tensor[Number]]:
-    return lambda at: _tensor(_transition_and_noise(size, at["T"], at["q"])[1])
+def _forgetting(size: int) -> Callable[[At], Driven]:
+    """The last derivative decays."""
+
+    def driven(at: At) -> Driven:
+        a = drift(size)
+        a[size - 1, size - 1] = -at["alpha"]
+        return Driven(a, _last(size), at["T"])
+
+    return driven
 
 
-def _plane_transition(at: At) -> Tensor[Number]:
+def _turning(at: At) -> Driven:
+    """The velocities turn into each other; each is driven."""
+    a, g = _plane_drift(), mpmath.matrix(len(PLANE), 2)
+    across, along = PLANE.index("vx"), PLANE.index("vy")
+    a[across, along], a[along, across] = -at["omega"], at["omega"]
+    g[across, 0] = g[along, 1] = mpmath.mpf(1)
+    return Driven(a, g, at["T"])
+
+
+def _last(size: int) -> Matrix:
+    found = mpmath.matrix(size, 1)
+    found[size - 1, 0] = mpmath.mpf(1)
+    return found
+
+
+def _plane_drift() -> Matrix:
     """Each velocity, and nothing else, moves the coordinate of its name."""
     a = mpmath.matrix(len(PLANE), len(PLANE))
     for axis in "xy":
         a[PLANE.index(axis), PLANE.index(f"v{axis}")] = mpmath.mpf(1)
-    return _tensor(exponential(a * at["T"]))
+    return a
+
+
+def without_residues(values: Tensor[Number]) -> Tensor[Number]:
+    """With zeros for what is nothing but rounding beside the largest entry."""
+    least = RESIDUE * max(abs(value) for value in values)
+    return values.map(lambda value: value if abs(value) > least else mpmath.mpf(0))
+
+
+def _tensor(matrix: Matrix) -> Tensor[Number]:
+    return without_residues(Tensor.build((matrix.rows, matrix.cols), lambda m, n: matrix[m, n]))
+
+
+def _plane_transition(at: At) -> Tensor[Number]:
+    return _tensor(exponential(_plane_drift() * at["T"]))
 
 
 def _plane_observation(_: At) -> Tensor[Number]:
     return Tensor.build((2, len(PLANE)), lambda a, n: mpmath.mpf(int(PLANE[n] == "xy"[a])))
 
 
+def _rows(
+    name: str, driven: Callable[[At], Driven], noises: Mapping[str, Callable[[Driven, At], Matrix]]
+) -> Iterator[Row]:
+    yield f"motion.{name}.transition", lambda at: _tensor(driven(at).transition())
+    for row, noise in noises.items():
+        yield f"motion.{name}.process_noise{row}", _process_noise(driven, noise)
+
+
+def _process_noise(
+    driven: Callable[[At], Driven], noise: Callable[[Driven, At], Matrix]
+) -> Callable[[At], Tensor[Number]]:
+    return lambda at: _tensor(noise(driven(at), at))
+
+
+def _white(driven: Driven, at: At) -> Matrix:
+    return driven.white(at["q"])
+
+
+def _constant(driven: Driven, at: At) -> Matrix:
+    return driven.constant(at["sigma_w"])
+
+
+def _jumping(driven: Driven, at: At) -> Matrix:
+    return driven.jumping(at["sigma_w"])
+
+
+def _stationary(driven: Driven, at: At) -> Matrix:
+    """Singer's: as strong as leaves the acceleration its deviation for ever."""
+    return driven.white(2 * at["alpha"] * at["sigma_m"] ** 2)
+
+
+STEPWISE = {".continuous": _white, ".piecewise": _constant}
 DERIVATIONS: dict[str, Callable[[At], Tensor[Number]]] = {
-    **{f"kinematics.{motion}.transition": _transition(size) for size, (motion, *_) in MOTIONS.items()},
-    **{f"kinematics.{motion}.process_noise": _noise(size) for size, (motion, *_) in MOTIONS.items()},
-    "kinematics.plane.transition": _plane_transition,
-    "kinematics.plane.observation": _plane_observation,
+    **{
+        row: values
+        for size, (motion, *_) in MOTIONS.items()
+        for row, values in _rows(motion, _polynomial(size), {**STEPWISE, ".wiener_sequence": _jumping})
+    },
+    **dict(_rows("singer", _forgetting(3), {"": _stationary})),
+    **dict(_rows("ornstein_uhlenbeck", _forgetting(2), {"": _white})),
+    **dict(_rows("turn.known_rate", _turning, STEPWISE)),
+    "motion.plane.transition": _plane_transition,
+    "motion.plane.observation": _plane_observation,
 }

@@ -6,7 +6,9 @@ import pytest
 import sympy
 from sympy import Abs, Integer, Rational, acos, atan, atan2, cbrt, cos, cosh, exp, log, pi, sin, sinh, sqrt, tan, tanh
 
+from radartrack.derive import check
 from radartrack.derive.algebra.equality import proved_equal
+from radartrack.derive.algebra.exponential_polynomial import Effort, ExponentialPolynomial, TooLong, ring_over
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.units import ONE
 
@@ -63,6 +65,8 @@ DIFFERENT = [
     (sqrt(x**2), x),
     (Abs(x), -x),
     (sqrt(x**2 + y**2), x + y),
+    (Abs(sqrt(cos(x))) ** 2, cos(x)),
+    (Abs(sqrt(cos(x)) + 1), sqrt(cos(x)) + 1),
     (atan2(y, x), atan2(x, y)),
     (acos(u), acos(v)),
     (exp(-(s**2)), 1 - s**2),
@@ -112,6 +116,29 @@ def test_a_root_keeps_its_sign() -> None:
     assert not proved_equal(sqrt(x**2 * y**2), x * y)
     assert not proved_equal(sqrt(1 / (x + r)) * sqrt(x + r), Integer(1))
     assert not proved_equal(sqrt(1 / (x**2 - r)) * sqrt(x**2 - r), Integer(1))
+
+
+def test_a_formula_that_is_too_long_for_algebra_is_not_proved_and_compared_in_numbers() -> None:
+    long = " + ".join(f"cos({n}*beta)" for n in range(1, 9))
+    other = long.replace("cos(1*", "sin(pi/2 + ")
+    formula = f"r*cos(beta)*({long})**64*sqrt(sin(beta)**2)/(abs(sin(beta))*({other})**64)"
+    assert check("polar.map[0]", formula).is_equal
+    tall = sympy.Add(*(cos(n * x) for n in range(1, 9))) ** 64
+    assert not proved_equal(tall * (sin(y) ** 2 + cos(y) ** 2), tall)
+
+
+def test_effort_counts_the_products_of_monomials_and_those_of_powers() -> None:
+    ring = ring_over([x, y])
+    value = ExponentialPolynomial.read(x + y + sin(x), ring)
+    with Effort(16 + 1):
+        _ = value * value
+        with pytest.raises(TooLong):
+            _ = value * value
+    with pytest.raises(TooLong), Effort(1000):
+        _ = ExponentialPolynomial.read(x + y + 1, ring) ** 60
+    with Effort(1), Effort(16):
+        _ = value * value
+    _ = value * value  # counted no longer
 
 
 def _formula(random: Random, depth: int) -> sympy.Expr:

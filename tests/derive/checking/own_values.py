@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
+from functools import reduce
+from operator import mul, neg, truediv
 from random import Random
 from typing import Any
 
@@ -89,10 +91,7 @@ def _anywhere(symbol: Variable, random: Random) -> float:
         low, high = max(low, -5.0), min(high, 9.0)
     if low >= high:
         low, high = symbol.low, symbol.high
-    if low > 0:
-        value = math.exp(random.uniform(math.log(low), math.log(high)))
-    else:
-        value = random.uniform(low, high)
+    value = math.exp(random.uniform(math.log(low), math.log(high))) if low > 0 else random.uniform(low, high)
     return float(min(max(round(value), symbol.low), symbol.high)) if symbol.whole else value
 
 
@@ -100,8 +99,7 @@ def _settled(before: Any, after: Any) -> Any:
     """What two precisions say of a value."""
     if isinstance(before, No) or isinstance(after, No):
         return after if before is after else No.UNKNOWN
-    size = max(abs(after), mpmath.mpf("1e-60"))
-    if abs(mpmath.im(after)) > max(1e-30 * size, abs(mpmath.im(before)) / 1e6):
+    if abs(mpmath.im(after)) > max(1e-30 * abs(after), abs(mpmath.im(before)) / 1e6):
         steady = abs(mpmath.im(after) - mpmath.im(before)) <= 1e-9 * abs(mpmath.im(after))
         return No.UNREAL if steady else No.UNKNOWN
     after, before = mpmath.re(after), mpmath.re(before)
@@ -151,22 +149,20 @@ def _value(node: Tree, below: Sequence[Any], point: Mapping[str, float]) -> Any:
             return +mpmath.pi if name == "pi" else +mpmath.e
         case Name(name):
             return mpmath.mpf(point[name])
-        case Sum():
-            return sum(below)
-        case Product():
-            product = mpmath.mpf(1)
-            for factor in below:
-                product *= factor
-            return product
-        case Quotient():
-            return below[0] / below[1]
-        case Negation():
-            return -below[0]
         case Power(_, exponent):
             return _power(below[0], below[1], exponent)
         case Call(function):
             return _CALLS[function](*below)
-    raise TypeError(node)
+        case _:
+            return _OPERATIONS[type(node)](*below)
+
+
+_OPERATIONS: Mapping[type, Callable[..., Any]] = {
+    Sum: lambda *terms: sum(terms),
+    Product: lambda *factors: reduce(mul, factors),
+    Quotient: truediv,
+    Negation: neg,
+}
 
 
 def _power(base: Any, exponent: Any, tree: Tree) -> Any:

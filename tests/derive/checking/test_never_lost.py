@@ -10,6 +10,11 @@ from radartrack.derive import check
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking import check as checking
 from radartrack.derive.checking.check import ask
+from radartrack.derive.checking.comparing.counterexample import find_difference
+from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Values
+from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.deadline import Decider
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.reporting.derived_formula import shown
@@ -52,7 +57,7 @@ def test_whatever_sympy_makes_of_a_wrong_formula_it_is_told_and_explained(name: 
 UNDEFINED = [
     ("observe.polar.map[1]", {"x": "0", "y": "0"}),
     ("line.slope", {"S_xy": "0"}),
-    ("finite_sample.degree1.range.covariance[0,0]", {"k": "0"}),
+    ("finite_sample.degree1.range.covariance[1,1]", {"k": "1"}),
     ("observe.spherical.jacobian[1,0]", {"x": "0", "y": "0"}),
     ("ruv.jacobian[2,1]", {"u": "1", "v": "0"}),
     ("fusion.weights.two[0]", {"sigma_1": "0", "sigma_2": "0"}),
@@ -66,14 +71,25 @@ def test_what_is_undefined_under_a_condition_is_undecided_with_a_word(
 ) -> None:
     verdict = check(name, formula, given=given)
     assert verdict.verdict is Outcome.UNDECIDED
-    assert "what was derived is undefined when" in verdict.reason
+    assert "what was derived has no value when" in verdict.reason
     assert "cannot be worked out" not in str(verdict)
+
+
+def test_none_of_these_ends_the_process_that_decides_them() -> None:
+    with Decider(60) as decider:
+        decider.decide(Claim("a", "polar.map[0]", formula="r"))
+        child = decider._child
+        told = [decider.decide(Claim("a", name, formula=formula)) for name, formula in TURNED]
+        undefined = [decider.decide(Claim("a", name, formula="0", given=given)) for name, given in UNDEFINED]
+        assert decider._child is child
+    assert {record["verdict"] for record in told} <= {"differs", "wrong_dimensions"}
+    assert {record["verdict"] for record in undefined} == {"undecided"}
 
 
 def test_a_print_that_is_undefined_under_a_condition_is_undecided_with_a_word() -> None:
     verdict = check("observe.polar.map[0]", "(x**2 - y**2)/(x - y)", given={"x": "y"})
     assert verdict.verdict is Outcome.UNDECIDED
-    assert verdict.reason == "what is printed is undefined when x = y"
+    assert verdict.reason == "what is printed has no value when x = y"
 
 
 SYMPY = [
@@ -123,7 +139,6 @@ BESIDE = (
     "other_quantities",
     "check_dimension",
 )
-# fmt: skip
 
 
 @pytest.mark.parametrize("failing", BESIDE)
@@ -155,14 +170,13 @@ def test_a_proof_that_fails_leaves_the_comparison_in_numbers(monkeypatch: pytest
 def test_an_entry_that_cannot_be_worked_out_is_undecided_and_the_others_are_decided(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    find = checking.find_difference
     question = ask("polar.map", "[r*cos(beta) + r, r*cos(beta)]")
     failing = question.printed_entry((0,))
 
-    def difference(comparison: checking.Comparison, domain: checking.Domain) -> checking.Values | None:
-        if failing in comparison._evaluator._positions:
+    def difference(comparison: Comparison, domain: Domain) -> Values | None:
+        if comparison.printed == failing:
             raise KeyError("cot")
-        return find(comparison, domain)
+        return find_difference(comparison, domain)
 
     monkeypatch.setattr(checking, "find_difference", difference)
     assert question.finding((0,)).outcome is Outcome.UNDECIDED

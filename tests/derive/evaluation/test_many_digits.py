@@ -74,3 +74,22 @@ def test_numbers_are_exact_rationals_not_floats():
 def test_the_angle_of_complex_numbers_has_the_tangent_of_their_quotient(beside: int):
     value = evaluate(sp.atan2(sp.sqrt(x) + 1, sp.Integer(beside)), {x: -0.25})
     assert abs(mpmath.tan(value) - mpmath.mpc(1, 0.5) / beside) < mpmath.mpf("1e-45")
+
+
+@pytest.mark.parametrize("digits", [50, 60, 70, 80])
+@pytest.mark.parametrize("noise", [-1, 0, 1])
+def test_rounding_does_not_choose_the_branch_of_a_root(digits: int, noise: int) -> None:
+    whole = sympy.Mul(*((x - n) ** sympy.Rational(1, 3) for n in (5, 6, 7)))  # negative, of complex factors
+    evaluator = Evaluator(Tensor((1,), (sympy.sqrt(whole),)), [x], digits)
+    for place in range(1, 20):
+        (root,) = evaluator([place / 7], noise=noise)
+        assert root.imag > 0
+
+
+def test_noise_changes_what_owes_its_value_to_rounding_and_nothing_else() -> None:
+    lost = (sympy.sqrt(1 + sympy.exp(-x)) - 1) * sympy.exp(x) * 2  # nearly 1, where the digits carried do not reach
+    evaluator = Evaluator(Tensor((2,), (lost, sympy.sin(x) ** 2)), [x])
+    for value, is_lost in ((3.0, False), (3000.0, True)):
+        plain, noisy = evaluator([value]), evaluator([value], noise=1)
+        assert (abs(plain[0,] - noisy[0,]) > 1e-50 * abs(noisy[0,])) == is_lost
+        assert abs(plain[1,] - noisy[1,]) < 1e-120

@@ -123,7 +123,7 @@ WRONG: dict[str, tuple[Callable[[], object], str]] = {
     "an endless domain": (lambda: length("r", "range", high=math.inf), "the domain of r must go from one finite"),
     "a domain of no numbers": (lambda: length("r", "range", low=math.nan), "the domain of r must go from one finite"),
     "a domain upside down": (lambda: length("r", "range", 10, 1), "the domain of r must go .*; given 10 to 1"),
-    "an empty domain": (lambda: length("r", "range", 1, 1), "the domain of r"),
+    "an empty domain": (lambda: length("r", "range", 2, 1), "the domain of r"),
     "two lines": (lambda: model(title="one\ntwo"), "the title of mine must be one line of printable text"),
     "an escape": (lambda: length("r", "range \x1b[31m"), "the meaning of r must be one line of printable text"),
     "a surrogate": (lambda: length("r", "range \ud800"), "the meaning of r must be one line"),
@@ -154,6 +154,21 @@ def test_what_cannot_be_a_model_is_refused_on_one_line(wrong: str):
     ],
 )
 def test_a_map_that_is_real_on_a_part_of_its_domain_says_where_it_is_not(output: sympy.Expr, said: str):
+    its = model(outputs={"x": output})
+    with pytest.raises(ValueError, match=said):
+        require_real(its.outputs.items(), its.arguments, its.measured)
+
+
+@pytest.mark.parametrize(
+    ("output", "said"),
+    [
+        (r / b, r"output x: 1/b has no value at b = \S+, and b is -3.14159 to 3.14159"),
+        (r / sympy.sin(b / 2) ** 2, r"sin\(b/2\)\*\*\(-2\) has no value at b = "),
+        (r * sympy.tan(b), r"tan\(b\) has no value at b = -?1.5708"),
+        (r**2 / (r - 20), r"1/\(r - 20\) has no value at r = 20"),
+    ],
+)
+def test_a_pole_inside_the_domain_is_named(output: sympy.Expr, said: str):
     its = model(outputs={"x": output})
     with pytest.raises(ValueError, match=said):
         require_real(its.outputs.items(), its.arguments, its.measured)

@@ -59,6 +59,13 @@ def degree_bound(expression: sympy.Expr) -> int:
     raise AssertionError(f"{expression} is no polynomial in j")
 
 
+@pytest.mark.parametrize("polynomial", [sympy.Integer(3), j, j**3 - k * j, (j - k) ** 2 * (j + C) ** 4])
+def test_the_sum_over_scans_is_what_adding_up_gives(polynomial: sympy.Expr) -> None:
+    for count in range(1, 9):
+        added = sum(polynomial.subs({j: scan, k: count}) for scan in range(1, count + 1))
+        assert is_zero(over_scans(polynomial).subs(k, count) - added)
+
+
 def column(entries: Tensor[sympy.Expr]) -> Tensor[sympy.Expr]:
     return Tensor((len(entries.entries), 1), entries.entries)
 

@@ -1,5 +1,7 @@
 """Fusion weights, against the definition of a minimum under the constraint."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -40,6 +42,11 @@ def test_one_weight_among_any_number_is_that_of_the_list() -> None:
     assert sp.cancel(one - fusion_weights.weights([s**2 for s in SIGMA])[0]) == 0
 
 
+@cache
+def matrix_weights() -> list[Matrix]:
+    return fusion_weights.matrix_weights([fusion_weights.plane_covariance(1)[0], fusion_weights.plane_covariance(2)[0]])
+
+
 DEVIATION = st.floats(0.1, 50.0)
 CORRELATION = st.floats(-0.95, 0.95)
 
@@ -61,7 +68,7 @@ def test_no_other_unbiased_matrix_weights_have_a_smaller_trace(
         return np.array([float(evaluate(entry, values)) for entry in matrix]).reshape(2, 2)
 
     p, q = numeric(first), numeric(second)
-    weight = numeric(WEIGHTS[0])
+    weight = numeric(matrix_weights()[0])
 
     def trace(w: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> float:
         rest = np.eye(2) - w
@@ -72,11 +79,8 @@ def test_no_other_unbiased_matrix_weights_have_a_smaller_trace(
     assert trace(weight) == pytest.approx(np.trace(np.linalg.inv(np.linalg.inv(p) + np.linalg.inv(q))), rel=1e-9)
 
 
-WEIGHTS = fusion_weights.matrix_weights([fusion_weights.plane_covariance(1)[0], fusion_weights.plane_covariance(2)[0]])
-
-
 def test_matrix_weights_sum_to_the_unit_matrix() -> None:
-    total = (WEIGHTS[0] + WEIGHTS[1]).applyfunc(sp.cancel)
+    total = (matrix_weights()[0] + matrix_weights()[1]).applyfunc(sp.cancel)
     assert list(total) == [1, 0, 0, 1]
 
 

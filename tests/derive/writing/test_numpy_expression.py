@@ -20,6 +20,7 @@ from tests.written import module_of
 x, y = sympy.symbols("x y", positive=True)
 POINT = {x: sympy.Rational(7, 10), y: sympy.Rational(13, 8)}
 EXPONENTS = [-3, -2, -1, 2, 3, 4, 5, 7, *(sympy.Rational(n, 2) for n in (-5, -3, -1, 1, 3, 5))]
+EXPONENTS += [sympy.Rational(n, 3) for n in (-4, -1, 1, 2)] + [sympy.Rational(3, 10)]
 SMOOTH = [sp.Abs, sp.acos, sp.asin, sp.atan, sp.cos, sp.cosh, sp.exp, sp.expm1, sp.sin, sp.sinh, sp.tan, sp.tanh]
 
 
@@ -35,7 +36,9 @@ def composed(inner: st.SearchStrategy[sympy.Expr]) -> st.SearchStrategy[sympy.Ex
     )
 
 
-expressions = st.recursive(st.sampled_from([x, y]) | NONZERO, composed, max_leaves=8)
+expressions = st.recursive(st.sampled_from([x, y]) | NONZERO, composed, max_leaves=8).filter(
+    lambda expression: not expression.has(sympy.I)  # code is about real numbers
+)
 
 
 @given(found=st.lists(expressions, min_size=1, max_size=5))
@@ -92,7 +95,6 @@ def test_the_terms_of_a_sum_are_its_code():
         sympy.nan,
         sympy.EulerGamma,
         x**y,
-        sympy.cbrt(x),
         sympy.gamma(x),
         sympy.factorial(x),
         sympy.Heaviside(x - 1),

@@ -13,7 +13,7 @@ from radartrack.verification.domain_points import sample
 from tests import conversions
 from tests.written import module_of
 
-LONG = ("decorrelated", "fourth_order", "validity")
+LONG = ("decorrelated", "fourth_order", "semidefinite", "validity")
 SHOWN = [
     quantity
     for quantity in conversions.QUANTITIES

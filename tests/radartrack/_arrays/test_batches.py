@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from radartrack._arrays import batches
-from radartrack._arrays.sensors import SENSORS, SensorName
+from radartrack._conversion.sensors import SENSORS, SensorName
 from tests.radartrack.plots import function, prediction
 
 
@@ -80,7 +80,7 @@ assert child < 0 or os.waitpid(child, 0)[1] == 0
 
 
 def test_a_forked_process_has_threads_of_its_own() -> None:
-    subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], check=True, timeout=60)
+    subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], check=True)
 
 
 SIZE = 2 * batches.BLOCK + 5  # plots, in three blocks or a few more
@@ -132,7 +132,7 @@ def test_predictions_are_taken_plot_by_plot_in_blocks(
         factors = np.random.default_rng(2).uniform(0.5, 1, 23)
         mean, matrix = mean * factors[:, np.newaxis], matrix * factors[:, np.newaxis, np.newaxis]
     whole = function(sensor)(*arrays, method="decorrelated", predicted=(mean, matrix))
-    monkeypatch.setattr("radartrack.convert.PREDICTED_BLOCK", 7)
+    monkeypatch.setattr("radartrack._conversion.many_plots.PREDICTED_BLOCK", 7)
     blocks = function(sensor)(*arrays, method="decorrelated", predicted=(mean, matrix))
     np.testing.assert_array_equal(blocks.mean, whole.mean)
     np.testing.assert_allclose(blocks.covariance, whole.covariance, rtol=1e-13)
@@ -150,7 +150,7 @@ def test_what_is_refused_in_a_late_block_is_named_by_its_place_in_the_whole(
     method: str, name: str, value: float, message: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for block in ("BLOCK", "PREDICTED_BLOCK"):
-        monkeypatch.setattr(f"radartrack.convert.{block}", 7)
+        monkeypatch.setattr(f"radartrack._conversion.many_plots.{block}", 7)
     given = dict(zip(SENSORS["polar"].arguments, (array[:23] for array in plots("polar")), strict=True))
     given[name][[19, 22]] = value
     chosen = {"predicted": prediction("polar")} if method == "decorrelated" else {}
@@ -161,7 +161,7 @@ def test_what_is_refused_in_a_late_block_is_named_by_its_place_in_the_whole(
 def test_a_prediction_refused_in_a_late_block_is_named_by_its_place_in_the_whole(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("radartrack.convert.PREDICTED_BLOCK", 7)
+    monkeypatch.setattr("radartrack._conversion.many_plots.PREDICTED_BLOCK", 7)
     mean, matrix = prediction("polar")
     matrices = np.tile(matrix, (23, 1, 1))
     matrices[19, 0, 0] = -1
@@ -175,7 +175,7 @@ def test_a_conversion_takes_little_memory_beside_its_result(method: str, monkeyp
     monkeypatch.setattr("radartrack._arrays.machine_code.is_available", lambda: False)
     monkeypatch.setattr("radartrack._arrays.batches.MOST_THREADS", 1)
     for block in ("BLOCK", "PREDICTED_BLOCK"):
-        monkeypatch.setattr(f"radartrack.convert.{block}", 64)
+        monkeypatch.setattr(f"radartrack._conversion.many_plots.{block}", 64)
     arrays, (mean, matrix) = [array[:40_000] for array in plots("polar")], prediction("polar")
     each = (np.tile(mean, (40_000, 1)), np.tile(matrix, (40_000, 1, 1)))
     chosen = {"predicted": each} if method == "decorrelated" else {}

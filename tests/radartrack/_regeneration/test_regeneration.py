@@ -29,7 +29,15 @@ ROOT = Path(__file__).parents[3]
 GENERATED = Path(radartrack.generated.__path__[0])
 SMALL = {name: find(name) for name in ("polar.map", "polar.bias.truth", "polar.covariance.linear")}
 ANOTHER = {"line.slope": find("line.slope")}
+POINTS = 40
 RUN = "from radartrack.cli import app; app()"
+RUN_SMALL = f"""
+from radartrack._regeneration import regeneration
+from radartrack.derive import catalogue
+small = {{name: catalogue.find(name) for name in {list(SMALL)}}}
+regeneration.catalogue, catalogue.catalogue, regeneration.POINTS = dict, lambda: small, {POINTS}
+{RUN}
+"""
 
 
 def shipped() -> dict[str, bytes]:
@@ -71,7 +79,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """A catalogue of three quantities, derived in this process and measured at few points."""
     monkeypatch.setattr(regeneration, "catalogue", dict)
     monkeypatch.setattr(catalogue_module, "catalogue", lambda: SMALL)
-    monkeypatch.setattr(regeneration, "POINTS", 40)
+    monkeypatch.setattr(regeneration, "POINTS", POINTS)
 
 
 @pytest.fixture
@@ -107,18 +115,32 @@ def package_copy(folder: Path) -> Path:
     return package
 
 
-def test_every_byte_of_damaged_code_is_restored_unmeasured_whatever_hash_seed_ground_types_and_locale(tmp_path: Path):
+def test_a_new_directory_and_another_hash_seed_ground_types_and_locale_give_the_same_bytes_unmeasured(tmp_path: Path):
     """Pure Python integers here; `make drift` takes the ground types that are installed, and a seed of its own."""
-    package = package_copy(tmp_path)
-    for name in ("__init__.py", "polar.py"):
-        (package / "generated" / name).write_text("def (:\n")
     environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python", "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0"}
     unmeasured = f"from radartrack._regeneration import regeneration; regeneration.measure = None; {RUN}"
-    result = run_in_process_of_its_own(
-        "--out", package / "generated", cwd=tmp_path, environment=environment, code=unmeasured
+    result = run_in_process_of_its_own("--out", tmp_path / "out", environment=environment, code=unmeasured)
+    assert result.returncode == 0, result.stderr
+    assert contents(tmp_path / "out") == shipped()
+
+
+def test_damaged_generated_code_does_not_keep_the_command_from_restoring_every_byte(out: Path, tmp_path: Path):
+    package = package_copy(tmp_path)
+    shutil.rmtree(package / "generated")
+    shutil.copytree(out, package / "generated")
+    for name in ("__init__.py", "polar.py"):
+        (package / "generated" / name).write_text("def (:\n")
+    environment = {"PYTHONHASHSEED": "1", "SYMPY_GROUND_TYPES": "flint"}
+    result = subprocess.run(
+        [sys.executable, "-c", RUN_SMALL, "regenerate", "--out", package / "generated"],
+        cwd=tmp_path,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert result.returncode == 0, result.stderr
-    assert contents(package / "generated") == shipped()
+    assert contents(package / "generated") == contents(out)
 
 
 def test_outside_a_checkout_the_command_asks_where_to_write(tmp_path: Path):
@@ -353,6 +375,14 @@ def test_no_file_makes_a_directory_ours_by_its_name(tmp_path: Path, name: str, c
     assert result.exit_code == 2
     assert "holds other files" in result.stderr
     assert contents_of_all(tmp_path) == before
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("name", ["accuracy.json", "written.json", "notes.txt"])
+def test_a_stranger_s_only_file_is_left_alone(tmp_path: Path, name: str):
+    (tmp_path / name).write_text("{}")
+    assert regenerate("--out", tmp_path).exit_code == 2
+    assert contents_of_all(tmp_path) == {name: b"{}"}
 
 
 FILES = ("__init__.py", "accuracy.json", "polar.py", "notes.txt", "sub")

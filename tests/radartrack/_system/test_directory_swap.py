@@ -331,7 +331,7 @@ def writers(texts: set[str]) -> set[str]:
 def test_readers_see_complete_sets_while_two_processes_replace_them(target: Path) -> None:
     seen: set[str] = set()
     with replaced_forever(target), replaced_forever(target):
-        end = time.monotonic() + 30
+        end = time.monotonic() + 600  # only a defect waits so long
         while (len(seen) < 40 or len(writers(seen)) < 2) and time.monotonic() < end:
             files = read_while_in_place(target)
             if files is not None:
@@ -373,3 +373,21 @@ def test_a_lock_whose_file_its_holder_has_just_removed_is_taken_anew(
     replace_directory(target, write)
     assert len(calls) == 3
     assert read_set(target) == NEW
+
+
+@pytest.mark.parametrize("kind", ["directory", "pipe", "link to a pipe"])
+def test_what_is_no_file_is_not_replaced_by_one(tmp_path: Path, kind: str):
+    target = tmp_path / "target"
+    if kind == "directory":
+        target.mkdir()
+    else:
+        os.mkfifo(tmp_path / "pipe")
+        target = tmp_path / "pipe"
+        if kind.startswith("link"):
+            target = tmp_path / "link"
+            target.symlink_to("pipe")
+    before = sorted(tmp_path.iterdir())
+    with pytest.raises(OSError, match="no file that could be replaced"):
+        replace_file(target, "content")
+    assert sorted(tmp_path.iterdir()) == before
+    assert not target.is_file()

@@ -69,6 +69,8 @@ WIDTHS = ["", "abc", "0", "-5", "²", "١٢", "1e3", "9" * 5000, "0x50", " 80 ",
 @pytest.mark.parametrize("name", ["COLUMNS", "LINES", "TERMINAL_WIDTH"])
 @pytest.mark.parametrize("value", WIDTHS, ids=lambda value: value[:9])
 def test_a_width_that_is_no_number_is_none(monkeypatch: pytest.MonkeyPatch, name: str, value: str) -> None:
+    for other in ("COLUMNS", "LINES", "TERMINAL_WIDTH"):
+        monkeypatch.delenv(other, raising=False)
     monkeypatch.setenv(name, value)
     terminal.prepare()
     assert name not in os.environ
@@ -97,9 +99,10 @@ def test_no_color_is_heeded_where_colours_would_be(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
 def test_tables_are_drawn_in_any_encoding(monkeypatch: pytest.MonkeyPatch, encoding: str) -> None:
-    monkeypatch.setattr(sys, "stdout", TextIOWrapper(BytesIO(), encoding=encoding))
+    output = BytesIO()
+    monkeypatch.setattr(sys, "stdout", TextIOWrapper(output, encoding=encoding))
     terminal.prepare()
     table = Table("σ", title="−")
     table.add_row(":smile: ✗ 中文")
     terminal.console().print(table)
-    assert ":smile:" in sys.stdout.buffer.getvalue().decode(encoding)
+    assert ":smile:" in output.getvalue().decode(encoding)

@@ -17,6 +17,7 @@ from typer.testing import CliRunner, Result
 from radartrack._regeneration import regeneration
 from radartrack.cli import app
 from radartrack.commands import audit, reproduce
+from radartrack.derive import catalogue
 from radartrack.derive.checking.papers import deadline
 from radartrack.reproduction import papers
 from radartrack.reproduction.results import Finding, Reproduction
@@ -24,6 +25,7 @@ from radartrack.verification import campaign
 
 ENCODINGS = ["ascii", "cp1252", "cp437", "latin-1", "cp1251", "koi8-r", "utf-8"]
 SIGNS = "σ² − ½·β° … Müller Кузнецов 中 [bold] :smile: \\"
+FEW = {name: catalogue.find(name) for name in ("polar.map", "polar.bias.truth")}
 ESCAPES = "\x1b[31m\x1b]0;t\x07\x9b31m\u202e\u2028\r\n"
 
 
@@ -43,16 +45,17 @@ def record(text: str) -> dict[str, Any]:
 
 def with_text(text: str, patch: pytest.MonkeyPatch) -> None:
     """Every command has its result at once, and the text is in it."""
+    patch.setattr(catalogue, "catalogue", lambda: FEW)
     audits = [{"paper": text, "file": text, "claims": [record(text)]}]
     patch.setattr(audit, "decided", lambda *_, **__: (audits, [text]))
     patch.setattr(deadline.Decider, "decide", lambda *_: record(text))
     layer = {"layer": "ulp", "verdict": "failed", "figure": float("inf"), "bound": 1.0, "detail": text}
-    records = [{"quantity": text, "verdict": "failed", "layers": [layer]}]
+    records = [{"quantity": text, "verdict": "failed", "paths": ["function"], "layers": [layer]}]
     patch.setattr(campaign.Campaign, "run", lambda *_: records)
     finding = Finding(text, text, text, text, "depends", text)
     found = Reproduction("gao", text, {}, (finding,))
     patch.setattr(papers, "PAPERS", {"gao": papers.Paper(lambda *_: found, lambda _: iter(()))})
-    patch.setattr(reproduce, "_report", lambda *_: None)
+    patch.setattr(reproduce, "_report", lambda *_: "σ")
     patch.setattr(regeneration, "derive", lambda *_: regeneration.Derivation([], []))
     patch.setattr(regeneration, "differences", lambda *_: [text])
 
@@ -147,6 +150,15 @@ class Failing(io.RawIOBase):
 
     def __init__(self, number: int) -> None:
         self.number = number
+        self.nowhere = os.open(os.devnull, os.O_WRONLY)
+
+    def fileno(self) -> int:
+        return self.nowhere
+
+    def close(self) -> None:
+        if not self.closed:
+            os.close(self.nowhere)
+        super().close()
 
     def writable(self) -> bool:
         return True

@@ -1,10 +1,14 @@
 import json
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any, ClassVar
 
 import pytest
 from typer.testing import CliRunner, Result
 
 from radartrack.cli import app
+from radartrack.derive.checking.papers import deadline
+from radartrack.derive.checking.papers.deadline import Decider
 
 CLAIMS = """
 paper = "Smith 2001"
@@ -20,6 +24,29 @@ quantity = "polar.map[0]"
 value = "2.0"
 at = { r = "2", beta = "0" }
 """
+
+
+class _Shared(Decider):
+    """Hands its child on to the next one, where it is still of use: to start one takes longer than to decide."""
+
+    idle: ClassVar[list[Any]] = []
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._child = self.idle.pop() if self.idle else None
+
+    def __exit__(self, *_: object) -> None:
+        if self._child is not None:
+            self.idle.append(self._child)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _shared_children() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(deadline, "Decider", _Shared)
+        yield
+    for child in _Shared.idle:
+        child.end()
 
 
 def _run(*arguments: str) -> Result:
@@ -46,6 +73,16 @@ def _run(*arguments: str) -> Result:
 def test_exit_codes_of_check(arguments: tuple[str, ...], code: int) -> None:
     result = _run("check", *arguments)
     assert result.exit_code == code, result.output
+
+
+@pytest.mark.parametrize(
+    ("timeout", "code"), [("inf", 0), ("1e12", 0), ("nan", 2), ("-inf", 2), ("-1", 2), ("soon", 2)]
+)
+def test_no_limit_of_time_ends_in_the_code_of_a_difference(timeout: str, code: int, tmp_path: Path) -> None:
+    assert _run("check", "polar.map[0]", "r*cos(beta)", f"--timeout={timeout}").exit_code == code
+    claims = tmp_path / "smith.toml"
+    claims.write_text(CLAIMS, encoding="utf-8")
+    assert _run("audit", str(claims), f"--timeout={timeout}").exit_code == code
 
 
 def test_check_says_what_differs_and_what_was_meant() -> None:

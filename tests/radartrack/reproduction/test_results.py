@@ -1,7 +1,6 @@
 """Tables and findings."""
 
 import csv
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,10 +9,10 @@ from radartrack._arrays.repeated_trials import Estimate
 from radartrack.reproduction.results import Finding, Reproduction, Table, columns, interval, number, table
 
 
-def test_a_table_is_written_with_six_digits_and_nothing_for_what_is_not_there(tmp_path: Path) -> None:
-    table([{"k": 1, "name": "a, b", "x": 1.23456789}, {"k": 2, "name": "c", "x": np.nan}]).write(tmp_path / "t.csv")
-    with (tmp_path / "t.csv").open(encoding="utf-8", newline="") as file:
-        assert list(csv.reader(file)) == [["k", "name", "x"], ["1", "a, b", "1.23457"], ["2", "c", ""]]
+def test_a_table_is_written_with_six_digits_and_nothing_for_what_is_not_there() -> None:
+    text = table([{"k": 1, "name": "a, b", "x": 1.23456789}, {"k": 2, "name": "c", "x": np.nan}]).csv()
+    assert text.endswith("\n")
+    assert list(csv.reader(text.splitlines())) == [["k", "name", "x"], ["1", "a, b", "1.23457"], ["2", "c", ""]]
 
 
 def test_rows_are_chosen_by_their_values() -> None:

@@ -128,8 +128,8 @@ def test_a_finished_run_leaves_the_checkpoint_of_an_interrupted_one(
         assert verify.CHECKPOINT in result.stderr
     before = contents(tmp_path)
     assert list(before) == [verify.CHECKPOINT]
-    for others in (["--points", "30"], ["line.slope_variance", "--points", "40"], ["--seed", "1"]):
-        run(*others)
+    for others in (["--points", "30"], ["polar.map", "--points", "40"], ["--seed", "1"]):
+        assert "functions," in run(*others).stdout
         assert contents(tmp_path) == before
     run("--points", "40")
     assert contents(tmp_path) == {}

@@ -20,6 +20,7 @@ from radartrack.verification.paths import ARRAYS, MACHINE_CODE, ONE_PLOT, along,
 from radartrack.verification.subject import evaluated, scale_of
 from tests.faulty_code import Fault, faults, faults_of
 
+HELPERS = ("_floats", "_empty", "_ratio", "_remainder", "_stumpff", "_third")
 SEED = 2
 COUNT = int(os.environ.get("RADARTRACK_FAULTS", "10"))
 EFFORT = Effort(points=40, nodes=1, draws=1, mutants=0)
@@ -33,7 +34,7 @@ def computed_by(module: str, function: str) -> list[str]:
     if module in PATHS:
         return [name for name in catalogue() if conversion_of(name) == function]
     own = [quantity for quantity in catalogue().values() if quantity.module == module]
-    return [quantity.name for quantity in own if function in {quantity.function, "_floats", "_empty", "_ratio"}]
+    return [quantity.name for quantity in own if function in {quantity.function, *HELPERS}]
 
 
 def is_found(fault: Fault) -> bool:
@@ -74,7 +75,7 @@ def test_every_conversion_is_looked_at_through_its_mean_and_its_covariance():
 
 
 def verify(*arguments: str) -> Result:
-    settings = ["--points", "40", "--workers", "1", "--checkpoint", os.devnull]
+    settings = ["--points", "40", "--workers", "1", "--checkpoint", str(Path.cwd() / "checkpoint.jsonl")]
     return CliRunner().invoke(app, ["verify", *arguments, *settings], env={"COLUMNS": "200"})
 
 
@@ -113,6 +114,22 @@ def test_machine_code_is_looked_at_where_numba_is_there(monkeypatch: pytest.Monk
     assert result.exit_code == 1
     assert f"polar.covariance.linear, ulp: {MACHINE_CODE}: " in result.stdout
     assert "fa1m" in result.stdout
+
+
+@pytest.mark.parametrize("module", ["conversions", "polar"])
+def test_code_that_breaks_down_has_failed_and_the_run_goes_on(
+    module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+):
+    def broken(*_: object, **__: object) -> None:
+        raise IndexError("no such place")
+
+    monkeypatch.chdir(tmp_path)
+    function = {"conversions": "polar_averaged", "polar": "bias_averaged"}[module]
+    monkeypatch.setattr(f"radartrack.generated.{module}.{function}", broken)
+    result = verify("polar.bias.averaged", "--draws", str(1 << 17))
+    assert result.exit_code == 1
+    assert "no such place" in result.stdout
+    assert "polar.bias.averaged, Monte Carlo: " in result.stdout
 
 
 def test_plots_that_are_filled_in_elsewhere_are_wrong(monkeypatch: pytest.MonkeyPatch):

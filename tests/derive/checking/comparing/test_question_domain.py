@@ -17,12 +17,13 @@ from radartrack.derive.units import ONE
 from tests.derive.checking.own_values import inside
 
 FRACTION = Variable("x", "a symbol", ONE, -0.5, 0.5)
+REALS = [(1e-9, 1e-3), (50.0, 60.0), (-7.0, -6.5), (0.0, 0.01)]
+WHOLE = [(2.0, 3.0), (9.0, 1e6)]
 NARROW = [
     Variable("x", "a symbol", ONE, low, high, whole=whole)
-    for low, high, whole in (
-        (1e-9, 1e-3, False), (50.0, 60.0, False), (-7.0, -6.5, False), (0.0, 0.01, False), (2.0, 3.0, True), (9.0, 1e6, True)
-    )
-]  # fmt: skip
+    for ranges, whole in ((REALS, False), (WHOLE, True))
+    for low, high in ranges
+]
 
 
 def _distinct(quantities: Mapping[str, Quantity]) -> list[Quantity]:
@@ -49,8 +50,8 @@ def test_angles_and_speeds_are_compared_in_all_directions_and_on_all_scales() ->
     points = Domain(catalogue()["observe.polar_doppler.map"].symbols).sample()
     quadrants = {(point["x"] > 0, point["y"] > 0, point["vx"] > 0) for point in points}
     assert len(quadrants) == 8
-    assert any(abs(point["x"]) < 10 < 1000 < abs(point["y"]) for point in points)
-    assert any(abs(point["y"]) < 10 < 1000 < abs(point["x"]) for point in points)
+    assert any(abs(point["y"] / point["x"]) > 100 for point in points)
+    assert any(abs(point["x"] / point["y"]) > 100 for point in points)
 
 
 def test_a_symbol_never_exceeds_what_bounds_it_where_a_condition_sets_that() -> None:
@@ -58,6 +59,13 @@ def test_a_symbol_never_exceeds_what_bounds_it_where_a_condition_sets_that() -> 
     points = question.domain.sample()
     assert {point["j"] for point in points} == {1, 2, 3, 4, 5}
     assert question.finding((0,) if question.reference.shape else ()).outcome is Outcome.EQUAL
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_where_several_quantities_are_compared_the_number_of_scans_is_as_large_as_all_of_them_ask(order: int) -> None:
+    names = [f"finite_sample.degree{degree}.range.covariance[0,0]" for degree in (1, 3)]
+    question = ask(" + ".join(names[::order]), "sigma_r**2")
+    assert min(point["k"] for point in question.domain.sample()) == 4
 
 
 def test_where_a_condition_sets_a_symbol_to_a_formula_that_stays_in_its_domain_too() -> None:
@@ -73,13 +81,13 @@ RIGHT_INSIDE = [
     ("finite_sample.degree1.range.covariance[0,0]", "sigma_r**2*(4*k-2)/(k*(k+1)) + sigma_r**2*sin(pi*k)"),
     ("finite_sample.degree1.range.design[0,1]", "T*(j - k)*cos(2*pi*j)"),
     ("finite_sample.degree1.range.design[0,1]", "-T*abs(j - k)"),
-    ("finite_sample.degree2.range.covariance[0,0]", "3*sigma_r**2*(3*k**2 - 3*k + 2)/(k*(k + 1)*(k + abs(k - 3) - k + 5))"),
+    ("finite_sample.degree2.range.covariance[0,0]", "3*sigma_r**2*(3*k**2 - 3*k + 2)/(k*(k + 1)*(abs(k - 3) + 5))"),
     ("spherical.map[2]", "r*asin(sin(epsilon))/epsilon*sin(epsilon)"),
     ("spherical.map[0]", "r*sin(beta)*sqrt(cos(epsilon)**2)"),
     ("polar.map[0]", "r*cos(acos(cos(beta)))*acos(cos(beta))/abs(beta)"),
     ("ruv.map[0]", "r*u*sqrt(1 - u**2)/sqrt((1 - u)*(1 + u))"),
     ("ruv.map[0]", "r*sin(u)*u/sqrt(1 - cos(u)**2)*abs(u)/u"),
-    ("polar.jacobian[0,0]*0 + abs(cos(beta))**2", "cos(beta)**2*sqrt(1 - cos(beta))*sqrt(1 + cos(beta))/abs(sin(beta))"),
+    ("polar.jacobian[0,0]", "cos(beta)*sqrt(1 - cos(beta))*sqrt(1 + cos(beta))/abs(sin(beta))"),
 ]  # fmt: skip
 
 
@@ -90,6 +98,8 @@ def test_what_differs_outside_the_domain_alone_is_not_called_different(name: str
 
 # Intermediate values are complex and the result is real, with another sign or size on a part of the domain.
 ANOTHER_BRANCH = [
+    ("observe.ruv.map[0]", "x/sqrt(x**2 + y**2 + z**2)*sqrt(cos(x/(1 + y**2)))*sqrt(1/cos(x/(1 + y**2)))"),
+    ("finite_sample.degree1.gain[0]*0 + C/k", "C/k*atan(tan(k/(1 + C**2)))/(k/(1 + C**2))"),
     ("polar.map[0]", "r*cos(beta)*sqrt(cos(beta))*sqrt(1/cos(beta))"),
     ("spherical.map[2]", "r*sin(epsilon)*sqrt(1/sin(epsilon))*sqrt(sin(epsilon))"),
     ("polar_doppler.map[2]", "r*rdot**(3/2)/log(exp(rdot**(1/2)))"),
@@ -116,7 +126,7 @@ def test_what_is_right_on_one_branch_alone_differs_and_the_example_is_on_the_oth
 @pytest.mark.parametrize(
     ("name", "formula"),
     [
-        ("polar.map[0]", "r*cos(beta)*(1/(sin(beta)**2 + cos(beta)**2 - 1) - 1/(sin(beta)**2 + cos(beta)**2 - 1) + 2 - 1)"),
+        ("polar.map[0]", "r*cos(beta)*(1/(sin(beta)**2 + cos(beta)**2 - 1) + 1)"),
         ("polar.map[0]", "r*cos(beta)*(sqrt(1 + 2*exp(-r) + exp(-2*r)) - 1)/exp(-r)"),
         ("polar.map[0]", "r*cos(beta)*asin(sin(beta)**2 + cos(beta)**2)*2/pi"),
         ("polar.map[0]", "r*cos(beta)*(1 + (sin(beta)**2 + cos(beta)**2 - 1)**(1/8))"),
@@ -125,7 +135,7 @@ def test_what_is_right_on_one_branch_alone_differs_and_the_example_is_on_the_oth
     ],
 )  # fmt: skip
 def test_what_rounding_alone_would_tell_is_never_called_different(name: str, formula: str) -> None:
-    assert check(name, formula).verdict is not Outcome.DIFFERS
+    assert check(name, formula).counterexample is None
 
 
 def test_where_the_printed_formula_has_no_value_the_share_of_the_points_is_said() -> None:

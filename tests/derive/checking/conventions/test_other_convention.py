@@ -49,7 +49,7 @@ def test_an_angle_that_is_counted_from_the_other_axis_is_noticed(name: str, form
         ("polar.jacobian", "[[cos(beta), sin(beta)], [-r*sin(beta), r*cos(beta)]]", "when transposed"),
         ("observe.polar.map", "[atan2(y, x), hypot(x, y)]", "with the entries in the order 1, 0"),
         (
-            "kinematics.plane.transition",
+            "motion.plane.transition",
             "[[1, 0, T, 0], [0, 1, 0, T], [0, 0, 1, 0], [0, 0, 0, 1]]",
             "with rows and columns in the order 0, 2, 1, 3",
         ),

@@ -5,12 +5,12 @@ import os
 import random
 import signal
 from collections.abc import Iterable
+from contextlib import suppress
 from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
-from distributed import LocalCluster
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.stable.quantity_form import form_of
@@ -64,16 +64,19 @@ def test_the_order_in_which_chunks_end_changes_no_bit():
 
 
 def test_dask_gives_the_same_bits_when_a_worker_is_killed_on_the_way():
-    started: Any = LocalCluster  # publishes no types
-    with started(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster:
+    started = pytest.importorskip("distributed").LocalCluster
+    results: list[tuple[int, dict[str, Any]]] = []
+    with (
+        suppress(TimeoutError),  # on a busy machine its processes do not end in the time it gives them
+        started(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster,
+    ):
         engine: Engine = Dask(cluster.scheduler_address)
-        results: list[tuple[int, dict[str, Any]]] = []
         for result in engine.run(enumerate(tasks())):
             if not results:
                 os.kill(next(iter(cluster.workers.values())).pid, signal.SIGKILL)
             results.append(result)
-        assert sorted(number for number, _ in results) == list(range(CHUNKS))
-        assert summed(results) == expected()
+    assert sorted(number for number, _ in results) == list(range(CHUNKS))
+    assert summed(results) == expected()
 
 
 def test_streams_of_functions_points_and_chunks_differ():

@@ -15,9 +15,9 @@ from typing import Any
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.steps import leaves, steps
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.verification.program_compilation import leaves
 
 Ball = Any
 PRECISION = 448  # bits; the textbook form of a fourth power of 1e-9 against 1e8 squared loses some 175
@@ -32,10 +32,7 @@ class Balls:
         numbers = {leaf for entry in entries for leaf in leaves(entry) if leaf.is_number}
         self._numbers = sorted(numbers, key=str)
         self._known: dict[int, list[Ball]] = {}
-        self._places: dict[Expr, int] = {leaf: place for place, leaf in enumerate([*symbols, *self._numbers])}
-        self._steps: list[tuple[Callable[..., Ball], tuple[int, ...]]] = []
-        self._first = len(self._places)
-        self._results = [self._place(entry) for entry in entries]
+        self._steps = steps(entries, [*symbols, *self._numbers], _step)
         self._shape = entries.shape
 
     def __call__(self, point: Mapping[str, float] | Sequence[float]) -> Tensor[Ball]:
@@ -53,30 +50,19 @@ class Balls:
         if bits not in self._known:
             self._known[bits] = list(map(_number, self._numbers))
         slots = [*map(_flint().arb, values), *self._known[bits]]
-        for operation, operands in self._steps:
+        for operation, operands in self._steps.steps:
             slots.append(operation(*[slots[i] for i in operands]))
-        return [slots[i] for i in self._results]
+        return [slots[i] for i in self._steps.results]
 
-    def _place(self, expression: Expr) -> int:
-        if expression not in self._places:
-            self._places[expression] = self._placed(expression)
-        return self._places[expression]
 
-    def _placed(self, expression: Expr) -> int:
-        if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
-            exponent = int(expression.exp)
-            return self._step(lambda base: base**exponent, self._place(expression.base))
-        if isinstance(expression, sp.Pow) and expression.exp == sp.Rational(1, 2):
-            return self._step(lambda base: base.sqrt(), self._place(expression.base))
-        operands = [self._place(argument) for argument in expression.args]
-        if isinstance(expression, sp.Add | sp.Mul):
-            combine = add if isinstance(expression, sp.Add) else mul
-            return reduce(lambda first, second: self._step(combine, first, second), operands)
-        return self._step(_OPERATIONS[expression.func], *operands)
-
-    def _step(self, operation: Callable[..., Ball], *operands: int) -> int:
-        self._steps.append((operation, operands))
-        return self._first + len(self._steps) - 1
+def _step(expression: Expr) -> tuple[Callable[..., Ball], Sequence[Expr]]:
+    """What makes a part of a formula from its own parts."""
+    if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Integer):
+        exponent = int(expression.exp)
+        return lambda base: base**exponent, (expression.base,)
+    if isinstance(expression, sp.Pow) and expression.exp == sp.Rational(1, 2):
+        return lambda base: base.sqrt(), (expression.base,)
+    return _OPERATIONS[expression.func], expression.args
 
 
 def _number(number: Expr) -> Ball:
@@ -86,12 +72,29 @@ def _number(number: Expr) -> Ball:
     return {sp.pi: _flint().arb.pi, sp.E: _flint().arb.const_e}[number]()
 
 
+def _stumpff(x: Ball, order: Ball) -> Ball:
+    """c_n of the square, by the closed form; its digits are lost near zero and found again in more bits."""
+    n = int(order.unique_fmpz())
+    if x.is_zero():
+        return 1 / _flint().arb(n).fac()
+    square, value = x * x, x.sin() / x if n % 2 else x.cos()
+    for k in range(n % 2, n, 2):
+        value = (1 / _flint().arb(k).fac() - value) / square
+    return value
+
+
+def _third(x: Ball) -> Ball:
+    return (x.acosh() / 3).cosh() if x >= 1 else (x.acos() / 3).cos()
+
+
 def _sharp(entry: Ball) -> bool:
     return bool(entry.is_exact() or entry.rel_accuracy_bits() >= GOOD)
 
 
 _OPERATIONS: dict[type[Expr], Callable[..., Ball]] = {
     sp.Abs: abs,
+    sp.Add: lambda *terms: reduce(add, terms),
+    sp.Mul: lambda *factors: reduce(mul, factors),
     sp.Pow: lambda base, exponent: base**exponent,
     sp.acos: lambda x: x.acos(),
     sp.asin: lambda x: x.asin(),
@@ -107,8 +110,10 @@ _OPERATIONS: dict[type[Expr], Callable[..., Ball]] = {
     sp.ratio: lambda above, below: above * 0 if below.is_zero() else above / below,
     sp.sin: lambda x: x.sin(),
     sp.sinh: lambda x: x.sinh(),
+    sp.stumpff: _stumpff,
     sp.tan: lambda x: x.tan(),
     sp.tanh: lambda x: x.tanh(),
+    sp.third: _third,
 }
 
 

@@ -37,7 +37,8 @@ def are_plain(values: Symbols, covariances: RealArray) -> bool:
     if covariances.dtype == SINGLE:
         return bool(_variances(covariances).min(initial=1) >= _least(covariances.dtype))
     # Where range and deviations are not small, every variance has a term that is not, whatever the angles.
-    if all(_smallest(array) >= SMALL for symbol, array in values.items() if symbol == "r" or "sigma" in symbol):
+    lengths = (array for symbol, array in values.items() if symbol in {"r", "path"} or "sigma" in symbol)
+    if all(_smallest(array) >= SMALL for array in lengths):
         return True
     return all(bool((sizes >= SMALL)[sizes > 0].all()) for sizes in map(np.abs, values.values()))
 
@@ -53,13 +54,13 @@ def _largest(array: RealArray) -> float:
 def are_sound(covariances: RealArray, least_pivot: float = 0.0) -> NDArray[np.bool_]:
     """Which of the matrices, shape (plots, n, n), have variances with all their digits, and larger pivots than that."""
     variances = _variances(covariances)
-    sound: NDArray[np.bool_] = (variances >= _least(covariances.dtype)).all(axis=-1)
+    sound: NDArray[np.bool_] = np.all(variances >= _least(covariances.dtype), axis=-1)
     deviations = np.sqrt(np.where(sound[:, np.newaxis], variances, 1))
     with np.errstate(over="ignore", invalid="ignore"):  # in those that are not
         rest = covariances / deviations[:, :, np.newaxis] / deviations[:, np.newaxis, :]
         while rest.shape[-1]:
             pivot, column = rest[:, :1, :1], rest[:, 1:, :1]
-            sound = np.logical_and(sound, pivot[:, 0, 0] > least_pivot)
+            sound &= pivot[:, 0, 0] > least_pivot
             rest = rest[:, 1:, 1:] - column * column.swapaxes(-1, -2) / np.where(pivot > 0, pivot, 1)
     return sound
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from importlib import import_module
+from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
@@ -9,10 +10,14 @@ import numpy as np
 from radartrack._arrays.validation import (
     ANGLE,
     ANGLE_STD,
+    BASELINE,
     CORRELATION,
     DIRECTION_COSINE,
     DIRECTION_COSINE_STD,
     ELEVATION,
+    PATH,
+    PATH_AZIMUTH_STD,
+    PATH_STD,
     RANGE,
     RANGE_RATE,
     RANGE_RATE_STD,
@@ -24,10 +29,12 @@ from radartrack._arrays.validation import (
 )
 
 AzimuthFrom: TypeAlias = Literal["x", "y"]
-SensorName: TypeAlias = Literal["polar", "spherical", "polar_doppler", "ruv"]
+SensorName: TypeAlias = Literal["polar", "spherical", "polar_doppler", "spherical_doppler", "ruv", "bistatic"]
 
-MARGIN = 5  # deviations; nearer to the edge of the unit circle the series are of no use
+MARGIN = 5  # deviations; nearer to where a map has no derivative its series are of no use
 DIRECTION = Domain("", 0.999, 0.999, "at the edge of the unit circle the root has no derivative")
+TRIANGLE = Domain("", 0.999, 0.999, "a path as short as the baseline has no target off it")
+ROUND_THE_BASELINE = Domain("", 1.0, 1.0, "over a larger angle near the baseline the range is no power series")
 
 
 class Argument(NamedTuple):
@@ -47,6 +54,8 @@ class Sensor(NamedTuple):
         correlated: the places, among the coordinates, of the two whose errors that correlation joins.
         azimuth_from: where the formulas count the azimuth from; None without an azimuth.
         series: what the names of formulas end with that are series; empty for closed forms.
+        parameters: what the map takes beside the coordinates, which is known without error.
+        in_double: whether powers in the formulas are too high for float32, whose plots are then computed in float64.
     """
 
     module: SensorName
@@ -55,11 +64,13 @@ class Sensor(NamedTuple):
     correlated: tuple[int, int]
     azimuth_from: AzimuthFrom | None
     series: str = ""
+    parameters: Mapping[str, Argument] = MappingProxyType({})
+    in_double: bool = False
 
     @property
     def arguments(self) -> dict[str, Argument]:
         """All public arguments, in the order of those of the formulas."""
-        return {**self.coordinates, **self.noise}
+        return {**self.coordinates, **self.parameters, **self.noise}
 
     @property
     def angles(self) -> tuple[int, ...]:
@@ -80,6 +91,23 @@ class Sensor(NamedTuple):
             and one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom)) != self.azimuth_from
         )
 
+    def chosen_axis(self, azimuth_from: AzimuthFrom | None) -> AzimuthFrom | None:
+        """Where the azimuth is counted from, which is where the formulas count it from if nothing is said.
+
+        Raises:
+            TypeError, ValueError: the word is none of the two, or there is no azimuth.
+
+        """
+        return chosen_axis(self.module, self.azimuth_from, azimuth_from)
+
+    def cartesian(self, measured: RealArray, known: Mapping[str, float], azimuth_from: AzimuthFrom | None) -> RealArray:
+        """The map of measured quantities along the last axis, with the parameters by name."""
+        values = dict(zip(self.coordinates, np.moveaxis(measured, -1, 0), strict=True))
+        values |= {name: np.asarray(value) for name, value in known.items()}
+        named = {symbol: values[name] for name, (symbol, _) in {**self.coordinates, **self.parameters}.items()}
+        found = self.evaluate("map", named)
+        return found[..., [1, 0, *range(2, found.shape[-1])]] if self.is_turned(azimuth_from) else found
+
     def read(self, plot: Mapping[str, RealArray]) -> dict[str, RealArray]:
         """Check the values of all arguments, by name; they are returned by symbol.
 
@@ -95,22 +123,20 @@ class Sensor(NamedTuple):
         return values
 
     def require_possible(self, values: Mapping[str, RealArray] | Mapping[str, float], of: str = "") -> None:
-        """Check what no argument says alone: that directions stay in the unit circle despite their errors.
+        """Check what no argument says alone: that errors do not take a plot to where the map has no derivative.
 
         Args:
             values: by symbol; their shapes broadcast.
             of: what to add to the names of the arguments in a message.
 
         Raises:
-            ValueError: they do not.
+            ValueError: they do.
 
         """
-        if "u" not in self.coordinates:
-            return
-        reach = np.hypot(values["u"], values["v"])
-        reach = reach + MARGIN * np.maximum(values["sigma_u"], values["sigma_v"])
-        name = f"sqrt(u^2 + v^2) + {MARGIN} max(u_std, v_std){of}"
-        require_within(name, np.asarray(reach), DIRECTION)
+        if "u" in self.coordinates:
+            _require_in_front(values, of)
+        if "path" in self.coordinates:
+            _require_triangle(values, of)
 
     def evaluate(self, word: str, values: Mapping[str, RealArray]) -> RealArray:
         """Call a generated function with the values, by symbol, that it takes."""
@@ -118,8 +144,44 @@ class Sensor(NamedTuple):
         named = word if hasattr(formulas, word) else f"{word}{self.series}"
         function: Callable[..., RealArray] = getattr(formulas, named)
         if word == "map":
-            return function(**{symbol: values[symbol] for symbol, _ in self.coordinates.values()})
+            measured = (*self.coordinates.values(), *self.parameters.values())
+            return function(**{symbol: values[symbol] for symbol, _ in measured})
         return function(**values)
+
+
+def chosen_axis(sensor: str, default: AzimuthFrom | None, azimuth_from: AzimuthFrom | None) -> AzimuthFrom | None:
+    """Where the azimuth of a sensor is counted from; None without an azimuth.
+
+    Raises:
+        TypeError, ValueError: the word is none of the two, or there is no azimuth.
+
+    """
+    if azimuth_from is None:
+        return default
+    if default is None:
+        raise ValueError(f"azimuth_from must be None for sensor {sensor!r}; got {azimuth_from!r}")
+    return one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
+
+
+def _require_in_front(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> None:
+    """Directions stay in the unit circle despite their errors."""
+    reach = np.hypot(values["u"], values["v"])
+    reach = reach + MARGIN * np.maximum(values["sigma_u"], values["sigma_v"])
+    require_within(f"sqrt(u^2 + v^2) + {MARGIN} max(u_std, v_std){of}", np.asarray(reach), DIRECTION)
+
+
+def _require_triangle(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> None:
+    """The path stays longer than the baseline, and the azimuth off the angles at which a shorter one has no end.
+
+    As a function of the azimuth the range has poles at the imaginary angles whose cosine is path over baseline.
+    """
+    path, baseline = values["path"], values["baseline"]
+    share = (baseline + MARGIN * np.asarray(values["sigma_path"])) / path
+    require_within(f"(baseline + {MARGIN} path_std)/path{of}", np.asarray(share), TRIANGLE)
+    with np.errstate(divide="ignore", over="ignore"):  # without a baseline the pole is at infinity
+        pole = np.arccosh(path / np.asarray(baseline))
+    turned = MARGIN * np.asarray(values["sigma_beta"]) / pole
+    require_within(f"{MARGIN} azimuth_std/arccosh(path/baseline){of}", np.asarray(turned), ROUND_THE_BASELINE)
 
 
 _RANGE = Argument("r", RANGE)
@@ -159,6 +221,38 @@ SENSORS: Mapping[SensorName, Sensor] = {
         },
         correlated=(0, 2),
         azimuth_from="x",
+    ),
+    "spherical_doppler": Sensor(
+        module="spherical_doppler",
+        coordinates={
+            "r": _RANGE,
+            "azimuth": _AZIMUTH,
+            "elevation": Argument("epsilon", ELEVATION),
+            "range_rate": Argument("rdot", RANGE_RATE),
+        },
+        noise={
+            "range_std": _RANGE_STD,
+            "azimuth_std": _AZIMUTH_STD,
+            "elevation_std": Argument("sigma_epsilon", ANGLE_STD),
+            "range_rate_std": Argument("sigma_rdot", RANGE_RATE_STD),
+            "correlation": _CORRELATION,
+        },
+        correlated=(0, 3),
+        azimuth_from="y",
+    ),
+    "bistatic": Sensor(
+        module="bistatic",
+        coordinates={"path": Argument("path", PATH), "azimuth": _AZIMUTH},
+        parameters={"baseline": Argument("baseline", BASELINE)},
+        noise={
+            "path_std": Argument("sigma_path", PATH_STD),
+            "azimuth_std": Argument("sigma_beta", PATH_AZIMUTH_STD),
+            "correlation": _CORRELATION,
+        },
+        correlated=(0, 1),
+        azimuth_from="x",
+        series="_semidefinite",
+        in_double=True,
     ),
     "ruv": Sensor(
         module="ruv",

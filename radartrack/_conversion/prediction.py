@@ -1,10 +1,10 @@
 """A prediction of the measured quantities, with all its correlations.
 
 The formulas that average over a prediction know one correlation, that of the pair whose measurement errors are
-correlated too. A prediction from a track has the others as well. Given the quantity outside the pair, the pair
-has just the covariance that the formulas know, about a mean that is linear in that quantity; so their average
-over that one quantity, by Gauss-Hermite quadrature with enough nodes for rounding to be all that is left, is the
-average over the whole prediction.
+correlated too. A prediction from a track has the others as well. Given the quantities outside the pair, the pair
+has just the covariance that the formulas know, about a mean that is linear in those quantities; so their average
+over these, one after the other, by Gauss-Hermite quadrature with enough nodes for rounding to be all that is left,
+is the average over the whole prediction.
 """
 
 import math
@@ -16,14 +16,14 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from radartrack._arrays.semidefinite import cast, without_nothing
-from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import (
     RealArray,
     require_covariance,
     require_trailing_shape,
     require_within,
 )
+from radartrack._conversion.semidefinite import cast, without_nothing
+from radartrack._conversion.sensors import Sensor
 
 Prediction: TypeAlias = tuple[ArrayLike, ArrayLike]
 
@@ -87,7 +87,7 @@ class Predicted:
             for i, symbol in enumerate(symbols)
         }
         means = dict(zip(symbols, np.moveaxis(self.mean, -1, 0), strict=True))
-        self.sensor.require_possible({**means, **total}, f" of {MEAN}")
+        self.sensor.require_possible({**noise, **means, **total}, f" of {MEAN}")
 
     def only(self, chosen: NDArray[np.bool_]) -> "Predicted":
         """Those of some plots, in float64; deviations whose squares underflow are 0."""
@@ -102,23 +102,25 @@ class Predicted:
     def parts(self) -> Iterator[tuple[float, dict[str, RealArray]]]:
         """Weights that sum to one, each with what the formulas take, by symbol."""
         other = self._other()
-        if other is None or not self.covariance[..., other, list(self.sensor.correlated)].any():
+        if other is None:
             yield 1.0, self.symbols()
             return
         direction = self._along(other)
         rest = self.covariance - direction[..., :, np.newaxis] * direction[..., np.newaxis, :]
         rest[..., other, :] = rest[..., :, other] = 0
         for node, weight in zip(*_rule(self._nodes(direction)), strict=True):
-            yield float(weight), self._symbols(self.mean + float(node) * direction, rest)
+            given = Predicted(self.sensor, self.mean + float(node) * direction, rest)
+            for share, symbols in given.parts():
+                yield float(weight) * share, symbols
 
     def _other(self) -> int | None:
-        """The place of the quantity outside the pair."""
-        places = set(range(len(self.sensor.coordinates))) - set(self.sensor.correlated)
-        return places.pop() if places else None
+        """The place of a quantity outside the pair that is correlated with any other; None without one."""
+        outside = (place for place in range(len(self.sensor.coordinates)) if place not in self.sensor.correlated)
+        return next((place for place in outside if np.delete(self.covariance[..., place], place, axis=-1).any()), None)
 
     def _along(self, other: int) -> RealArray:
         """How far all quantities move together with one standard deviation of one of them."""
-        deviation = np.sqrt(self.covariance[..., other, other])[..., np.newaxis]
+        deviation = np.sqrt(np.maximum(self.covariance[..., other, other], 0))[..., np.newaxis]
         along: RealArray = self.covariance[..., other] / np.where(deviation > 0, deviation, 1)
         return along
 

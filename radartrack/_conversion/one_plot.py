@@ -7,26 +7,27 @@ from typing import Any
 
 import numpy as np
 
-from radartrack._arrays.semidefinite import is_plain
-from radartrack._arrays.sensors import Sensor
 from radartrack._arrays.validation import RealArray
+from radartrack._conversion.semidefinite import is_plain
+from radartrack._conversion.sensors import Argument
+from radartrack._conversion.way import Way
 
 PLAIN = frozenset({float, int, np.float64})
 
 
-def one_plot(sensor: Sensor, method: str, given: Mapping[str, Any]) -> tuple[RealArray, RealArray] | None:
+def one_plot(way: Way, given: Mapping[str, Any]) -> tuple[RealArray, RealArray] | None:
     """Convert plain numbers, by name.
 
     Returns:
-        Mean and covariance; None where an argument is no plain number or outside its interval, and where the
-        covariance takes care.
+        Mean and covariance; None where an argument is no plain number or outside its interval, where there is a
+        prediction, and where the covariance takes care.
 
     Raises:
         ValueError: each number is possible alone, but not beside the others.
 
     """
-    arguments = sensor.arguments
-    if not all(type(given[name]) in PLAIN and domain.holds(given[name]) for name, (_, domain) in arguments.items()):
+    sensor, arguments = way.sensor, way.sensor.arguments
+    if way.prediction or not _are_plain(given, arguments):
         return None
     values = {symbol: float(given[name]) for name, (symbol, _) in arguments.items()}
     sensor.require_possible(values)
@@ -34,9 +35,13 @@ def one_plot(sensor: Sensor, method: str, given: Mapping[str, Any]) -> tuple[Rea
         return None
     mean: dict[tuple[int, ...], float] = {}
     covariance: dict[tuple[int, ...], float] = {}
-    _loop(f"{sensor.module}_{method}")(*([value] for value in values.values()), mean, covariance)
+    _loop(way.function)(*([value] for value in values.values()), mean, covariance)
     size = len(mean)
-    return np.array([*mean.values()]), np.array([*covariance.values()]).reshape(size, size)
+    return way.oriented(np.array([*mean.values()]), np.array([*covariance.values()]).reshape(size, size))
+
+
+def _are_plain(given: Mapping[str, Any], arguments: Mapping[str, Argument]) -> bool:
+    return all(type(given[name]) in PLAIN and domain.holds(given[name]) for name, (_, domain) in arguments.items())
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Expressions with roots and quotients over one denominator each, their numerators factored.
+"""Expressions with roots and quotients over one denominator each.
 
 In a differential ring √P and P·P^(−1/2) are different polynomials. Here every power of an inverse root or quotient is
 brought to the highest one that occurs, and common factors of numerator and denominator are divided out. For one root
@@ -10,13 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import reduce
-from operator import add, mul
+from operator import add
 from typing import TYPE_CHECKING
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import DifferentialRing
-from radartrack.derive.language.stable_form import NotProved, StableForm
-from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, PolyElement, Symbol
 
 if TYPE_CHECKING:
@@ -45,28 +43,6 @@ class Denominator:
         """√P or P in the plain symbols."""
         plain = ring.expression(self.radicand)
         return sp.sqrt(plain) if self.step == 2 else plain
-
-
-def collected_form(entries: Tensor[Expr]) -> StableForm:
-    """Rewrite a tensor of expressions with roots, quotients and elementary functions.
-
-    Raises:
-        NotDifferentiable: when an entry holds anything else.
-        NotProved: when a rewritten entry is not the same function.
-    """
-    symbols = {symbol for entry in entries for symbol in entry.free_symbols}
-    ring = DifferentialRing(entries, symbols)
-    found = denominators(ring)
-    elements = entries.map_distinct(ring.read)
-    collected = elements.map_distinct(lambda element: collect(element, ring, found))
-    plain = _outside(ring)
-    written = collected.map(lambda parts: _written(parts, ring, found, plain))
-    definitions = {denominator.name: denominator.definition(ring) for denominator in found}
-    form = StableForm(definitions, written).only(written)
-    for entry, parts in zip(form.expanded(), collected, strict=True):
-        if collect(ring.read(entry), ring, found) != parts:
-            raise NotProved(f"{entry} is not what it was collected from")
-    return form
 
 
 def vanishes(expression: Expr) -> bool:
@@ -128,43 +104,6 @@ def denominators(ring: DifferentialRing) -> list[Denominator]:
             name = sp.Symbol(f"{kind}_{len(found) + 1}", positive=True)
             found.append(Denominator(placeholder, ring.read(base), step, name))
     return found
-
-
-def _outside(ring: DifferentialRing) -> set[Symbol]:
-    """The symbols that no generator depends on."""
-    inside = {symbol for key in ring.generators.values() for symbol in key.free_symbols}
-    return set(ring.symbols) - inside
-
-
-def _written(
-    parts: dict[Powers, PolyElement], ring: DifferentialRing, found: list[Denominator], outside: set[Symbol]
-) -> Expr:
-    terms = []
-    for powers, numerator in parts.items():
-        below = reduce(mul, (d.name ** (-power) for d, power in zip(found, powers, strict=True)), sp.Integer(1))
-        terms.append(below * _factored(numerator, ring, outside))
-    return sp.Add(*terms)
-
-
-def _factored(numerator: PolyElement, ring: DifferentialRing, outside: set[Symbol]) -> Expr:
-    """Grouped by monomials in the symbols outside of roots; the coefficient of each is factored."""
-    groups: dict[Powers, dict[Powers, PolyCoefficient]] = {}
-    is_outside = [symbol in outside for symbol in ring.ring.symbols]
-    for powers, value in numerator.terms():
-        monomial = tuple(n if out else 0 for n, out in zip(powers, is_outside, strict=True))
-        rest = tuple(0 if out else n for n, out in zip(powers, is_outside, strict=True))
-        groups.setdefault(monomial, {})[rest] = value
-    terms = (
-        ring.expression(ring.ring.from_dict({monomial: ring.ring.domain.one}))
-        * sp.factor(ring.expression(_shorter(ring.ring.from_dict(rest), ring)))
-        for monomial, rest in groups.items()
-    )
-    return sp.Add(*terms)
-
-
-def _shorter(polynomial: PolyElement, ring: DifferentialRing) -> PolyElement:
-    """With cos² or with sin², whichever has fewer terms: 1 − cos² cancels where sin² does not."""
-    return min((polynomial, without_squares(polynomial, ring, sp.cos)), key=lambda candidate: len(candidate.terms()))
 
 
 def without_squares(element: PolyElement, ring: DifferentialRing, function: type[Expr]) -> PolyElement:

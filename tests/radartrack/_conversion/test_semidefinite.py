@@ -11,7 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack._arrays import machine_code, semidefinite, sensors
+from radartrack._arrays import machine_code
+from radartrack._conversion import semidefinite, sensors
 from radartrack.convert import Converted, Method
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.evaluation.many_digits import Evaluator
@@ -164,7 +165,7 @@ def test_covariances_from_arrays_are_covariances(
 @given(seed=SEEDS)
 @share(0.02)
 def test_covariances_from_machine_code_are_covariances(sensor: str, method: Method, seed: int) -> None:
-    pytest.importorskip("numba", exc_type=ImportError)
+    """Where Numba is not installed, from arrays once more."""
     for kind in KINDS:
         plot = drawn(sensor, machine_code.COMPILED_FROM, np.float64, seed, kind)
         assert_covariances(converted(sensor, method, plot, seed).covariance[::6])

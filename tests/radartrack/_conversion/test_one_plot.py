@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import convert as conversions
+from radartrack._conversion import many_plots
 from radartrack.convert import Method
 from tests.examples import share
 from tests.radartrack.plots import OF_THE_PLOT, PLOTS, SENSORS, WITH_AZIMUTH, assert_agree, convert, plots
@@ -39,7 +40,7 @@ def test_a_plot_alone_is_within_rounding_the_same_plot_in_an_array(
 @pytest.mark.parametrize("method", OF_THE_PLOT)
 @pytest.mark.parametrize("sensor", SENSORS)
 def test_plain_numbers_take_no_arrays(sensor: str, method: Method, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(conversions, "real_arrays", lambda _: pytest.fail("the general way was taken"))
+    monkeypatch.setattr(many_plots, "real_arrays", lambda _: pytest.fail("the general way was taken"))
     convert(sensor, method)
     convert(sensor, method, r=900, range_std=np.float64(40), correlation=0)
 

@@ -1,0 +1,181 @@
+"""Which symbols a function takes in which places: by name where its parameters have telling ones, else by trial."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations, islice, permutations, product
+from typing import Any
+
+from radartrack.derive.language.variable import Variable
+from radartrack.testing.argument_names import meanings
+from radartrack.testing.called_function import Binding, Form, Parameter
+
+MOST = 800  # ways to call a function that are tried
+ORDERS = 120  # of the symbols in one vector
+
+Declared = Sequence[tuple[str, bool, bool]]  # name, whether it may be left out, whether it goes by name
+
+
+def declared(function: Callable[..., Any]) -> Declared | None:
+    """The parameters of a function; None where nothing says what they are."""
+    for name in ("argtypes", "nin"):  # of a function in a shared library, of a ufunc
+        given = getattr(function, name, None)
+        if given is not None:
+            count = given if isinstance(given, int) else len(given)
+            return [(f"argument {place + 1}", False, False) for place in range(count)]
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return None
+    kinds = inspect.Parameter
+    if any(one.kind is kinds.VAR_POSITIONAL for one in parameters):
+        return None
+    return [
+        (one.name, one.default is not kinds.empty, one.kind is kinds.KEYWORD_ONLY)
+        for one in parameters
+        if one.kind is not kinds.VAR_KEYWORD
+    ]
+
+
+def bindings(
+    function: Callable[..., Any],
+    symbols: Sequence[Variable],
+    stated: Mapping[str, str | Sequence[str]],
+    needed: Collection[str],
+) -> Iterator[Binding]:
+    """The ways to call a function, the likeliest first.
+
+    Args:
+        function: the user's.
+        symbols: that a call has values for; correlations may stay without a place.
+        stated: parameter → the symbol, or the symbols of a vector, that the user says it takes.
+        needed: the symbols on which the quantity depends where all correlations are zero.
+    """
+    given = declared(function)
+    fewer = [symbol for symbol in symbols if symbol.name in needed]
+    independent = [symbol for symbol in symbols if not symbol.is_correlation]
+    for known in dict.fromkeys(map(tuple, (symbols, independent, fewer))):
+        places = given if given is not None else [(f"argument {n + 1}", False, False) for n, _ in enumerate(known)]
+        yield from islice(_distinct(_all(places, known, stated)), MOST)
+
+
+def _distinct(found: Iterator[Binding]) -> Iterator[Binding]:
+    seen: set[tuple[tuple[Parameter, ...], Form]] = set()
+    for one in found:
+        if (key := (one.parameters, one.form)) not in seen:
+            seen.add(key)
+            yield one
+
+
+def _all(places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]) -> Iterator[Binding]:
+    needed = {symbol.name for symbol in symbols if not symbol.is_correlation}
+    required = [place for place in places if not place[1]]
+    for chosen in _selections(places, required, symbols):
+        first = list(islice((one for one in _scalars(chosen, symbols, stated) if needed <= set(one.symbols)), 1))
+        yield from first
+        yield from (replace(one, form=Form.ARRAYS) for one in first)
+        yield from islice((one for one in _scalars(chosen, symbols, stated) if needed <= set(one.symbols)), 1, None)
+    for chosen in (required, list(places)):
+        for form in (Form.SCALARS, Form.COLUMNS):
+            yield from (replace(one, form=form) for one in _vectors(chosen, symbols, stated))
+
+
+def _selections(places: Declared, required: Declared, symbols: Sequence[Variable]) -> Iterator[Declared]:
+    """All parameters, or without those that may be left out and mean nothing."""
+    meaningful = [place for place in places if not place[1] or meanings(place[0], symbols)]
+    for chosen in (meaningful, list(places), required):
+        if len(chosen) <= len(symbols):
+            yield chosen
+
+
+def _scalars(
+    places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]
+) -> Iterator[Binding]:
+    """One symbol a parameter."""
+    if any(not isinstance(one, str) for one in stated.values()):
+        return
+    names = [symbol.name for symbol in symbols]
+    options = [
+        [str(stated[name])] if name in stated else _unless(meanings(name, symbols), set(stated.values()))
+        for name, _, _ in places
+    ]
+    is_told = False
+    for by_name in islice(product(*(one or [""] for one in options)), MOST):
+        taken = [name for name in by_name if name]
+        if len(set(taken)) < len(taken):
+            continue
+        free = [name for name in names if name not in taken]
+        for rest in islice(permutations(free, by_name.count("")), MOST):
+            left = iter(rest)
+            bound = [name or next(left) for name in by_name]
+            is_told = is_told or len(taken) >= len(places) - 1
+            yield Binding(tuple(map(_parameter, places, bound)))
+    if not stated and not is_told:
+        for order in islice(permutations(names, len(places)), MOST):
+            yield Binding(tuple(map(_parameter, places, order)))
+
+
+def _vectors(
+    places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]
+) -> Iterator[Binding]:
+    """Several symbols in a parameter, which takes a vector."""
+    names = [symbol.name for symbol in symbols]
+    if not 0 < len(places) <= len(names):
+        return
+    known: dict[str, tuple[str, ...]] = {}
+    for name, _, _ in places:
+        if name in stated:
+            known[name] = (stated[name],) if isinstance(stated[name], str) else tuple(stated[name])  # type: ignore[assignment]
+        elif len(places) > 1 and len(found := meanings(name, symbols)) == 1:
+            known[name] = (found[0],)
+    vectors = [place for place in places if place[0] not in known]
+    taken = {name for one in known.values() for name in one}
+    free = [name for name in names if name not in taken]
+    for orders in _orders(free):
+        for groups in _groups(orders, len(vectors)):
+            left = iter(groups)
+            filled = [(place, known.get(place[0]) or next(left)) for place in places]
+            yield Binding(
+                tuple(
+                    Parameter(
+                        name,
+                        tuple(group),
+                        is_vector=name not in known or not isinstance(stated.get(name, ""), str),
+                        is_keyword=by_name,
+                    )
+                    for (name, _, by_name), group in filled
+                )
+            )
+    correlations = {symbol.name for symbol in symbols if symbol.is_correlation}
+    if correlations & set(free):
+        yield from _vectors(places, [symbol for symbol in symbols if symbol.name not in correlations], stated)
+
+
+def _orders(free: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    yield tuple(free)
+    half = len(free) // 2
+    if len(free) % 2 == 0 and half > 1:  # position and velocity by turns
+        yield tuple(name for pair in zip(free[:half], free[half:], strict=True) for name in pair)
+    yield from islice(permutations(free), ORDERS)
+
+
+def _groups(order: Sequence[str], count: int) -> Iterator[list[tuple[str, ...]]]:
+    """The order cut into so many parts."""
+    if count == 0:
+        if not order:
+            yield []
+        return
+    for cuts in combinations(range(1, len(order)), count - 1):
+        ends = [0, *cuts, len(order)]
+        yield [tuple(order[a:b]) for a, b in zip(ends, ends[1:], strict=False)]
+
+
+def _parameter(place: tuple[str, bool, bool], symbol: str) -> Parameter:
+    name, _, by_name = place
+    return Parameter(name, (symbol,), is_keyword=by_name)
+
+
+def _unless(found: list[str], taken: set[Any]) -> list[str]:
+    return [name for name in found if name not in taken]

@@ -1,0 +1,213 @@
+"""Calls a function of the user's, whatever it takes and returns, and makes arrays of what comes back."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.language.tensor import Index
+from radartrack.verification.domain_points import Points
+
+Array = npt.NDArray[np.float64]
+Change = Callable[[Any], Any]
+
+
+class Form(Enum):
+    """How arguments are handed over."""
+
+    SCALARS = "numbers"
+    COLUMNS = "column vectors"
+    ARRAYS = "arrays of one element"
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What is passed in one place.
+
+    Attributes:
+        name: of the parameter.
+        symbols: one, or several in one vector.
+        is_vector: whether they are passed as a vector.
+        is_keyword: whether it is passed by name.
+    """
+
+    name: str
+    symbols: tuple[str, ...]
+    is_vector: bool = False
+    is_keyword: bool = False
+
+    @property
+    def words(self) -> str:
+        """`az: beta`, `state: (x, y)`."""
+        return f"{self.name}: ({', '.join(self.symbols)})" if self.is_vector else f"{self.name}: {self.symbols[0]}"
+
+
+@dataclass(frozen=True)
+class Binding:
+    """Which symbol is passed where, and as what.
+
+    Attributes:
+        parameters: in the order of the call.
+        form: how vectors and numbers are handed over.
+        changes: what is passed in place of a symbol's value: degrees, a variance.
+    """
+
+    parameters: tuple[Parameter, ...]
+    form: Form = Form.SCALARS
+    changes: Mapping[str, Change] = field(default_factory=dict, hash=False)
+
+    @property
+    def symbols(self) -> tuple[str, ...]:
+        """All that are passed, in the order of the call."""
+        return tuple(name for parameter in self.parameters for name in parameter.symbols)
+
+    def arguments(self, point: Mapping[str, float]) -> tuple[list[Any], dict[str, Any]]:
+        """Those at one point, in places and by name."""
+        places: list[Any] = []
+        named: dict[str, Any] = {}
+        for parameter in self.parameters:
+            values = [self.changes.get(name, _itself)(point[name]) for name in parameter.symbols]
+            value = self._handed(values, is_vector=parameter.is_vector)
+            if parameter.is_keyword:
+                named[parameter.name] = value
+            else:
+                places.append(value)
+        return places, named
+
+    def _handed(self, values: list[float], *, is_vector: bool) -> Any:
+        if not is_vector:
+            return np.array(values) if self.form is Form.ARRAYS else float(values[0])
+        return np.array(values)[:, np.newaxis] if self.form is Form.COLUMNS else np.array(values)
+
+
+@dataclass
+class Calls:
+    """What came back at some points.
+
+    Attributes:
+        values: shape (points, entries); NaN where there is no real number.
+        raised: place → what was raised there.
+        complex: places where a complex number came back.
+        wrong: place → a shape that cannot be compared.
+        single: whether all came back in single precision.
+    """
+
+    values: Array
+    raised: dict[int, str] = field(default_factory=dict)
+    complex: list[int] = field(default_factory=list)
+    wrong: dict[int, str] = field(default_factory=dict)
+    single: bool = False
+
+    @property
+    def trouble(self) -> str:
+        """Why there is no value at the first point; empty where there is one."""
+        return self.raised.get(0, "") or self.wrong.get(0, "")
+
+
+def called(function: Callable[..., Any], binding: Binding, points: Points, shape: Index) -> Calls:
+    """The values of a function, one call a point.
+
+    Args:
+        function: whose result has `shape`, or can be seen as having it: a column for a vector, a flat list of the
+            entries, the upper triangle of a symmetric matrix, or one of several results.
+        binding: how it is called.
+        points: symbol name → array of shape (count,).
+        shape: of a result.
+    """
+    count = len(next(iter(points.values()))) if points else 1
+    size = math.prod(shape)
+    calls = Calls(np.full((count, size), np.nan))
+    singles = 0
+    for place in range(count):
+        point = {name: float(values[place]) for name, values in points.items()}
+        places, named = binding.arguments(point)
+        try:
+            with warnings.catch_warnings(), np.errstate(all="ignore"):
+                warnings.simplefilter("ignore")
+                result = function(*places, **named)
+        except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a stranger's function raises
+            calls.raised[place] = f"it raises {type(error).__name__}: {error}".removesuffix(": ")
+            continue
+        found = shaped(result, shape)
+        if isinstance(found, str):
+            calls.wrong[place] = found
+        elif np.iscomplexobj(found) and np.any(np.imag(found) != 0):
+            calls.complex.append(place)
+        else:
+            calls.values[place] = np.real(found).astype(np.float64).reshape(size)
+            singles += found.dtype == np.float32 or _is_single(calls.values[place])
+    calls.single = count > 0 and singles == count
+    return calls
+
+
+def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
+    """The result as an array of a shape; what is wrong with it, in words, where it cannot be one."""
+    found = _array(result)
+    if found is None:
+        fitting = (
+            [one for one in map(_array, result) if one is not None and _fitted(one, shape) is not None]
+            if isinstance(result, tuple | list)
+            else []
+        )
+        if len(fitting) != 1:
+            return f"it returns {_described(result)}; {_spoken(shape)} is wanted"
+        found = fitting[0]
+    fitted = _fitted(found, shape)
+    return f"it returns {_spoken(found.shape)}; {_spoken(shape)} is wanted" if fitted is None else fitted
+
+
+def _array(result: Any) -> npt.NDArray[Any] | None:
+    """An array of numbers; None for what is none."""
+    try:
+        found = np.asarray(result)
+    except (TypeError, ValueError):  # results of different shapes
+        return None
+    if found.dtype == object:
+        try:
+            found = found.astype(np.float64)
+        except (TypeError, ValueError):
+            return None
+    return found if found.dtype.kind in "fiubc" else None
+
+
+def _fitted(found: npt.NDArray[Any], shape: Index) -> npt.NDArray[Any] | None:
+    if found.shape == shape:
+        return found
+    if _without_ones(found.shape) == _without_ones(shape) or (found.ndim == 1 and found.size == math.prod(shape)):
+        return found.reshape(shape)
+    is_square = len(shape) == 2 and shape[0] == shape[1]
+    if is_square and found.ndim == 1 and found.size == shape[0] * (shape[0] + 1) // 2:
+        full = np.zeros(shape, found.dtype)
+        rows, columns = np.triu_indices(shape[0])
+        full[rows, columns] = full[columns, rows] = found
+        return full
+    return None
+
+
+def _without_ones(shape: Index) -> Index:
+    return tuple(size for size in shape if size != 1)
+
+
+def _is_single(values: Array) -> bool:
+    """Whether single precision holds the values, as a float of C is handed over; whole numbers say nothing."""
+    with np.errstate(all="ignore"):
+        return bool(np.all(values == values.astype(np.float32)) and np.any(values != np.round(values)))
+
+
+def _spoken(shape: Index) -> str:
+    return f"an array of shape {shape}" if shape else "a number"
+
+
+def _described(result: Any) -> str:
+    return "nothing" if result is None else f"a {type(result).__name__}"
+
+
+def _itself(value: Any) -> Any:
+    return value

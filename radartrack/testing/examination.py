@@ -1,0 +1,474 @@
+"""The way of a diagnosis: how a function is called, in which convention it is right, what slip it has, how exact it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from difflib import SequenceMatcher
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.comparing.order_of_difference import is_deviation
+from radartrack.derive.units import RADIAN
+from radartrack.testing.argument_bindings import bindings
+from radartrack.testing.argument_names import is_degrees, is_variance
+from radartrack.testing.called_function import Array, Binding, Calls, called
+from radartrack.testing.diagnosis import Diagnosis, Slip, Worst
+from radartrack.testing.function_conventions import (
+    AS_ASKED,
+    ArgumentChange,
+    Arrangement,
+    Arrangements,
+    angles_of,
+    argument_changes,
+    as_variances,
+    deviations_of,
+    in_degrees,
+)
+from radartrack.testing.function_slips import SlipSearch, merged
+from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
+from radartrack.testing.unexplained_difference import described, region
+from radartrack.testing.wanted import Expected, Wanted
+from radartrack.verification.domain_points import Points
+
+FEW = 4  # points that tell one reading from another
+SCREENING = 18
+CONFIRMING = 16
+DOMAIN = 120
+CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
+FAILING = 40  # ways to call it after which a function that raises at all of them is given up
+PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
+READINGS = 3  # in which slips are looked for
+SHOWN = 4
+TURNED = 2.0**-50  # radians that an angle loses when it is turned
+
+
+class CannotDiagnose(ValueError):
+    """A function cannot be called, or what it returns cannot be compared."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to see a function as the quantity.
+
+    Attributes:
+        wanted: what it is compared with, another quantity too.
+        binding: how it is called.
+        change: in which convention of arguments, beyond what was asked for.
+        arrangement: in which order and units of results.
+        wrong: how many different entries are wrong then.
+        other: whether it is compared with another quantity.
+    """
+
+    wanted: Wanted
+    binding: Binding
+    change: ArgumentChange
+    arrangement: Arrangement
+    wrong: int
+    other: bool = False
+
+    @property
+    def cost(self) -> float:
+        """What is left to explain."""
+        conventions = self.change.cost + self.arrangement.cost + self.other
+        return self.wrong + conventions if self.wrong else 0.5 * conventions
+
+    @property
+    def words(self) -> str:
+        """The convention; empty as asked for."""
+        said = " and ".join(filter(None, (self.change.words, self.arrangement.words)))
+        if not self.other:
+            return said
+        return f"this is {self.wanted.name}" + (f" with {said}" if said else "")
+
+
+class Examination:
+    """One function and one quantity."""
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        wanted: Wanted,
+        arguments: Mapping[str, str | Sequence[str]],
+        stated: ArgumentChange,
+    ) -> None:
+        self._function, self._wanted, self._arguments, self._stated = function, wanted, arguments, stated
+        self._tried: dict[tuple[str, ...], tuple[Wanted, Expected]] = {}
+        self._troubles: dict[str, None] = {}
+
+    def diagnosis(self) -> Diagnosis:
+        """What it is.
+
+        Raises:
+            CannotDiagnose: as `diagnose`.
+        """
+        best = self._readings()
+        first = best[0]
+        if first.wrong == 0:
+            return self._right(first)
+        explained = self._slips(first)
+        if explained and first.wrong == 1 and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
+            return self._with_slips(first, explained)
+        other = self._other_quantity(first)
+        if other is not None:
+            return self._right(other)
+        if explained:
+            return self._with_slips(first, explained)
+        for reading in best[1:READINGS]:
+            if (found := self._slips(reading)) is not None:
+                return self._with_slips(reading, found)
+        return self._unexplained(first)
+
+    # How it is called, and in which convention
+
+    def _readings(self) -> list[Reading]:
+        """The readings that leave least to explain, the best first."""
+        found: list[Reading] = []
+        failed = 0
+        for binding in bindings(self._function, self._wanted.symbols, self._arguments, self._wanted.needed):
+            here = list(self._of_binding(binding))
+            failed += not here
+            found += here
+            if any(reading.cost == 0 for reading in here):
+                return sorted(here, key=lambda one: one.cost)
+            if failed >= FAILING and not found:
+                break
+        if not found:
+            raise CannotDiagnose(self._why())
+        found.sort(key=lambda one: one.cost)
+        bare = found[0]
+        for change in argument_changes(bare.wanted.symbols):
+            found += self._read(bare.wanted, bare.binding, change)
+        return sorted(found, key=lambda one: one.cost)
+
+    def _why(self) -> str:
+        if not self._troubles:
+            names = ", ".join(symbol.name for symbol in self._wanted.symbols)
+            return f"the function cannot be called with {names}; say what its parameters take: arguments={{...}}"
+        return "; ".join(list(self._troubles)[:2])
+
+    def _of_binding(self, binding: Binding) -> Iterator[Reading]:
+        """Readings of one way to call it, with what its parameters' names say."""
+        absent = [
+            symbol.name
+            for symbol in self._wanted.symbols
+            if symbol.is_correlation and symbol.name not in binding.symbols
+        ]
+        wanted = self._without(absent)
+        implied = self._implied(binding)
+        for change in dict.fromkeys((implied, AS_ASKED)):
+            yield from self._read(wanted, replace(binding, changes=change.changes), AS_ASKED)
+
+    def _without(self, absent: Sequence[str]) -> Wanted:
+        key = tuple(absent)
+        if key not in self._tried:
+            wanted = self._wanted.without(absent) if absent else self._wanted
+            self._tried[key] = wanted, wanted.ordinary(FEW)
+        return self._tried[key][0]
+
+    def _implied(self, binding: Binding) -> ArgumentChange:
+        """What names of parameters say: `az_deg`, `var_r`."""
+        said = AS_ASKED
+        singles = [(one.name, one.symbols[0]) for one in binding.parameters if len(one.symbols) == 1]
+        degrees = [symbol for name, symbol in singles if is_degrees(name) and symbol in angles_of(self._wanted.symbols)]
+        variances = [
+            symbol for name, symbol in singles if is_variance(name) and symbol in deviations_of(self._wanted.symbols)
+        ]
+        if degrees and not set(degrees) & set(self._stated.changes):
+            said = said.beside(in_degrees(degrees))
+        if variances and not set(variances) & set(self._stated.changes):
+            said = said.beside(as_variances(variances))
+        return said
+
+    def _read(self, wanted: Wanted, binding: Binding, change: ArgumentChange) -> Iterator[Reading]:
+        """Readings in one convention of arguments; none where the function cannot be called so."""
+        inner = ArgumentChange("", binding.changes).beside(self._stated)
+        bound = replace(binding, changes=change.beside(inner).changes)
+        expected = self._expected(wanted)
+        calls = called(self._function, bound, expected.points, wanted.shape)
+        if calls.trouble and not np.isfinite(calls.values).any():
+            self._troubles[calls.trouble] = None
+            return
+        tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
+        found = _unwrapped(calls.values, expected)
+        for wrong, arrangement in _arrangements(wanted).best(found, expected.values, tolerance):
+            yield Reading(wanted, replace(bound, changes=bound.changes), change, arrangement, wrong)
+
+    def _expected(self, wanted: Wanted) -> Expected:
+        for known, expected in self._tried.values():
+            if known is wanted:
+                return expected
+        return wanted.ordinary(FEW)
+
+    def _other_quantity(self, first: Reading) -> Reading | None:
+        """The quantity of the same model that the function is exactly."""
+        own = self._wanted.quantity
+        known = {symbol.name for symbol in first.wanted.symbols}
+        kin = [
+            one
+            for one in catalogue().values()
+            if one.module == own.module
+            and one.shape == own.shape
+            and one is not own
+            and known <= {symbol.name for symbol in one.symbols} <= known | set(first.wanted.given)
+        ]
+        for quantity in sorted(kin, key=lambda one: -SequenceMatcher(None, one.name, own.name).ratio()):
+            given = {s.name: first.wanted.given[s.name] for s in quantity.symbols if s.name in first.wanted.given}
+            wanted = Wanted(quantity, first.wanted.places, first.wanted.shape, given)
+            self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
+            bare = replace(first.binding, changes={})
+            for change in (AS_ASKED, *argument_changes(wanted.symbols)):
+                exact = [one for one in self._read(wanted, bare, change) if one.wrong == 0]
+                if exact and change.cost <= 1:
+                    return replace(min(exact, key=lambda one: one.cost), other=True)
+        return None
+
+    # What it has at points
+
+    def _values(self, reading: Reading, expected: Expected) -> tuple[Calls, Array]:
+        """What came back at some points, and that as the entries that are wanted."""
+        calls = called(self._function, reading.binding, expected.points, reading.wanted.shape)
+        return calls, _unwrapped(reading.arrangement.undone(calls.values), expected, reading.arrangement.offsets)
+
+    # What slip it has
+
+    def _slips(self, reading: Reading) -> tuple[Slip, ...] | None:
+        """For every entry that is wrong the slip that explains it; None where one is left."""
+        screening, confirming = reading.wanted.ordinary(SCREENING), reading.wanted.coarse(CONFIRMING)
+        calls, found = self._values(reading, screening)
+        _, found_there = self._values(reading, confirming)
+        search = SlipSearch(screening, found, confirming, found_there)
+        wrong = self._wrong(calls, found, screening)
+        slips = list(self._exchanged(search, wrong, reading.wanted))
+        explained = {entry for slip in slips for entry in slip.entries}
+        known: dict[Any, Slip | None] = {}
+        for place in wrong:
+            index = reading.wanted.places[place] if reading.wanted.shape else ()
+            if index in explained:
+                continue
+            key = reading.wanted.entries[place], tuple(found[:, place])
+            if key not in known:
+                known[key] = search.slip(place)
+            slip = known[key]
+            if slip is None:
+                return None
+            slips.append(replace(slip, entries=(index,)))
+        return merged(slips)
+
+    @staticmethod
+    def _wrong(calls: Calls, found: Array, expected: Expected) -> list[int]:
+        tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
+        with np.errstate(all="ignore"):
+            right = (np.abs(found - expected.values) <= tolerance).all(axis=0)
+        return [int(place) for place in np.flatnonzero(~right)]
+
+    @staticmethod
+    def _exchanged(search: SlipSearch, wrong: Sequence[int], wanted: Wanted) -> Iterator[Slip]:
+        """Entries that stand in each other's places."""
+        others = {place: search.other_entry(place) for place in wrong}
+        for place, other in others.items():
+            if other is not None and other > place and others.get(other) == place:
+                pair = wanted.places[place], wanted.places[other]
+                yield Slip(pair, "exchanged", "", "", 1.2)
+
+    # What is said of it
+
+    def _right(self, reading: Reading) -> Diagnosis:
+        """Of a function that is right at ordinary points: how exact it is elsewhere, and whether it is right there."""
+        expected = reading.wanted.domain(DOMAIN)
+        calls, found = self._values(reading, expected)
+        epsilon = SINGLE if calls.single else DOUBLE
+        undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
+        computed = np.isfinite(found).all(axis=1)
+        rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= 1000)
+        coarse = self._right_when_coarse(reading)
+        wrong = computed & ~rounding.all(axis=1)
+        for place in np.flatnonzero(wrong):
+            entry = int(np.flatnonzero(~rounding[place])[0])
+            if is_erratic(lambda points: self._at(reading, points), expected.point(int(place)), entry):
+                wrong[place] = False
+        plain = not reading.words
+        if wrong.any() or coarse is not None:
+            return self._elsewhere(reading, expected, found, wrong, coarse, undefined)
+        errors = np.where(computed[:, np.newaxis], expected.errors(np.where(np.isfinite(found), found, 0.0)), 0.0)
+        errors *= DOUBLE / epsilon
+        worst = _worst(expected, found, errors) if errors.size else None
+        indefinite = _indefinite(reading.wanted, expected, found)
+        return Diagnosis(
+            quantity=self._wanted.name,
+            agrees=plain and not undefined,
+            ulp=float(errors.max(initial=0.0)),
+            worst=worst,
+            lost_digits=lost_digits(expected, errors, epsilon),
+            convention=reading.words,
+            undefined=tuple(undefined),
+            remarks=(*indefinite, *self._remarks(reading, calls)),
+            arguments=_said(reading.binding),
+        )
+
+    def _right_when_coarse(self, reading: Reading) -> tuple[Expected, Array, npt.NDArray[np.bool_]] | None:
+        """Points with large errors at which the function is wrong, if any."""
+        expected = reading.wanted.coarse(CONFIRMING)
+        calls, found = self._values(reading, expected)
+        rounding = is_rounding(expected, found, SINGLE if calls.single else DOUBLE).all(axis=1)
+        wrong = np.isfinite(found).all(axis=1) & ~rounding
+        return (expected, found, wrong) if wrong.any() else None
+
+    def _at(self, reading: Reading, points: Points) -> Array:
+        calls = called(self._function, reading.binding, points, reading.wanted.shape)
+        return reading.arrangement.undone(calls.values)
+
+    def _changing(self, reading: Reading) -> Iterator[str]:
+        """Whether two calls give the same."""
+        expected = self._expected(reading.wanted)
+        first, second = (self._values(reading, expected)[1] for _ in range(2))
+        if not np.array_equal(first, second, equal_nan=True):
+            yield "not deterministic: two calls with the same arguments give different values"
+
+    def _elsewhere(
+        self,
+        reading: Reading,
+        expected: Expected,
+        found: Array,
+        wrong: npt.NDArray[np.bool_],
+        coarse: tuple[Expected, Array, npt.NDArray[np.bool_]] | None,
+        undefined: Sequence[str],
+    ) -> Diagnosis:
+        """Of a function that is right at some points and wrong at others."""
+        if not wrong.any() and coarse is not None:
+            expected, found, wrong = coarse
+        where = region(expected, wrong)
+        errors = np.where(wrong[:, np.newaxis], expected.errors(np.where(np.isfinite(found), found, 0.0)), 0.0)
+        return Diagnosis(
+            quantity=self._wanted.name,
+            agrees=False,
+            worst=_worst(expected, found, errors),
+            convention=reading.words,
+            differences=(f"it is right at ordinary points, and wrong {where}",),
+            undefined=tuple(undefined),
+            remarks=self._remarks(reading, None),
+            arguments=_said(reading.binding),
+        )
+
+    def _with_slips(self, reading: Reading, slips: tuple[Slip, ...]) -> Diagnosis:
+        expected = reading.wanted.ordinary(SCREENING)
+        calls, found = self._values(reading, expected)
+        errors = expected.errors(np.where(np.isfinite(found), found, 0.0))
+        return Diagnosis(
+            quantity=self._wanted.name,
+            agrees=False,
+            worst=_worst(expected, found, errors),
+            convention=reading.words,
+            slip="; ".join(map(str, slips)),
+            slips=slips,
+            remarks=self._remarks(reading, calls),
+            arguments=_said(reading.binding),
+        )
+
+    def _unexplained(self, reading: Reading) -> Diagnosis:
+        expected = reading.wanted.ordinary(SCREENING)
+        calls, found = self._values(reading, expected)
+        wrong = self._wrong(calls, found, expected)
+        errors = expected.errors(np.where(np.isfinite(found), found, 0.0))
+
+        def difference(points: Points) -> Array:
+            there = reading.wanted.at(points)
+            return (
+                self._at(reading, points) - there.values
+                if there.count == len(next(iter(points.values())))
+                else np.full((len(next(iter(points.values()))), len(reading.wanted.places)), np.nan)
+            )
+
+        words = list(described(reading.wanted, wrong, difference, expected.point(0)))
+        return Diagnosis(
+            quantity=self._wanted.name,
+            agrees=False,
+            worst=_worst(expected, found, errors),
+            convention=reading.words,
+            differences=tuple(words) or ("it differs",),
+            undefined=tuple(_undefined(calls, found, expected)),
+            remarks=self._remarks(reading, calls),
+            arguments=_said(reading.binding),
+        )
+
+    def _remarks(self, reading: Reading, calls: Calls | None) -> tuple[str, ...]:
+        zero = sorted(set(reading.wanted.given) - set(self._wanted.given))
+        said = [f"for {', '.join(f'{name} = 0' for name in zero)}, as it takes no {', '.join(zero)}"] if zero else []
+        if calls is not None and calls.single:
+            said.append("it returns single precision, in whose units errors are told")
+        return tuple(said)
+
+
+def _arrangements(wanted: Wanted) -> Arrangements:
+    return Arrangements(wanted)
+
+
+def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -> Array:
+    """Angles that come back, moved by whole turns to the exact ones; a turned one is as exact as the turn, no more."""
+    wanted = expected.wanted
+    if len(wanted.quantity.shape) > 1:
+        return found
+    found = found.copy()
+    for column, place in enumerate(wanted.places):
+        if wanted.quantity.unit(place) == RADIAN and not any(is_deviation(s) for s in wanted.symbols):
+            exact = expected.values[:, column]
+            with np.errstate(all="ignore"):
+                turns = np.nan_to_num(np.round((found[:, column] - exact) / (2 * np.pi)), posinf=0.0, neginf=0.0)
+            moved = found[:, column] - 2 * np.pi * turns
+            turned = (turns != 0) | (offsets is not None and offsets[column] != 0)
+            same = turned & (np.abs(moved - exact) <= TURNED)
+            found[:, column] = np.where(same, exact, np.where(turns, moved, found[:, column]))
+    return found
+
+
+def _worst(expected: Expected, found: Array, errors: Array) -> Worst:
+    place, entry = np.unravel_index(int(errors.argmax()), errors.shape)
+    index = expected.wanted.places[int(entry)] if expected.wanted.shape else ()
+    return Worst(
+        index,
+        expected.point(int(place)),
+        float(found[place, entry]),
+        float(expected.values[place, entry]),
+    )
+
+
+def _undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[str]:
+    """Where there is no real number, one line for each kind."""
+    kinds: dict[str, list[int]] = {}
+    for place, words in calls.raised.items():
+        kinds.setdefault(words, []).append(place)
+    for place, words in calls.wrong.items():
+        kinds.setdefault(words, []).append(place)
+    if calls.complex:
+        kinds["it is complex"] = calls.complex
+    quiet = set(range(expected.count)) - {place for places in kinds.values() for place in places}
+    for place in sorted(quiet):
+        if not np.isfinite(found[place]).all():
+            kinds.setdefault("it is infinite" if np.isinf(found[place]).any() else "it is undefined", []).append(place)
+    for words, places in list(kinds.items())[:SHOWN]:
+        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(places[0]).items())
+        yield f"{words} at {len(places)} of {expected.count} points, such as {at}"
+
+
+def _indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[str]:
+    """Where what should be a covariance is none."""
+    if not wanted.quantity.is_covariance or len(wanted.shape) != 2:
+        return
+    scale = np.sqrt(np.abs(np.diagonal(expected.values.reshape(-1, *wanted.shape), axis1=1, axis2=2)))
+    with np.errstate(all="ignore"):
+        matrices = found.reshape(-1, *wanted.shape) / (scale[:, :, np.newaxis] * scale[:, np.newaxis, :])
+    usable = np.isfinite(matrices).all(axis=(1, 2))
+    lowest = np.array(
+        [np.linalg.eigvalsh(one).min() if fine else 0.0 for one, fine in zip(matrices, usable, strict=True)]
+    )
+    if lowest.min(initial=0.0) < -1e-3:
+        place = int(np.flatnonzero(lowest < -1e-3)[0])
+        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(place).items())
+        yield f"indefinite, which no covariance is, at {int((lowest < -1e-3).sum())} of {expected.count} points, such as {at}"
+
+
+def _said(binding: Binding) -> tuple[str, ...]:
+    return tuple(parameter.words for parameter in binding.parameters)

@@ -1,0 +1,295 @@
+"""Other conventions in which a function may be right: of what it takes, and of the order and units of its results."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations, permutations, product
+
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive.checking.comparing.order_of_difference import is_deviation
+from radartrack.derive.language.tensor import Index, indices
+from radartrack.derive.language.variable import Variable
+from radartrack.derive.units import RADIAN
+from radartrack.testing.called_function import Array, Change
+from radartrack.testing.wanted import Wanted
+
+LONGEST = 4  # rows whose orders are all tried
+HALF_TURN = 180 / math.pi
+UNLIKELY = 3  # of a convention that one wrong sign explains as well
+AZIMUTH, ELEVATION, PREDICTED = "beta", "epsilon", "predicted_"
+
+
+@dataclass(frozen=True)
+class ArgumentChange:
+    """What is passed in place of some symbols.
+
+    Attributes:
+        words: the convention; empty for what was asked for.
+        changes: symbol → what is passed for its value.
+        cost: how many conventions that are.
+    """
+
+    words: str = ""
+    changes: Mapping[str, Change] = field(default_factory=dict, hash=False)
+    cost: int = 0
+
+    def beside(self, other: ArgumentChange) -> ArgumentChange:
+        """Both; of a symbol that both change, the other is applied last."""
+        both = dict(self.changes)
+        for name, change in other.changes.items():
+            both[name] = _after(change, both[name]) if name in both else change
+        words = " and ".join(filter(None, (self.words, other.words)))
+        return ArgumentChange(words, both, self.cost + other.cost)
+
+
+AS_ASKED = ArgumentChange()
+
+
+def in_degrees(names: Sequence[str]) -> ArgumentChange:
+    """Some angles, or deviations of angles, in degrees."""
+    return ArgumentChange(f"{_listed(names)} in degrees", dict.fromkeys(names, math.degrees), 1)
+
+
+def as_variances(names: Sequence[str]) -> ArgumentChange:
+    """Variances in place of some deviations."""
+    return ArgumentChange(f"variances in place of {_listed(names)}", dict.fromkeys(names, _squared), 1)
+
+
+def angles_of(symbols: Sequence[Variable]) -> list[str]:
+    """Angles and deviations of angles."""
+    return [symbol.name for symbol in symbols if symbol.unit == RADIAN]
+
+
+def deviations_of(symbols: Sequence[Variable]) -> list[str]:
+    """Standard deviations."""
+    return [symbol.name for symbol in symbols if is_deviation(symbol)]
+
+
+def argument_changes(symbols: Sequence[Variable]) -> list[ArgumentChange]:
+    """Single conventions of arguments, then two of different kinds together."""
+    kinds = [list(_degrees(symbols)), list(_variances(symbols)), list(_other_axes(symbols))]
+    singles = [change for kind in kinds for change in kind]
+    doubles = [a.beside(b) for first, second in combinations(kinds, 2) for a, b in product(first, second)]
+    return [*singles, *doubles]
+
+
+def _degrees(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
+    every = angles_of(symbols)
+    spread = [name for name in every if name in deviations_of(symbols)]
+    directions = [name for name in every if name not in spread]
+    for names in dict.fromkeys(map(tuple, (every, directions, spread))):
+        if names:
+            yield in_degrees(names)
+
+
+def _variances(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
+    every = deviations_of(symbols)
+    measured = [name for name in every if not name.startswith(PREDICTED)]
+    predicted = [name for name in every if name.startswith(PREDICTED)]
+    for names in dict.fromkeys(map(tuple, (every, measured, predicted, *([name] for name in every)))):
+        if names:
+            yield as_variances(names)
+
+
+def _other_axes(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
+    """An azimuth from the other axis, in the other sense, so that a correlation with it may change its sign."""
+    names = [symbol.name for symbol in symbols]
+    correlations = [symbol.name for symbol in symbols if symbol.is_correlation]
+    for angle, words in ((AZIMUTH, "from the other axis"), (ELEVATION, "from the zenith")):
+        if angle in names:
+            turned = ArgumentChange(f"{angle} counted {words} (pi/2 - {angle})", {angle: _complement}, 1)
+            yield turned
+            if correlations:
+                opposite = dict.fromkeys(correlations, _negative)
+                yield turned.beside(ArgumentChange(f"the opposite sign of {_listed(correlations)}", opposite))
+            if angle == AZIMUTH:
+                yield ArgumentChange(f"{angle} counted in the other sense (-{angle})", {angle: _negative}, UNLIKELY)
+
+
+@dataclass(frozen=True, eq=False)
+class Arrangement:
+    """In which order and units the entries come back.
+
+    Attributes:
+        words: the convention; empty for what was asked for.
+        sources: for each entry that is wanted, where it stands among those that come back.
+        factors: what comes back is so many times the entry,
+        offsets: and so much more, up to whole turns.
+        cost: how many conventions that are.
+    """
+
+    words: str
+    sources: tuple[int, ...]
+    factors: Array
+    offsets: Array
+    cost: int
+
+    def undone(self, found: Array) -> Array:
+        """The entries that are wanted, from what came back."""
+        values = (found[:, list(self.sources)] - self.offsets) / self.factors
+        turned = self.offsets != 0
+        values[:, turned] = np.angle(np.exp(1j * values[:, turned]))
+        return values
+
+
+class Arrangements:
+    """Those that a quantity allows."""
+
+    def __init__(self, wanted: Wanted) -> None:
+        self._wanted = wanted
+        self._size = len(wanted.places)
+
+    @cached_property
+    def units(self) -> list[tuple[str, Array, Array, int]]:
+        """Words, factors, offsets, cost."""
+        ones, zeros = np.ones(self._size), np.zeros(self._size)
+        found = [("", ones, zeros, 0)]
+        powers = np.array([float(self._wanted.quantity.unit(place).radian) for place in self._wanted.places])
+        if powers.any():
+            found.append(("the result in degrees", HALF_TURN**powers, zeros, 1))
+        found.append(("the opposite sign", -ones, zeros, 1))
+        if (turned := self._azimuth) is not None:
+            offset = np.where(turned, np.pi / 2, 0.0) if self._is_map else zeros
+            found.append(
+                ("the azimuth counted from the other axis (pi/2 - beta)", np.where(turned, -1.0, 1.0), offset, 1)
+            )
+        return found
+
+    @cached_property
+    def _azimuth(self) -> npt.NDArray[np.bool_] | None:
+        """The entries that belong to an azimuth that comes back."""
+        quantity = self._wanted.quantity
+        if not quantity.axes or RADIAN not in quantity.axes[0]:
+            return None
+        row = quantity.axes[0].index(RADIAN)
+        turned = np.array([place[0] == row for place in self._wanted.places])
+        return turned if turned.any() else None
+
+    @property
+    def _is_map(self) -> bool:
+        return len(self._wanted.quantity.shape) == 1
+
+    @cached_property
+    def orders(self) -> list[tuple[str, tuple[int, ...], int]]:
+        """Words, sources, cost."""
+        shape = self._wanted.shape
+        flat = {index: place for place, index in enumerate(indices(shape))}
+        own = tuple(range(self._size))
+        found: dict[tuple[int, ...], tuple[str, int]] = {own: ("", 0)}
+        for words, moved, cost in _moves(shape, self._names):
+            found.setdefault(tuple(flat[moved(index)] for index in indices(shape)), (words, cost))
+        return [(words, sources, cost) for sources, (words, cost) in found.items()]
+
+    @property
+    def _names(self) -> Sequence[str]:
+        """What the last axis belongs to, where it belongs to the arguments of a map."""
+        state = [s.name for s in self._wanted.quantity.symbols if not is_deviation(s) and not s.is_correlation]
+        is_derivative = self._wanted.quantity.name.endswith((".jacobian", ".hessian"))
+        fits = bool(self._wanted.shape) and self._wanted.shape[-1] == len(state)
+        return state if is_derivative and fits else ()
+
+    def best(self, found: Array, expected: Array, tolerance: Array) -> Iterator[tuple[int, Arrangement]]:
+        """How many different entries each arrangement leaves wrong; one for each of the units, the best order."""
+        for words, factors, offsets, cost in self.units:
+            back = (found[:, np.newaxis, :] - offsets[:, np.newaxis]) / factors[:, np.newaxis]
+            if offsets.any():
+                back = np.where(offsets[:, np.newaxis] != 0, np.angle(np.exp(1j * back)), back)
+            with np.errstate(all="ignore"):
+                same = (np.abs(back - expected[:, :, np.newaxis]) <= tolerance[:, :, np.newaxis]).all(axis=0)
+            counted = [(self._wrong(same, sources), own, said, sources) for said, sources, own in self.orders]
+            for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
+                both = " and ".join(filter(None, (said, words)))
+                yield wrong, Arrangement(both, sources, factors, offsets, cost + own)
+
+    def _wrong(self, same: npt.NDArray[np.bool_], sources: tuple[int, ...]) -> int:
+        entries = self._wanted.entries
+        return len({entries[place] for place, source in enumerate(sources) if not same[place, source]})
+
+
+def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, _Move, int]]:
+    """Where an entry stands in another order, what that is called, and what it costs."""
+    if len(shape) == 1:
+        for order in _orders(shape[0]):
+            yield f"the entries in the order {_spoken(order)}", _Move((order,)), 1
+        return
+    if len(shape) < 2:
+        return
+    square = shape[-1] == shape[-2]
+    if square and len(shape) == 2:
+        yield "transposed", _Move(transposed=True), 1
+    if len(set(shape)) == 1 and len(shape) == 3:
+        yield "the first axis last", _Move(last=True), 1
+    rest = len(shape) - 1
+    if square and len(shape) == 2:
+        for order in _orders(shape[0]):
+            yield f"rows and columns in the order {_spoken(order)}", _Move((order, order)), 1
+    for rows in _orders(shape[0]):
+        yield f"the rows in the order {_spoken(rows)}", _Move((rows, *(_own(shape[1]),) * rest)), 1
+    for columns in _orders(shape[1]):
+        yield f"the columns in the order {_spoken(columns, names)}", _Move((_own(shape[0]), *(columns,) * rest)), 1
+    if max(shape) < LONGEST:
+        for rows, columns in product(_orders(shape[0]), _orders(shape[1])):
+            words = f"the rows in the order {_spoken(rows)} and the columns in the order {_spoken(columns, names)}"
+            yield words, _Move((rows, *(columns,) * rest)), 2
+
+
+@dataclass(frozen=True)
+class _Move:
+    """Where an entry that is wanted stands among those that come back."""
+
+    orders: tuple[tuple[int, ...], ...] = ()
+    transposed: bool = False
+    last: bool = False
+
+    def __call__(self, index: Index) -> Index:
+        if self.transposed:
+            return index[::-1]
+        if self.last:
+            return (*index[1:], index[0])
+        return tuple(order.index(i) for order, i in zip(self.orders, index, strict=True))
+
+
+def _orders(size: int) -> Iterator[tuple[int, ...]]:
+    """All orders of few things; of many, what stands by turns: positions and velocities, or axis by axis."""
+    if size <= LONGEST:
+        yield from permutations(range(size))
+        return
+    for groups in (2, 3):
+        if size % groups == 0:
+            step = size // groups
+            yield tuple(part * step + place for place in range(step) for part in range(groups))
+            yield tuple(place * groups + part for part in range(groups) for place in range(step))
+
+
+def _own(size: int) -> tuple[int, ...]:
+    return tuple(range(size))
+
+
+def _spoken(order: Sequence[int], names: Sequence[str] = ()) -> str:
+    """By the names of what is put in order, or by numbers."""
+    return ", ".join(names[place] if names else str(place) for place in order)
+
+
+def _listed(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _after(last: Change, first: Change) -> Change:
+    return lambda value: last(first(value))
+
+
+def _squared(value: float) -> float:
+    return value * value
+
+
+def _complement(value: float) -> float:
+    return math.pi / 2 - value
+
+
+def _negative(value: float) -> float:
+    return -value

@@ -1,0 +1,133 @@
+"""Where a right function loses its digits: at which deviations, how many, and by which subtraction."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+import mpmath
+import numpy as np
+import numpy.typing as npt
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.stable.term_sizes import term_sizes
+from radartrack.derive.symbolic import Expr
+from radartrack.testing.called_function import Array
+from radartrack.testing.diagnosis import LostDigits
+from radartrack.testing.function_conventions import deviations_of
+from radartrack.testing.wanted import Expected
+
+MANY_ULP = 1000.0  # three digits
+ALLOWANCE = 2.0**12  # units of rounding of the sizes of the terms that a textbook form may be off by
+DOUBLE, SINGLE = 2.0**-52, 2.0**-23
+CLEAR = 0.3  # correlation of the error with a symbol from which it is said to grow with it
+LONG = 100
+STEPS = (-7, -5, -3, -2, 2, 3, 5, 7)  # units in the last place by which an argument is moved
+SCATTER = 0.05
+
+
+def is_rounding(expected: Expected, found: Array, epsilon: float) -> npt.NDArray[np.bool_]:
+    """Where the difference is no more than rounding in the derived formula as it stands may make."""
+    wanted = expected.wanted
+    sizes = Tensor((len(wanted.entries),), tuple(map(term_sizes, wanted.entries)))
+    evaluator = Evaluator(sizes, wanted.quantity.symbols)
+    allowed = np.zeros(found.shape)
+    for place in range(expected.count):
+        try:
+            allowed[place] = [float(value) for value in evaluator(list(expected.point(place).values()))]
+        except (ArithmeticError, TypeError, ValueError):
+            allowed[place] = np.inf
+    allowed = np.maximum(allowed, expected.scales)
+    with np.errstate(all="ignore"):
+        return np.asarray(np.abs(found - expected.values) <= ALLOWANCE * epsilon * allowed)
+
+
+def is_erratic(
+    values_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array], point: dict[str, float], entry: int
+) -> bool:
+    """Whether the values jump when the arguments move by their last digits, as only rounding makes them do."""
+    near = {name: np.array([value * (1 + step * DOUBLE) for step in STEPS]) for name, value in point.items()}
+    values = values_near(near)[:, entry]
+    if not np.isfinite(values).all():
+        return False
+    size = float(np.abs(values).max())
+    return size > 0 and float(np.abs(np.diff(values)).max()) > SCATTER * size
+
+
+def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits | None:
+    """How many digits are lost, and where; None where hardly any are.
+
+    Args:
+        expected: the exact values.
+        errors: of the function there, in ulp of its precision, shape (points, entries).
+        epsilon: the unit of its precision.
+    """
+    if not errors.size or errors.max() <= MANY_ULP:
+        return None
+    place, entry = np.unravel_index(int(errors.argmax()), errors.shape)
+    held = -math.log10(epsilon)
+    digits = min(math.floor(math.log10(max(errors.max(), 1.0))), math.ceil(held))
+    quantity = expected.wanted.quantity
+    return LostDigits(
+        digits,
+        _where(expected, errors.max(axis=1), int(place)),
+        _subtraction(expected.wanted.entries[int(entry)], expected, int(place)),
+        f"radartrack.generated.{quantity.module}.{quantity.function}",
+    )
+
+
+def _where(expected: Expected, errors: npt.NDArray[np.float64], place: int) -> str:
+    """The symbol with which the error grows or falls most clearly, and from which value on."""
+    logarithms = np.log10(np.maximum(errors, 1.0))
+    found: dict[str, float] = {}
+    for symbol in expected.wanted.symbols:
+        values = np.abs(expected.points[symbol.name])
+        if symbol.low >= 0 and (values > 0).all() and np.ptp(values) > 0:
+            found[symbol.name] = float(np.corrcoef(np.log10(values), logarithms)[0, 1])
+    spread = {name: clear for name, clear in found.items() if name in deviations_of(expected.wanted.symbols)}
+    chosen = spread if any(clear < -CLEAR for clear in spread.values()) else found
+    name = max(chosen, key=lambda name: abs(chosen[name]), default="")
+    best = chosen.get(name, 0.0)
+    if abs(best) < CLEAR:
+        at = ", ".join(f"{one} = {value:.3g}" for one, value in expected.point(place).items())
+        return f"at {at}"
+    bad = np.abs(expected.points[name])[errors > MANY_ULP]
+    small = best < 0
+    return f"where {name} is {'small' if small else 'large'} ({name} {'<=' if small else '>='} {bad.max() if small else bad.min():.1e})"
+
+
+def _subtraction(entry: Expr, expected: Expected, place: int) -> str:
+    """The sum of the derived formula whose terms cancel most there."""
+    worst, found = 3.0, ""
+    point = list(expected.point(place).values())
+    for total in _sums(entry):
+        try:
+            whole, *terms = Evaluator(
+                Tensor((1 + len(total.args),), (total, *total.args)), expected.wanted.quantity.symbols
+            )(point)
+        except (ArithmeticError, TypeError, ValueError):
+            continue
+        size = sum(abs(term) for term in terms)
+        digits = 50.0 if not whole else float(mpmath.log10(size / abs(whole)))
+        if digits > worst:
+            text = to_text(to_tree(total))
+            text = text if len(text) <= LONG else f"{text[: LONG - 3]}..."
+            worst, found = digits, f"written as it stands, {text} cancels to one part in 1e{math.floor(digits)}"
+    return found
+
+
+def _sums(entry: Expr) -> Iterator[Expr]:
+    seen: set[Expr] = set()
+    waiting = [entry]
+    while waiting:
+        node = waiting.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        if isinstance(node, sp.Add):
+            yield node
+        waiting.extend(node.args)
