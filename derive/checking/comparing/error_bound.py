@@ -41,8 +41,11 @@ def largest_error(relative: Relative, domain: Domain) -> Worst:
 
 def proved_within(error: Expr, bound: float, symbols: Sequence[Variable], seconds: float = SECONDS) -> bool:
     """Whether an error is proved to stay within a bound over a domain; False says nothing."""
-    forms = list(dict.fromkeys([_shortened(error), error]))  # one may cancel where the other does not
-    used = [symbol for symbol in symbols if symbol in error.free_symbols]
+    shortened = _shortened(error)
+    used = [symbol for symbol in symbols if symbol in shortened.free_symbols]
+    forms = [shortened]
+    if error.free_symbols == shortened.free_symbols:
+        forms.append(error)  # it may be narrow where the other is not
     waiting = [tuple((symbol.low, symbol.high) for symbol in used)]
     until = time.monotonic() + seconds
     while waiting:

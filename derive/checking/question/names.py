@@ -342,8 +342,16 @@ def symbols_for(
     known = [*quantities, *(found for name in mentioned if (found := _found(name, world)))]
     modules = {quantity.module for quantity in known} if of_models else set()
     family = (one for one in (*catalogue().values(), *world.quantities.values()) if one.module in modules)
-    own = {symbol.name: symbol for quantity in (*family, *known) for symbol in quantity.symbols}
+    own = each_once(symbol for quantity in (*family, *known) for symbol in quantity.symbols)
     return own | {name: _letter(letter, own.get(name)) for name, letter in world.letters.items()}
+
+
+def each_once(symbols: Iterable[Variable]) -> dict[str, Variable]:
+    """Each symbol once: the number of scans of several quantities is as large as all of them ask."""
+    found: dict[str, Variable] = {}
+    for symbol in symbols:
+        found[symbol.name] = max(found.get(symbol.name, symbol), symbol, key=lambda one: one.low)
+    return found
 
 
 def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[str, Variable]:
