@@ -30,7 +30,7 @@ from radartrack.derive.checking.question.printed_formula import conditions_for, 
 from radartrack.derive.checking.question.world import ImplicitDefinition, World
 from radartrack.derive.checking.repairing.reworked_edits import edits_that
 from radartrack.derive.checking.reporting.barrier import attempted
-from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.formula.error import FormulaError
@@ -139,7 +139,7 @@ class _Solution:
         findings = [
             (question, _found(question, entry)) for question in questions for entry in question.printed.entries.indices
         ]
-        question, worst = max(findings, key=lambda pair: _GRAVITY.index(pair[1].outcome))
+        question, worst = max(findings, key=lambda pair: GRAVITY.index(pair[1].outcome))
         if worst.outcome in (Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS):
             told = worst.reason if worst.outcome is Outcome.WRONG_DIMENSIONS else "it is not satisfied"
             wrong = self.verdict(worst.outcome, f"{question.reference.text}: {told}", _example(worst, question.symbols))
@@ -209,7 +209,13 @@ class _Solution:
         """For each equation whether it vanishes."""
         names = self.names.knowing(values)
         under_these = self._conditions if conditions is None else conditions
-        return [_vanishing(text, _difference(text, names), names, under_these) for text in self.definition.equations]
+        return [_vanishing(text, tree, names, under_these) for text, tree in self._equations.items()]
+
+    @cached_property
+    def _equations(self) -> dict[str, Tree]:
+        """The equations as they are read, which is done once for all that is tried as a solution."""
+        names = self.names.knowing(self._values(self.tree))
+        return {text: _difference(text, names) for text in self.definition.equations}
 
     def against_conditions(self) -> Verdict | None:
         """The verdict where a condition does not hold; None where all do."""
@@ -254,15 +260,6 @@ class _Solution:
             for entry in question.printed.expressions
         )
         return proved and changed.against_conditions() is None
-
-
-_GRAVITY = (
-    Outcome.EQUAL,
-    Outcome.EQUAL_NUMERICALLY,
-    Outcome.UNDECIDED,
-    Outcome.DIFFERS,
-    Outcome.WRONG_DIMENSIONS,
-)
 
 
 def _found(question: Question, entry: Index) -> Finding:
