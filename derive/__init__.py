@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from radartrack.derive.language.variable import Variable, angle, correlation, deviation, length, speed
     from radartrack.derive.moments.conversion_quantities import quantities_of, word_to_order
     from radartrack.derive.moments.validity_of_linearisation import validity
+    from radartrack.derive.reading.model_table import data_of, read_models
 
 _HOMES = {
     "catalogue": ("find",),
@@ -22,6 +23,7 @@ _HOMES = {
     "moments.conversion_quantities": ("quantities_of", "word_to_order"),
     "language.model": ("Model",),
     "moments.validity_of_linearisation": ("validity",),
+    "reading.model_table": ("data_of", "read_models"),
     "language.quantity": ("Quantity",),
     "language.source": ("Source",),
     "language.variable": ("Variable", "angle", "correlation", "deviation", "length", "speed"),
@@ -36,10 +38,12 @@ __all__ = [
     "angle",
     "check",
     "correlation",
+    "data_of",
     "deviation",
     "find",
     "length",
     "quantities_of",
+    "read_models",
     "speed",
     "validity",
     "word_to_order",

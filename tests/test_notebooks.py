@@ -17,7 +17,15 @@ def notebook(request: pytest.FixtureRequest) -> Any:
 
 def test_there_is_one_for_each_paper_and_each_use() -> None:
     names = {path.stem for path in NOTEBOOKS}
-    assert names >= {"prosov", "gao", "gorshkov", "model_of_your_own", "audit_a_paper", "choose_a_conversion"}
+    assert names >= {
+        "prosov",
+        "gao",
+        "gorshkov",
+        "model_of_your_own",
+        "audit_a_paper",
+        "audit_an_unknown_sensor",
+        "choose_a_conversion",
+    }
 
 
 def test_every_cell_was_executed_in_order_without_errors(notebook: Any) -> None:

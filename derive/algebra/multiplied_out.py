@@ -8,6 +8,7 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.symbolic import Expr
 
 CEILING = 10**9  # from where on it is not counted more exactly
+WAVES = (sp.cos, sp.cosh, sp.sin, sp.sinh)  # each is a sum of two exponentials
 WIDEST = 400  # summands of a sum whose power is counted
 
 
@@ -28,4 +29,4 @@ def _joined(expression: Expr, inner: list[int]) -> int:
     if isinstance(expression, sp.Pow) and isinstance(expression.exp, sp.Rational):
         power = -(-abs(int(expression.exp.p)) // int(expression.exp.q))
         return comb(min(inner[0], WIDEST) + power - 1, power)
-    return max(inner, default=1)
+    return max([2 if isinstance(expression, WAVES) else 1, *inner])

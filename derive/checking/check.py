@@ -47,7 +47,7 @@ from radartrack.derive.checking.repairing.rounded_decimals import meant
 from radartrack.derive.checking.repairing.slips_inside import Repair, Slip, has_inside
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
-from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
@@ -298,7 +298,7 @@ class Question:
     @property
     def is_equal(self) -> bool:
         """Whether all entries are."""
-        return all(self.finding(entry).outcome in _GRAVITY[:2] for entry, _ in self.printed.entries.items())
+        return all(self.finding(entry).outcome in GRAVITY[:2] for entry, _ in self.printed.entries.items())
 
     @cached_property
     def domain(self) -> Domain:
@@ -311,7 +311,7 @@ class Question:
         What is said beside it takes longest, and may fail: the verdict is known before.
         """
         findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
-        worst = max(findings, key=lambda finding: _GRAVITY.index(finding.outcome))
+        worst = max(findings, key=lambda finding: GRAVITY.index(finding.outcome))
         conditions = tuple(f"{symbol} = {value}" for symbol, value in self.conditions.items())
         wrong = [finding for finding in findings if finding.outcome in _WRONG]
         verdict = Verdict(
@@ -507,13 +507,6 @@ class Question:
         return counterexample(values, entry, worst, self.symbols)
 
 
-_GRAVITY = (
-    Outcome.EQUAL,
-    Outcome.EQUAL_NUMERICALLY,
-    Outcome.UNDECIDED,
-    Outcome.DIFFERS,
-    Outcome.WRONG_DIMENSIONS,
-)
 _WRONG = {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
 
 

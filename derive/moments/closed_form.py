@@ -22,7 +22,7 @@ class Closed:
         self.map: Tensor[ExponentialPolynomial] = model.map.map(lambda h: ExponentialPolynomial.read(h, ring))
         self._measurement = GaussianOperator(model.measured, model.covariance)
         self._prediction = GaussianOperator(model.measured, model.prediction_covariance)
-        self.map.map(self.expectation)
+        self.map.map(self._measurement.require_closed)
 
     def expectation(self, value: ExponentialPolynomial, time: Fraction | int = 1) -> ExponentialPolynomial:
         """e^(tL) f over the measurement error."""

@@ -38,6 +38,16 @@ class GaussianOperator:
         )
         return ExponentialPolynomial.total(value.ring, parts)
 
+    def require_closed(self, value: ExponentialPolynomial) -> None:
+        """Check, without working anything out, that e^(tL) f has a closed form.
+
+        Raises:
+            NotExponentialPolynomial: when an exponent of `value` is not linear in the variables.
+        """
+        for exponent in value.terms:
+            for variable in self.variables:
+                self._slope(exponent, variable)
+
     def exponential(self, value: ExponentialPolynomial, time: Fraction | int = 1) -> ExponentialPolynomial:
         """e^(tL) f in closed form.
 

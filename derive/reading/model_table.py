@@ -38,6 +38,7 @@ MOST_MODELS = 20
 MOST_SYMBOLS = 12  # measured, and parameters
 MOST_OUTPUTS = 6
 MOST_CHARACTERS = 10_000  # of a formula
+DEEPEST = 50  # definitions within definitions
 MOST_TERMS = 1_000  # of an output, multiplied out
 
 Table = Mapping[str, Any]
@@ -314,6 +315,8 @@ class _Definitions:
         if name in self._open:
             ring = " → ".join([*self._open[self._open.index(name) :], name])
             raise TableError(f"needs a definition that needs itself: {ring[:SHOWN]}")
+        if len(self._open) > DEEPEST:
+            raise TableError(f"needs definitions that need others, more than {DEEPEST} deep")
         if name not in self._trees:
             self._open.append(name)
             try:

@@ -25,7 +25,7 @@ def expectation(function: Expr, deviations: Mapping[Symbol, Expr]) -> Expr:
     """
     variables = tuple(deviations)
     constants = Constants(variables)
-    function = constants.hidden(sp.expand(function))
+    function = sp.expand(constants.hidden(function))
     deviations = {symbol: constants.hidden(sigma) for symbol, sigma in deviations.items()}
     covariance = [[sigma**2 if a is b else sp.Integer(0) for b in variables] for a, sigma in deviations.items()]
     symbols = {*variables, *function.free_symbols}.union(*(sigma.free_symbols for sigma in deviations.values()))

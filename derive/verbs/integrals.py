@@ -20,6 +20,7 @@ from radartrack.derive.verbs.constants import Constants
 from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
 from radartrack.derive.verbs.partial_fractions import PartialFraction, partial_fractions
 
+HIGHEST_POWER = 30  # of the variable, beside an exponential
 ZERO: Expr = sp.Integer(0)
 
 
@@ -32,7 +33,7 @@ def integrated(function: Expr, variable: Symbol, low: Expr, high: Expr) -> Expr:
     """
     symbol = sp.Symbol(f"{{{variable.name}}}", real=True)  # the domain of the paper's letter does not hold here
     constants = Constants([symbol])
-    hidden = constants.hidden(sp.expand(function.xreplace({variable: symbol})))
+    hidden = sp.expand(constants.hidden(function.xreplace({variable: symbol})))
     antiderivative = constants.shown(_antiderivative(hidden, symbol))
     return antiderivative.xreplace({symbol: high}) - antiderivative.xreplace({symbol: low})
 
@@ -55,6 +56,8 @@ def _of_wave(exponent: PolyElement, coefficient: PolyElement, variable: Symbol) 
     real, imaginary = _coefficients(coefficient, variable)
     wave = sp.exp(growth)
     parts = []
+    if max((*real, *imaginary)) > HIGHEST_POWER:
+        raise NoClosedForm(f"the integral of a power of {_plain(variable)} above {HIGHEST_POWER} is too long")
     for power in {*real, *imaginary}:
         a, b = _of_power(power, *rates, variable)
         c, d = real.get(power, ZERO), imaginary.get(power, ZERO)

@@ -17,6 +17,8 @@ from radartrack.derive.verbs.no_closed_form import NoClosedForm
 from radartrack.derive.verbs.partial_fractions import PartialFraction, partial_fractions
 
 LARGEST_ORDER = 8
+LARGEST_FULL = 4  # with entries everywhere
+MOST_ENTRIES = 20  # that are not zero, of a larger one
 ZERO: Expr = sp.Integer(0)
 
 
@@ -56,6 +58,8 @@ def _blocks(matrix: Matrix) -> list[list[int]]:
 
 def _exponential(matrix: Matrix) -> Matrix:
     """Of a block: nilpotent ones by the series, others by the resolvent."""
+    if _is_full(matrix):
+        raise NoClosedForm(f"the eigenvalues of a full matrix of order {len(matrix)} have no closed form here")
     series = _nilpotent(matrix)
     if series is not None:
         return series
@@ -64,6 +68,18 @@ def _exponential(matrix: Matrix) -> Matrix:
         tuple((s if m == n else ZERO) - entry for n, entry in enumerate(row)) for m, row in enumerate(matrix)
     )
     return tuple(tuple(_original(entry, s) for entry in row) for row in inverse(shifted))
+
+
+def _is_full(matrix: Matrix) -> bool:
+    """Whether a large matrix has entries nearly everywhere, and rows that depend on each other in a circle."""
+    places = range(len(matrix))
+    filled = {(m, n) for m in places for n in places if matrix[m][n] != ZERO}
+    if len(matrix) <= LARGEST_FULL or len(filled) <= MOST_ENTRIES:
+        return False
+    left = set(places)
+    while leaves := {m for m in left if not any((m, n) in filled for n in left)}:
+        left -= leaves
+    return bool(left)
 
 
 def _nilpotent(matrix: Matrix) -> Matrix | None:

@@ -10,7 +10,7 @@ baseline = length("baseline", "transmitter to receiver", low=1e3, high=2e4)
 r = (path**2 - baseline**2) / (2 * (path - baseline * cos(beta)))
 
 MODEL = Model(
-    name="bistatic",
+    name="bistatic_w",
     title="Bistatic path length and azimuth to x and y",
     measured=(path, beta),
     parameters=(baseline,),

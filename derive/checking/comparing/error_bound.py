@@ -39,35 +39,53 @@ def largest_error(relative: Relative, domain: Domain) -> Worst:
     return worst_over_domain(relative, domain, start.point) if start else Worst(0.0, {})
 
 
-def proved_within(error: Expr, bound: float, symbols: Sequence[Variable]) -> bool:
+def proved_within(error: Expr, bound: float, symbols: Sequence[Variable], seconds: float = SECONDS) -> bool:
     """Whether an error is proved to stay within a bound over a domain; False says nothing."""
-    error = sp.cancel(sp.together(error)) if not error.atoms(sp.Function) else sp.factor(error)
-    used = [symbol for symbol in symbols if symbol in error.free_symbols]
+    shortened = _shortened(error)
+    used = [symbol for symbol in symbols if symbol in shortened.free_symbols]
+    forms = [shortened]
+    if error.free_symbols == shortened.free_symbols:
+        forms.append(error)  # it may be narrow where the other is not
     waiting = [tuple((symbol.low, symbol.high) for symbol in used)]
-    until = time.monotonic() + SECONDS
+    until = time.monotonic() + seconds
     while waiting:
         if time.monotonic() > until:
             return False
         box = waiting.pop()
         try:
-            value = _over(error, {s: iv.mpf(ends) for s, ends in zip(used, box, strict=True)}, {})
-            if value.a >= -bound and value.b <= bound:
+            values = [value for form in forms if (value := _value(form, used, box)) is not None]
+            if any(value.a >= -bound and value.b <= bound for value in values):
                 continue
-        except (ArithmeticError, ValueError):
-            pass
+            middle = _value(forms[0], used, [(_middle(*ends),) * 2 for ends in box])
         except KeyError:  # a function without intervals here
             return False
-        if not box:
+        if not box or (middle is not None and (middle.a > bound or middle.b < -bound)):
             return False
         waiting += _halves(box)
     return True
+
+
+def _shortened(error: Expr) -> Expr:
+    return sp.factor(error) if error.atoms(sp.Function) else sp.cancel(sp.together(error))
+
+
+def _value(expression: Expr, symbols: Sequence[Variable], box: Sequence[tuple[float, float]]) -> Interval | None:
+    """An interval that holds all values over a box; None where there may be none."""
+    try:
+        return _over(expression, {s: iv.mpf(ends) for s, ends in zip(symbols, box, strict=True)}, {})
+    except (ArithmeticError, ValueError):
+        return None
+
+
+def _middle(low: float, high: float) -> float:
+    return (low * high) ** 0.5 if low > 0 else (low + high) / 2
 
 
 def _halves(box: tuple[tuple[float, float], ...]) -> list[tuple[tuple[float, float], ...]]:
     """Two boxes, halved where it is longest for its size."""
     place = max(range(len(box)), key=lambda at: (box[at][1] - box[at][0]) / max(map(abs, box[at])))
     low, high = box[place]
-    middle = (low * high) ** 0.5 if low > 0 else (low + high) / 2
+    middle = _middle(low, high)
     return [(*box[:place], ends, *box[place + 1 :]) for ends in ((low, middle), (middle, high))]
 
 

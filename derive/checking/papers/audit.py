@@ -13,6 +13,7 @@ from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.reading.symbol_table import TableError
 
 
 def decide(claim: Claim, world: World = CATALOGUE) -> Verdict:
@@ -43,7 +44,7 @@ def decisions(claim: Claim, world: World = CATALOGUE) -> Iterator[Verdict]:
             yield from formula_verdicts(claim, world)
         else:
             yield check_number(claim, world)
-    except (FormulaError, UnknownQuantity, UnknownEntry) as error:
+    except (FormulaError, TableError, UnknownQuantity, UnknownEntry) as error:
         raise UnreadableClaim(f"claim {claim.id!r}: {error}") from None
 
 

@@ -12,7 +12,7 @@ from radartrack.derive.checking.papers.error_claims import bounded
 from radartrack.derive.checking.papers.implicit_claims import asked_of_equations, solution_verdicts
 from radartrack.derive.checking.question.sense import Sense
 from radartrack.derive.checking.question.world import World
-from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
+from radartrack.derive.checking.reporting.verdict import GRAVITY, Outcome, Verdict
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 
@@ -87,7 +87,7 @@ def _chain(claim: Claim, steps: list[tuple[str, str]], world: World) -> Iterator
                 return
         except NoClosedForm as error:
             verdict = too_much(left, right, error)
-        if doubtful is None or _GRAVITY.index(verdict.verdict) > _GRAVITY.index(doubtful.verdict):
+        if doubtful is None or GRAVITY.index(verdict.verdict) > GRAVITY.index(doubtful.verdict):
             doubtful = (
                 verdict if verdict.verdict is Outcome.EQUAL else replace(verdict, reason=f"{words}: {verdict.reason}")
             )
@@ -96,6 +96,3 @@ def _chain(claim: Claim, steps: list[tuple[str, str]], world: World) -> Iterator
         yield replace(
             doubtful, quantity=claim.chain[0], printed=whole, reason="every step is proved" if same else doubtful.reason
         )
-
-
-_GRAVITY = (Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY, Outcome.UNDECIDED)

@@ -30,7 +30,7 @@ from radartrack.derive.checking.question.printed_formula import conditions_for, 
 from radartrack.derive.checking.question.world import ImplicitDefinition, World
 from radartrack.derive.checking.repairing.reworked_edits import edits_that
 from radartrack.derive.checking.reporting.barrier import attempted
-from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.formula.error import FormulaError
@@ -45,6 +45,7 @@ from radartrack.derive.units import ONE
 _NAME = re.compile(r"(?P<name>[\w.]+?)\s*(?:\[\s*(?P<place>\d{1,2})\s*\])?")
 _COMPARED = re.compile(r"(<=|>=|<|>)")
 SMALL = 1e-25  # what is left of nothing in many digits, relative to what an equation is made of
+MOST_EQUATIONS, MOST_TERMS, HIGHEST_DEGREE = 4, 12, 3  # of which a contradiction is looked for
 POINTS = 3  # at which edits are screened
 
 
@@ -138,7 +139,7 @@ class _Solution:
         findings = [
             (question, _found(question, entry)) for question in questions for entry in question.printed.entries.indices
         ]
-        question, worst = max(findings, key=lambda pair: _GRAVITY.index(pair[1].outcome))
+        question, worst = max(findings, key=lambda pair: GRAVITY.index(pair[1].outcome))
         if worst.outcome in (Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS):
             told = worst.reason if worst.outcome is Outcome.WRONG_DIMENSIONS else "it is not satisfied"
             wrong = self.verdict(worst.outcome, f"{question.reference.text}: {told}", _example(worst, question.symbols))
@@ -167,26 +168,28 @@ class _Solution:
         """That everything satisfies the equations, or nothing; empty where they say something."""
         values = self._values(self.tree)
         unknown = {name: _letters(name, one.value) for name, one in values.items()}
-        letters = {symbol for value in unknown.values() for symbol in tensor(value)}
+        letters = {symbol for value in unknown.values() for symbol in tensor(value) if isinstance(symbol, Variable)}
         names = self.names.knowing({name: Meaning(value, lambda _: NOTHING) for name, value in unknown.items()})
-        said = False
+        said: list[Expr] = []
         for text in self.definition.equations:
             for entry in tensor(names.worked_out(_difference(text, names))):
-                rest = sp.expand(entry)
+                rest = sp.expand(under(self._conditions, entry))
                 if rest.free_symbols & letters:
-                    said = True
+                    said.append(rest)
                 elif not proved_equal(rest, sp.Integer(0)):
                     return f"nothing satisfies the equation {text}: no unknown is left in it, and it is not zero"
-        return "" if said else f"everything satisfies the equations of {self.definition.name}: they say nothing"
+        if not said:
+            return f"everything satisfies the equations of {self.definition.name}: they say nothing"
+        if attempted(lambda: _contradict(said, sorted(letters, key=str)), lambda _: False):
+            return f"nothing satisfies the equations of {self.definition.name} together"
+        return ""
 
     @cached_property
     def _conditions(self) -> dict[Symbol, Expr]:
         question = self._questions(self._values(self.tree), {})[0].reference
-        symbols = {symbol.name for symbol in question.symbols}
+        question = question.with_symbols(self.names.symbols.values())
         of_file = {name: text for name, text in self.given_in_file.items() if name in self.definition.symbols}
-        return conditions_for(
-            question, {n: t for n, t in {**of_file, **self.given}.items() if n in symbols}, self.names
-        )
+        return conditions_for(question, {**of_file, **self.given}, self.names)
 
     def _values(self, tree: Tree) -> dict[str, Meaning]:
         """What each unknown is worth."""
@@ -206,7 +209,13 @@ class _Solution:
         """For each equation whether it vanishes."""
         names = self.names.knowing(values)
         under_these = self._conditions if conditions is None else conditions
-        return [_vanishing(text, _difference(text, names), names, under_these) for text in self.definition.equations]
+        return [_vanishing(text, tree, names, under_these) for text, tree in self._equations.items()]
+
+    @cached_property
+    def _equations(self) -> dict[str, Tree]:
+        """The equations as they are read, which is done once for all that is tried as a solution."""
+        names = self.names.knowing(self._values(self.tree))
+        return {text: _difference(text, names) for text in self.definition.equations}
 
     def against_conditions(self) -> Verdict | None:
         """The verdict where a condition does not hold; None where all do."""
@@ -253,15 +262,6 @@ class _Solution:
         return proved and changed.against_conditions() is None
 
 
-_GRAVITY = (
-    Outcome.EQUAL,
-    Outcome.EQUAL_NUMERICALLY,
-    Outcome.UNDECIDED,
-    Outcome.DIFFERS,
-    Outcome.WRONG_DIMENSIONS,
-)
-
-
 def _found(question: Question, entry: Index) -> Finding:
     """What is found of an entry of an equation; points tell the sign of a root, and a proof the rest."""
     finding = question.finding(entry)
@@ -295,6 +295,18 @@ def _vanishing(text: str, tree: Tree, names: Names, conditions: Mapping[Symbol, 
         lambda _: NOTHING,
     )
     return Question(reference, residual, conditions)
+
+
+def _contradict(equations: Sequence[Expr], letters: Sequence[Symbol]) -> bool:
+    """Whether small polynomials in the unknown have no common zero, whatever the parameters are: they give one."""
+    # coefficients that are no polynomials, such as sines, may depend on each other
+    small = all(one.is_polynomial(*one.free_symbols) for one in equations) and all(
+        len(sp.Add.make_args(one)) <= MOST_TERMS and sp.Poly(one, *letters).total_degree() <= HIGHEST_DEGREE
+        for one in equations
+    )
+    if not small or not 2 <= len(equations) <= MOST_EQUATIONS or len(letters) > MOST_EQUATIONS:
+        return False
+    return sp.groebner(equations, *letters).exprs == [sp.Integer(1)]
 
 
 def _letters(name: str, value: Expression) -> Expression:

@@ -13,7 +13,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDefinition, WrongDimensions, dimensions
-from radartrack.derive.checking.question.names import Names, symbols_for
+from radartrack.derive.checking.question.names import WORD, Names, each_once, symbols_for
 from radartrack.derive.checking.question.single_number import scalar_expression
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
@@ -119,7 +119,9 @@ def refer(text: str, world: World = CATALOGUE, let: Mapping[str, str] = MappingP
     quantities = {found[0]: world.find(found["name"]) for found in _mentions(text)}
     if not quantities:
         world.find(text[:80].strip())
-    if _WORKED_OUT.search(text):
+    own = {symbol.name for quantity in quantities.values() for symbol in quantity.symbols}
+    of_paper = set(WORD.findall(text)) & {*let, *world.letters} - own
+    if of_paper or _WORKED_OUT.search(text):
         return _worked_out(text, list(quantities.values()), world, let)
     parts = {names[found[0]]: _part(quantities[found[0]], found["index"]) for found in _mentions(text)}
     tree = _combination(text, names, parts)
@@ -165,7 +167,7 @@ def _worked_out(text: str, quantities: Sequence[Quantity], world: World, let: Ma
 
 def _combined(text: str, tree: Tree, parts: Mapping[str, Part], world: World) -> Reference:
     """Quantities combined entry by entry."""
-    own = _as_large_as_all_ask(symbol for part in parts.values() for symbol in part.quantity.symbols)
+    own = each_once(symbol for part in parts.values() for symbol in part.quantity.symbols)
     letters = symbols_for([], {}, world, [part.quantity for part in parts.values()])
 
     def entry(index: Index) -> Expr:
@@ -185,14 +187,6 @@ def _combined(text: str, tree: Tree, parts: Mapping[str, Part], world: World) ->
         dimension,
         parts.get(tree.name) if isinstance(tree, Name) else None,
     )
-
-
-def _as_large_as_all_ask(symbols: Iterable[Variable]) -> dict[str, Variable]:
-    """Each symbol once: the number of scans of several quantities is as large as all of them ask."""
-    found: dict[str, Variable] = {}
-    for symbol in symbols:
-        found[symbol.name] = max(found.get(symbol.name, symbol), symbol, key=lambda one: one.low)
-    return found
 
 
 def _multiplies_arrays(tree: Tree, parts: Mapping[str, Part]) -> bool:

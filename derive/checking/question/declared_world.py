@@ -14,7 +14,7 @@ from radartrack.derive.reading.model_table import model_tables, read_model, requ
 from radartrack.derive.reading.symbol_table import TableError, read_symbol, shown, shown_name
 
 DEVIATION = "sigma"
-MOST = 500  # entries of a table
+MOST = 2_000  # entries of a table
 
 
 def world_of(files: Sequence[Mapping[str, Any]]) -> World:

@@ -29,6 +29,7 @@ from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import MAX_NODES
 from radartrack.derive.formula.magnitude import Measure, magnitudes
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression, Reader
 from radartrack.derive.formula.tree import Array, Entries, Name, Tree, bound_names, has_verbs
@@ -49,7 +50,7 @@ QUANTITY = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 SHOWN = 40  # characters of a name that is refused
 MOST_COMPLETED = 60  # definitions of a file that another may have been meant for
-MOST_PARTS = 300_000  # of what a formula is when it is worked out
+MOST_PARTS = 100_000  # of what a formula is when it is worked out
 
 
 class Names(Mapping[str, Expression]):
@@ -69,7 +70,7 @@ class Names(Mapping[str, Expression]):
         world: World = CATALOGUE,
         known: Mapping[str, Meaning] = MappingProxyType({}),
     ) -> None:
-        self.symbols = symbols
+        self.symbols = {name: symbol for name, symbol in symbols.items() if name not in world.spoiled}
         self.let = let
         self._world = world
         self._known: dict[str, Meaning] = dict(known)
@@ -171,8 +172,10 @@ class Names(Mapping[str, Expression]):
             NoClosedForm: naming the part that was too much.
         """
         found = self._reader(tree)
-        if isinstance(found, tuple) and number_of_parts(found) > MOST_PARTS:
-            raise NoClosedForm(f"worked out, this has more than {MOST_PARTS} parts")
+        if has_verbs(tree) or isinstance(found, tuple):
+            size, most = number_of_parts(found), MOST_PARTS if isinstance(found, tuple) else MAX_NODES
+            if size > most:
+                raise NoClosedForm(f"worked out, {_shown(tree)} has more than {most} parts")
         return found
 
     def entries(self, tree: Tree) -> tuple[Tensor[Tree], Names]:
@@ -354,8 +357,16 @@ def symbols_for(
     known = [*quantities, *(found for name in mentioned if (found := _found(name, world)))]
     modules = {quantity.module for quantity in known} if of_models else set()
     family = (one for one in (*catalogue().values(), *world.quantities.values()) if one.module in modules)
-    own = {symbol.name: symbol for quantity in (*family, *known) for symbol in quantity.symbols}
+    own = each_once(symbol for quantity in (*family, *known) for symbol in quantity.symbols)
     return own | {name: _letter(letter, own.get(name)) for name, letter in world.letters.items()}
+
+
+def each_once(symbols: Iterable[Variable]) -> dict[str, Variable]:
+    """Each symbol once: the number of scans of several quantities is as large as all of them ask."""
+    found: dict[str, Variable] = {}
+    for symbol in symbols:
+        found[symbol.name] = max(found.get(symbol.name, symbol), symbol, key=lambda one: one.low)
+    return found
 
 
 def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[str, Variable]:
@@ -455,6 +466,11 @@ def _dimensions_of(what: str, tree: Tree, names: Names) -> Callable[[Index], Dim
 def _is_worked_out(tree: Tree) -> bool:
     """Whether there are verbs or parts of arrays in a formula."""
     return has_verbs(tree) or any(isinstance(node, Array | Entries) for node in tree_parts(tree))
+
+
+def _shown(tree: Tree) -> str:
+    text = to_text(tree)
+    return text if len(text) <= SHOWN else f"{text[:SHOWN]}..."
 
 
 def _size(known: Mapping[str, Meaning]) -> Fold[int]:

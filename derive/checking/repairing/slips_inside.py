@@ -72,7 +72,8 @@ class Repair:
                 break
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
                 text = to_text(one.tree)
-                found.append(_of_definition(where, text, one) if where else Slip(text, one.words, one.cost))
+                slip = _of_definition(where, text, one) if where else Slip(text, one.words, one.cost)
+                found += [slip] if slip.formula not in [other.formula for other in found] else []
         return found
 
     @cached_property

@@ -21,6 +21,16 @@ class Outcome(StrEnum):
     UNDECIDED = "undecided"
 
 
+GRAVITY = (
+    Outcome.EQUAL,
+    Outcome.EQUAL_NUMERICALLY,
+    Outcome.UNDECIDED,
+    Outcome.DIFFERS,
+    Outcome.WRONG_DIMENSIONS,
+)
+"""From what is right to what is most wrong."""
+
+
 @dataclass(frozen=True)
 class Counterexample:
     """A point inside the domain where a printed formula is wrong.

@@ -60,11 +60,11 @@ def partial(function: Callable[..., Any], point: Point, *by: str) -> Any:
     value = function(point)
     if not isinstance(value, list):
         return gradient(function)
+    return [gradient(_entry(function, place)) for place in range(len(value))]
 
-    def entry(i: int) -> Callable[[Point], Any]:
-        return lambda at: function(at)[i]
 
-    return [gradient(entry(i)) for i in range(len(value))]
+def _entry(function: Callable[..., Any], place: int) -> Callable[[Point], Any]:
+    return lambda at: function(at)[place]
 
 
 def bistatic(p: Point) -> Any:
@@ -79,7 +79,8 @@ def rate(p: Point) -> Any:
 
 
 def legs(p: Point) -> tuple[Any, Any]:
-    return tuple(sqrt((p["x"] + side * p["a"]) ** 2 + p["y"] ** 2) for side in (-1, 1))
+    first, second = (sqrt((p["x"] + side * p["a"]) ** 2 + p["y"] ** 2) for side in (-1, 1))
+    return first, second
 
 
 def rates(p: Point) -> Any:

@@ -1,0 +1,55 @@
+"""Units as one types them."""
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radartrack.derive.reading.unit_text import BASE, Scale, read_unit
+from radartrack.derive.units import METRE, RADIAN, SECOND, Unit
+
+powers = st.builds(Fraction, st.integers(-4, 4), st.integers(1, 3))
+SI: dict[str, tuple[Unit, Any]] = {
+    "km": (METRE, sympy.Integer(1000)),
+    "ms": (SECOND, sympy.Rational(1, 1000)),
+    "kHz": (SECOND**-1, sympy.Integer(1000)),
+    "deg": (RADIAN, sympy.pi / 180),
+    "mrad": (RADIAN, sympy.Rational(1, 1000)),
+    "%": (Unit(), sympy.Rational(1, 100)),
+}
+
+
+@given(powers, powers, powers)
+def test_what_a_unit_prints_is_read_back(metre: Fraction, second: Fraction, radian: Fraction):
+    unit = Unit(metre, second, radian)
+    found = read_unit(str(unit))
+    assert found == Scale(unit, sympy.Integer(1))
+
+
+@given(
+    st.lists(st.tuples(st.sampled_from(sorted(SI)), st.integers(-3, 3), st.sampled_from("*/")), min_size=1, max_size=4)
+)
+def test_a_product_has_the_unit_and_the_size_of_its_factors(factors: list[tuple[str, int, str]]):
+    text, unit, size = "1", Unit(), sympy.Integer(1)
+    for name, power, sign in factors:
+        text += f"{sign}{name}^{power}"
+        signed = power if sign == "*" else -power
+        unit, size = unit * SI[name][0] ** signed, size * SI[name][1] ** signed
+    found = read_unit(text)
+    assert found.unit == unit
+    assert sympy.simplify(found.factor / size) == 1
+
+
+@pytest.mark.parametrize(
+    "text", ["", "x", "m/", "m^", "m m", "m^x", "m^99", "m^(1/0)", "m" * 100, "__import__('os')", "m;s"]
+)
+def test_what_is_no_unit_is_refused_with_a_word(text: str):
+    with pytest.raises(ValueError, match=r"unit"):
+        read_unit(text)
+
+
+def test_every_unit_that_is_offered_is_read():
+    assert [name for name in BASE if read_unit(name) != BASE[name]] == []
