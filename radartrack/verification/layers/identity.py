@@ -97,7 +97,6 @@ def _second(model: Model, row: str) -> Tensor[ExponentialPolynomial]:
 
 def _method(quantity: Quantity) -> str:
     """How the second derivation goes, in words."""
-    row = row_of(quantity)
     if quantity.name in ELEMENTARY:
         return ELEMENTARY[quantity.name].method
     if quantity.module == "finite_sample":
