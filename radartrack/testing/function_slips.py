@@ -8,8 +8,7 @@ from contextlib import suppress
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
-from radartrack.derive.checking.question.formula_units import Dimension
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
@@ -45,10 +44,7 @@ class SlipSearch:
         self._screening, self._found = screening, found
         self._confirming, self._found_there = confirming, found_there
         symbols: Sequence[Variable] = screening.wanted.symbols
-        self._names = Names(
-            {symbol.name: symbol for symbol in symbols},
-            {symbol.name: Dimension.of(symbol.unit) for symbol in symbols},
-        )
+        self._names = Names({symbol.name: symbol for symbol in symbols})
         here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
             for one in (screening, confirming)
