@@ -15,7 +15,7 @@ RIGHT = {"agrees", "loses_digits"}
 CANNOT = 2
 
 
-def diagnose(  # noqa: PLR0913, PLR0917 - one an option
+def diagnose(
     what: Annotated[str, typer.Argument(help="FILE.py:FUNCTION; with --table the name of the quantity.")],
     name: Annotated[str | None, typer.Argument(help="A quantity, or one entry of it: 'polar.jacobian[0,1]'.")] = None,
     argument: Annotated[

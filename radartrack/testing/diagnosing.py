@@ -9,7 +9,6 @@ from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
 from radartrack.testing.examination import CannotDiagnose, Examination
 from radartrack.testing.function_conventions import (
     AS_ASKED,
-    ArgumentChange,
     angles_of,
     as_variances,
     deviations_of,

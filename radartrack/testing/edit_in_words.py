@@ -45,7 +45,7 @@ def _differences(old: Tree, new: Tree) -> Iterator[Pair]:
     alike = type(old) is type(new) and len(below[0]) == len(below[1]) > 0
     if isinstance(old, Call) and isinstance(new, Call):
         alike = alike and old.function == new.function
-    if not alike or isinstance(old, Power) and old.base == children(new)[0]:
+    if not alike or (isinstance(old, Power) and old.base == children(new)[0]):
         yield old, new
         return
     found = [pair for pairs in map(_differences, *below) for pair in pairs]

@@ -1,4 +1,4 @@
-"""What can be said of a difference that no edit explains: on which symbols it depends, of what order it is, and where."""
+"""What can be said of a difference that no edit explains: on which symbols it depends, its order, and where it is."""
 
 from __future__ import annotations
 
@@ -72,4 +72,9 @@ def region(expected: Expected, wrong: npt.NDArray[np.bool_]) -> str:
         ):
             if wrong.any() and (wrong <= there).all() and wrong[there].mean() > 0.5 and not there.all():
                 return f"only where {words}"
+        if wrong.any() and not wrong.all():
+            if values[wrong].max() < values[~wrong].min():
+                return f"only where {symbol.name} is {values[wrong].max():.3g} or less"
+            if values[wrong].min() > values[~wrong].max():
+                return f"only where {symbol.name} is {values[wrong].min():.3g} or more"
     return f"at {int(wrong.sum())} of {expected.count} points of the domain"

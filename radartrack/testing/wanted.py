@@ -25,6 +25,7 @@ from radartrack.verification.error_in_ulp import Yardstick
 Array = npt.NDArray[np.float64]
 
 NAME = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?")
+WIDE = 1.1  # twice an ordinary deviation without a unit
 WHOLE = 37  # how far whole numbers are spread beyond the smallest at ordinary points
 
 
@@ -82,6 +83,7 @@ class Wanted:
     def at(self, points: Points) -> Expected:
         """The exact values at some points, without those at which there are none."""
         count = len(next(iter(points.values()))) if points else 1
+        points = dict(points)
         full = points | {name: np.full(count, value) for name, value in self.given.items()}
         full = {symbol.name: full[symbol.name] for symbol in self.quantity.symbols}
         rows = [tuple(float(values[n]) for values in full.values()) for n in range(count)]
@@ -113,6 +115,14 @@ class Wanted:
                 spread = symbol.low + 1 + (np.arange(count) * (5 + 2 * place)) % WHOLE
                 points[symbol.name] = np.maximum(np.minimum(spread, highest), symbol.low)
         return self.at(points)
+
+    def wide(self, count: int) -> Expected:
+        """As `ordinary`, with deviations of ordinary size also where the domain ends before: no term is tiny then."""
+        found = self.ordinary(count).points
+        for symbol in self.quantity.symbols:
+            if is_deviation(symbol) and symbol.high < WIDE:
+                found[symbol.name] = found[symbol.name] * (WIDE / symbol.high)
+        return self.at({name: values for name, values in found.items() if name not in self.given})
 
     def coarse(self, count: int) -> Expected:
         """At points with large errors in all directions, where every effect stands out."""
@@ -189,7 +199,7 @@ def wanted_by(name: str, given: Mapping[str, float]) -> Wanted:
 
 
 def edge_points(symbols: Sequence[Variable]) -> Points:
-    """Round points, then ends of the domain, and zero inside it, one symbol at a time and pairs of angles; deviations small and large."""
+    """Round points, then ends of the domain and zero, one symbol at a time, then all deviations small, or large."""
     rows = list(round_points(symbols))
     (middle,) = ordinary_points(symbols, 1)
     for symbol in symbols:
