@@ -101,14 +101,9 @@ def test_what_is_no_function_of_a_file_is_refused(source: Path, what: str, words
     [
         (SOURCE, "rihgt", "has no function rihgt; did you mean right"),
         (SOURCE, "number", "is no function but a int"),
-        ("
-raise ValueError('at once')
-", "f", "cannot be imported: ValueError: at once, line 2"),
-        ("import sys
-sys.exit(3)
-", "f", "cannot be imported: SystemExit: 3, line 2"),
-        ("f = (
-", "f", "cannot be imported: SyntaxError"),
+        ("\nraise ValueError('at once')\n", "f", "cannot be imported: ValueError: at once, line 2"),
+        ("import sys\nsys.exit(3)\n", "f", "cannot be imported: SystemExit: 3, line 2"),
+        ("f = (\n", "f", "cannot be imported: SyntaxError"),
     ],
     ids=["misspelt", "number", "raises", "leaves", "syntax"],
 )
