@@ -49,8 +49,8 @@ def diagnose(
     """
     wanted = wanted_by(name, {key: float(value) for key, value in (given or {}).items()})
     names = [symbol.name for symbol in wanted.quantity.symbols]
-    for parameter, stated in (arguments or {}).items():
-        for one in (stated,) if isinstance(stated, str) else stated:
+    for parameter, taken in (arguments or {}).items():
+        for one in (taken,) if isinstance(taken, str) else taken:
             if one not in names:
                 raise ValueError(
                     f"arguments must name symbols of {name}: {', '.join(names)}; given {one!r} for {parameter}"

@@ -297,10 +297,10 @@ class Examination:
         calls, found = self._values(reading, expected)
         epsilon = SINGLE if calls.single else DOUBLE
         undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
-        computed = np.isfinite(found).all(axis=1)
+        computed = np.all(np.isfinite(found), axis=1)
         rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= 1000)
         coarse = self._right_when_coarse(reading)
-        wrong = computed & ~rounding.all(axis=1)
+        wrong = computed & ~np.all(rounding, axis=1)
         for place in np.flatnonzero(wrong):
             entry = int(np.flatnonzero(~rounding[place])[0])
             if is_erratic(lambda points: self._at(reading, points), expected.point(int(place)), entry):
@@ -328,8 +328,8 @@ class Examination:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, expected)
-        rounding = is_rounding(expected, found, SINGLE if calls.single else DOUBLE).all(axis=1)
-        wrong = np.isfinite(found).all(axis=1) & ~rounding
+        rounding = np.all(is_rounding(expected, found, SINGLE if calls.single else DOUBLE), axis=1)
+        wrong = np.all(np.isfinite(found), axis=1) & ~rounding
         return (expected, found, wrong) if wrong.any() else None
 
     def _at(self, reading: Reading, points: Points) -> Array:

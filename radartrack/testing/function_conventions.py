@@ -212,7 +212,8 @@ class Arrangements:
             if offsets.any():
                 back = np.where(offsets[:, np.newaxis] != 0, np.angle(np.exp(1j * back)), back)
             with np.errstate(all="ignore"):
-                same = (np.abs(back - expected[:, :, np.newaxis]) <= tolerance[:, :, np.newaxis]).all(axis=0)
+                near = np.abs(back - expected[:, :, np.newaxis]) <= tolerance[:, :, np.newaxis]
+            same = np.all(near, axis=0)
             counted = [(self._wrong(same, sources), own, said, sources) for said, sources, own in self.orders]
             for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
                 both = " and ".join(filter(None, (said, words)))

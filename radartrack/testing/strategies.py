@@ -28,7 +28,7 @@ from radartrack.derive.sensors import models
 
 __all__ = ["Track", "arguments", "correlated_noise", "covariances", "plots", "tracks"]
 
-Array = npt.NDArray[np.float64]
+Array = npt.NDArray[np.floating[Any]]
 Motion = Literal["straight", "accelerated", "turning"]
 MOTIONS: Mapping[Motion, type[simulate.Target]] = {
     "straight": simulate.Straight,
@@ -140,7 +140,7 @@ def tracks(draw: DrawFn, motion: Motion, sensor: SensorName) -> Track:
     Raises:
         ValueError: there is no such motion or sensor.
     """
-    kind = MOTIONS[one_of("motion", motion, MOTIONS)]
+    one_of("motion", motion, MOTIONS)
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
     symbols = {symbol.name: symbol for symbol in models()[model.module].symbols}
     in_plane = "polar" in sensor
@@ -148,12 +148,14 @@ def tracks(draw: DrawFn, motion: Motion, sensor: SensorName) -> Track:
     position = [draw(place), draw(place), *([] if in_plane else [draw(st.floats(0, FARTHEST / 10))])]
     position[0] = position[0] or 1000.0  # beside the radar, not in it
     velocity = [draw(speed) for _ in position]
-    more = {
-        "straight": lambda: (),
-        "accelerated": lambda: ([draw(st.floats(-5, 5)) for _ in position],),
-        "turning": lambda: (draw(st.floats(-0.1, 0.1)),),
-    }[motion]()
-    target = kind(position, velocity, *more)  # type: ignore[call-arg]
+    acceleration = st.lists(st.floats(-5, 5), min_size=len(position), max_size=len(position))
+    more: Mapping[Motion, SearchStrategy[tuple[Any, ...]]] = {
+        "straight": st.just(()),
+        "accelerated": st.tuples(acceleration),
+        "turning": st.tuples(st.floats(-0.1, 0.1)),
+    }
+    make: Callable[..., simulate.Target] = MOTIONS[motion]
+    target = make(position, velocity, *draw(more[motion]))
     noise = {name: draw(_value(symbols[symbol])) for name, (symbol, _) in model.noise.items()}
     radar = simulate.Radar(sensor, draw(st.sampled_from([1.0, 4.0, 10.0])), noise)
     seen = simulate.plots(target, radar, scans=draw(st.integers(1, 12)), seed=draw(st.integers(0, 1000)))

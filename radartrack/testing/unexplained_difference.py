@@ -43,7 +43,7 @@ def _matters(symbol: Variable, place: int, difference: Difference, point: dict[s
         moved = point[symbol.name] / 2 + 0.1
     both = {name: np.array([value, moved if name == symbol.name else value]) for name, value in point.items()}
     first, second = difference(both)[:, place]
-    return abs(first - second) > NOISE * abs(first)  # never of what is not known there
+    return bool(abs(first - second) > NOISE * abs(first))  # never of what is not known there
 
 
 def _order(deviations: Sequence[str], place: int, difference: Difference, point: dict[str, float]) -> int | None:

@@ -54,7 +54,7 @@ EDGES: dict[str, tuple[SensorName, Callable[[dict[str, float]], bool]]] = {
     "a tiny deviation": ("polar", lambda plot: plot["azimuth_std"] < 1e-7),
     "a large deviation": ("polar", lambda plot: plot["range_std"] > 5e3),
     "vertical": ("spherical", lambda plot: plot["elevation"] == math.pi / 2),
-    "the edge of the unit circle": ("ruv", lambda plot: math.hypot(plot["u"], plot["v"]) > 0.9),
+    "the edge of the field of view": ("ruv", lambda plot: abs(plot["u"]) == 0.6),
 }
 
 
