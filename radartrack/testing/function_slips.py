@@ -63,7 +63,7 @@ class SlipSearch:
     def slip(self, place: int) -> Slip | None:
         """The likeliest edit of one entry, by its place among those that are wanted."""
         known = np.flatnonzero(np.isfinite(self._found[:, place]))[:POINTS]
-        if len(known) < FEWEST:
+        if len(known) < (FEWEST if self._here else 1):
             return None
         target = tuple(map(float, self._found[known, place]))
         self._screen = Screen(
@@ -98,6 +98,8 @@ class SlipSearch:
     def _edits(self, tree: Tree, target: Values) -> list[Candidate]:
         if all(value == 0 for value in target):
             return [Candidate(Number("0"), "", 1.0)]
+        if not self._here:  # a number, which many things are worth: only what is plainly an edit of it
+            return sorted(self._forwards(tree, target), key=lambda candidate: candidate.cost)
         found = Search(self._screen, target, self._names, tree, ()).edits(tree)
         found += self._misread_powers(tree, target)
         found = found or list(self._forwards(tree, target))

@@ -26,8 +26,8 @@ def described(wanted: Wanted, places: Sequence[int], difference: Difference, poi
     for place in places:
         index = (wanted.places[place],) if wanted.shape else ()
         here = {name: np.array([value]) for name, value in point.items()}
-        if not np.isfinite(difference({name: values * MOVED for name, values in here.items()})[0, place]):
-            yield f"{at_place(*index) or 'it '}differs"  # nothing is known beside the points of a table
+        if not here or not np.isfinite(difference({name: values * MOVED for name, values in here.items()})[0, place]):
+            yield f"{at_place(*index) or 'it '}differs"  # a constant, or a table, of which nothing is known elsewhere
             continue
         depends = [symbol.name for symbol in wanted.symbols if _matters(symbol, place, difference, point)]
         order = _order(deviations_of(wanted.symbols), place, difference, point)

@@ -26,7 +26,7 @@ Array = npt.NDArray[np.float64]
 
 NAME = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?")
 WIDE = 1.1  # twice an ordinary deviation without a unit
-WHOLE = 37  # how far whole numbers are spread beyond the smallest at ordinary points
+WHOLE = 11  # how far whole numbers are spread at ordinary points; high powers of larger ones drown other terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,9 +111,10 @@ class Wanted:
         points = {s.name: np.array([point[s.name] for point in found]) for s in self.quantity.symbols}
         for place, symbol in enumerate(self.quantity.symbols):
             if symbol.whole:
-                highest = points[symbol.at_most.name] if symbol.at_most else symbol.high
-                spread = symbol.low + 1 + (np.arange(count) * (5 + 2 * place)) % WHOLE
-                points[symbol.name] = np.maximum(np.minimum(spread, highest), symbol.low)
+                highest = points[symbol.at_most.name] if symbol.at_most else np.full(count, symbol.high)
+                least = min(symbol.low + 2 * (symbol.at_most is None), symbol.high)
+                room = np.minimum(highest - least, WHOLE) + 1
+                points[symbol.name] = least + (np.arange(count) * (5 + 2 * place)) % room
         return self.at(points)
 
     def wide(self, count: int) -> Expected:

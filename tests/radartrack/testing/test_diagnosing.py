@@ -198,7 +198,8 @@ def test_what_cannot_be_compared_is_refused_with_a_word(function: Function, word
     [
         ({"given": {"rho": 0}}, "given may fix r, beta of polar.map; given also rho"),
         ({"degrees": "r"}, "degrees may name beta; given r"),
-        ({"arguments": {"a": "theta"}}, "arguments must name symbols"),
+        ({"arguments": {"az": "theta"}}, "arguments must name symbols"),
+        ({"arguments": {"state": "r"}}, "arguments must name parameters: r, az; given state"),
     ],
 )  # fmt: skip
 def test_options_that_name_nothing_are_refused(options: dict[str, Any], words: str) -> None:
