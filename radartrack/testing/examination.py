@@ -43,6 +43,7 @@ FAILING = 40  # ways to call it after which a function that raises at all of the
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
+EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
 
@@ -295,6 +296,7 @@ class Examination:
         """Of a function that is right at ordinary points: how exact it is elsewhere, and whether it is right there."""
         expected = reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
+        found = _excused(reading, expected, found)
         epsilon = SINGLE if calls.single else DOUBLE
         undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
         computed = np.all(np.isfinite(found), axis=1)
@@ -328,6 +330,7 @@ class Examination:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, expected)
+        found = _excused(reading, expected, found)
         rounding = np.all(is_rounding(expected, found, SINGLE if calls.single else DOUBLE), axis=1)
         wrong = np.all(np.isfinite(found), axis=1) & ~rounding
         return (expected, found, wrong) if wrong.any() else None
@@ -432,6 +435,25 @@ def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -
             turned = (turns != 0) | (offsets is not None and offsets[column] != 0)
             same = turned & (np.abs(moved - exact) <= TURNED)
             found[:, column] = np.where(same, exact, np.where(turns, moved, found[:, column]))
+    return found
+
+
+def _excused(reading: Reading, expected: Expected, found: Array) -> Array:
+    """What a function has, without what rounding of arguments in its convention makes: it cannot know better."""
+    changed = [symbol for symbol in reading.wanted.symbols if symbol.name in reading.binding.changes]
+    found = found.copy()
+    finite = np.where(np.isfinite(found), found, 0.0)
+    for place in np.flatnonzero((expected.errors(finite) > EXCUSED).any(axis=1)) if changed else ():
+        exact, point, slack = expected.values[place], expected.point(int(place)), np.zeros(found.shape[1])
+        for symbol in changed:
+            step = TURNED * (max(abs(point[symbol.name]), symbol.is_angle))
+            moved = reading.wanted.at(
+                {name: np.array([value]) for name, value in point.items()}
+                | {symbol.name: np.array([point[symbol.name] + step])}
+            )
+            slack += np.abs(moved.values[0] - exact) if moved.count else 0.0
+        difference = found[place] - exact
+        found[place] = exact + np.sign(difference) * np.maximum(np.abs(difference) - slack, 0.0)
     return found
 
 

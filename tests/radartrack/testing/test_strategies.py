@@ -42,7 +42,9 @@ def test_plots_are_what_conversions_take(sensor: SensorName) -> None:
     def check(plot: dict[str, float]) -> None:
         converted = getattr(convert, sensor)(**plot)
         assert np.isfinite(converted.mean).all()
-        assert np.isfinite(converted.covariance).all()
+        deviations = np.sqrt(np.diagonal(converted.covariance))
+        scales = np.where(deviations > 0, deviations, 1)
+        assert np.linalg.eigvalsh(converted.covariance / np.outer(scales, scales)).min() > -1e-12
 
     check()
 
