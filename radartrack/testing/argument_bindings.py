@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations, islice, permutations, product
+from itertools import combinations, islice, pairwise, permutations, product
 from typing import Any
 
 from radartrack.derive.language.variable import Variable
@@ -13,6 +13,7 @@ from radartrack.testing.argument_names import meanings
 from radartrack.testing.called_function import Binding, Form, Parameter
 
 MOST = 800  # ways to call a function that are tried
+TELLING = 2  # parameters with telling names that leave one other no choice
 ORDERS = 120  # of the symbols in one vector
 
 Declared = Sequence[tuple[str, bool, bool]]  # name, whether it may be left out, whether it goes by name
@@ -110,7 +111,7 @@ def _scalars(
         for rest in islice(permutations(free, by_name.count("")), MOST):
             left = iter(rest)
             bound = [name or next(left) for name in by_name]
-            is_told = is_told or len(taken) >= len(places) - 1
+            is_told = is_told or len(taken) in {len(places), max(len(places) - 1, TELLING)}
             yield Binding(tuple(map(_parameter, places, bound)))
     if not stated and not is_told:
         for order in islice(permutations(names, len(places)), MOST):
@@ -169,7 +170,7 @@ def _groups(order: Sequence[str], count: int) -> Iterator[list[tuple[str, ...]]]
         return
     for cuts in combinations(range(1, len(order)), count - 1):
         ends = [0, *cuts, len(order)]
-        yield [tuple(order[a:b]) for a, b in zip(ends, ends[1:], strict=False)]
+        yield [tuple(order[a:b]) for a, b in pairwise(ends)]
 
 
 def _parameter(place: tuple[str, bool, bool], symbol: str) -> Parameter:

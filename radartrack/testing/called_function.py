@@ -19,6 +19,10 @@ Array = npt.NDArray[np.float64]
 Change = Callable[[Any], Any]
 
 
+class NotKnown(LookupError):
+    """A function that is a table has no value there."""
+
+
 class Form(Enum):
     """How arguments are handed over."""
 
@@ -96,6 +100,7 @@ class Calls:
         raised: place → what was raised there.
         complex: places where a complex number came back.
         wrong: place → a shape that cannot be compared.
+        unknown: places beside those of a table.
         single: whether all came back in single precision.
     """
 
@@ -103,12 +108,13 @@ class Calls:
     raised: dict[int, str] = field(default_factory=dict)
     complex: list[int] = field(default_factory=list)
     wrong: dict[int, str] = field(default_factory=dict)
+    unknown: list[int] = field(default_factory=list)
     single: bool = False
 
     @property
     def trouble(self) -> str:
         """Why there is no value at the first point; empty where there is one."""
-        return self.raised.get(0, "") or self.wrong.get(0, "")
+        return self.raised.get(0, "") or self.wrong.get(0, "") or "it has no values there" * (0 in self.unknown)
 
 
 def called(function: Callable[..., Any], binding: Binding, points: Points, shape: Index) -> Calls:
@@ -132,6 +138,9 @@ def called(function: Callable[..., Any], binding: Binding, points: Points, shape
             with warnings.catch_warnings(), np.errstate(all="ignore"):
                 warnings.simplefilter("ignore")
                 result = function(*places, **named)
+        except NotKnown:
+            calls.unknown.append(place)
+            continue
         except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a stranger's function raises
             calls.raised[place] = f"it raises {type(error).__name__}: {error}".removesuffix(": ")
             continue
@@ -165,6 +174,8 @@ def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
 
 def _array(result: Any) -> npt.NDArray[Any] | None:
     """An array of numbers; None for what is none."""
+    if result is None:
+        return None
     try:
         found = np.asarray(result)
     except (TypeError, ValueError):  # results of different shapes

@@ -7,6 +7,7 @@ from typing import Any
 
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.language.model import Model
+from radartrack.testing.argument_bindings import declared
 from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
 from radartrack.testing.examination import CannotDiagnose, Examination
 from radartrack.testing.function_conventions import (
@@ -54,12 +55,13 @@ def diagnose(
     own = having_models(models).quantities.values()
     wanted = wanted_by(name, {key: float(value) for key, value in (given or {}).items()}, own)
     names = [symbol.name for symbol in wanted.quantity.symbols]
-    for parameter, stated in (arguments or {}).items():
-        for one in (stated,) if isinstance(stated, str) else stated:
+    for parameter, taken in (arguments or {}).items():
+        for one in (taken,) if isinstance(taken, str) else taken:
             if one not in names:
                 raise ValueError(
                     f"arguments must name symbols of {name}: {', '.join(names)}; given {one!r} for {parameter}"
                 )
+    _require_parameters(function, arguments or {})
     stated = AS_ASKED
     in_angles = _chosen("degrees", degrees, angles_of(wanted.symbols), arguments or {})
     if in_angles:
@@ -102,6 +104,15 @@ def assert_derived(
     if not found.agrees or found.ulp is None or not found.ulp <= ulp:
         limit = f"\n  {ulp:g} ulp are allowed" if found.agrees else ""
         raise AssertionError(f"{found}{limit}")
+
+
+def _require_parameters(function: Callable[..., Any], arguments: Mapping[str, str | Sequence[str]]) -> None:
+    """Refuse names of parameters that the function does not have."""
+    known = declared(function)
+    names = [name for name, _, _ in known or ()]
+    unknown = sorted(set(arguments) - set(names))
+    if known is not None and unknown:
+        raise ValueError(f"arguments must name parameters: {', '.join(names)}; given {', '.join(unknown)}")
 
 
 def _chosen(

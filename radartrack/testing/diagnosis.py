@@ -166,7 +166,8 @@ class Diagnosis:
         assert self.worst is not None  # noqa: S101 - asked by the caller
         one = self.worst
         at = ", ".join(f"{name} = {value:.6g}" for name, value in one.point.items())
-        return f"{'worst ' if self.agrees else 'for example '}at {at}: {place(one.entry)}{one.found!r}, exact {one.exact!r}"
+        which = "worst" if self.agrees else "for example"
+        return f"{which} at {at}: {place(one.entry)}{one.found!r}, exact {one.exact!r}"
 
 
 def place(*entries: tuple[int, ...]) -> str:

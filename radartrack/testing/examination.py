@@ -1,4 +1,4 @@
-"""The way of a diagnosis: how a function is called, in which convention it is right, what slip it has, how exact it is."""
+"""The way of a diagnosis: how a function is called, in which convention it is right, its slip, how exact it is."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from radartrack.derive.checking.comparing.order_of_difference import is_deviatio
 from radartrack.derive.units import RADIAN
 from radartrack.testing.argument_bindings import bindings
 from radartrack.testing.argument_names import is_degrees, is_variance
-from radartrack.testing.called_function import Array, Binding, Calls, called
+from radartrack.testing.called_function import Array, Binding, Calls, Parameter, called
 from radartrack.testing.diagnosis import Diagnosis, Slip, Worst
 from radartrack.testing.function_conventions import (
     AS_ASKED,
@@ -35,14 +35,16 @@ from radartrack.testing.wanted import Expected, Wanted
 from radartrack.verification.domain_points import Points
 
 FEW = 4  # points that tell one reading from another
-SCREENING = 18
+SCREENING = 24
 CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
 FAILING = 40  # ways to call it after which a function that raises at all of them is given up
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
-READINGS = 3  # in which slips are looked for
+READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
+EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
+INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
 
 
@@ -117,7 +119,7 @@ class Examination:
             return self._right(other)
         if explained:
             return self._with_slips(first, explained)
-        for reading in best[1:READINGS]:
+        for reading in [one for one in best[1:] if one.wrong <= first.wrong][:READINGS]:
             if (found := self._slips(reading)) is not None:
                 return self._with_slips(reading, found)
         return self._unexplained(first)
@@ -127,10 +129,14 @@ class Examination:
     def _readings(self) -> list[Reading]:
         """The readings that leave least to explain, the best first."""
         found: list[Reading] = []
+        callable_as: set[tuple[Parameter, ...]] = set()
         failed = 0
         for binding in bindings(self._function, self._wanted.symbols, self._arguments, self._wanted.needed):
+            if binding.parameters in callable_as:  # in another form
+                continue
             here = list(self._of_binding(binding))
             failed += not here
+            callable_as |= {reading.binding.parameters for reading in here}
             found += here
             if any(reading.cost == 0 for reading in here):
                 return sorted(here, key=lambda one: one.cost)
@@ -172,7 +178,8 @@ class Examination:
     def _implied(self, binding: Binding) -> ArgumentChange:
         """What names of parameters say: `az_deg`, `var_r`."""
         said = AS_ASKED
-        singles = [(one.name, one.symbols[0]) for one in binding.parameters if len(one.symbols) == 1]
+        singles = [(one.name, *one.symbols) for one in binding.parameters if len(one.symbols) == 1]
+        singles = [(name, symbol) for name, symbol in singles if name != symbol]
         degrees = [symbol for name, symbol in singles if is_degrees(name) and symbol in angles_of(self._wanted.symbols)]
         variances = [
             symbol for name, symbol in singles if is_variance(name) and symbol in deviations_of(self._wanted.symbols)
@@ -194,8 +201,14 @@ class Examination:
             return
         tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
         found = _unwrapped(calls.values, expected)
-        for wrong, arrangement in _arrangements(wanted).best(found, expected.values, tolerance):
+        for wrong, arrangement in Arrangements(wanted, self._stated_order).best(found, expected.values, tolerance):
             yield Reading(wanted, replace(bound, changes=bound.changes), change, arrangement, wrong)
+
+    @property
+    def _stated_order(self) -> Sequence[str]:
+        """Of the parts of a state that is said to be one vector."""
+        vectors = [order for order in self._arguments.values() if not isinstance(order, str)]
+        return vectors[0] if len(vectors) == 1 else ()
 
     def _expected(self, wanted: Wanted) -> Expected:
         for known, expected in self._tried.values():
@@ -236,8 +249,11 @@ class Examination:
 
     def _slips(self, reading: Reading) -> tuple[Slip, ...] | None:
         """For every entry that is wrong the slip that explains it; None where one is left."""
-        screening, confirming = reading.wanted.ordinary(SCREENING), reading.wanted.coarse(CONFIRMING)
+        screening, confirming = reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, screening)
+        if calls.raised or calls.wrong or calls.unknown:  # it refuses large errors
+            screening = reading.wanted.ordinary(SCREENING)
+            calls, found = self._values(reading, screening)
         _, found_there = self._values(reading, confirming)
         search = SlipSearch(screening, found, confirming, found_there)
         wrong = self._wrong(calls, found, screening)
@@ -279,12 +295,13 @@ class Examination:
         """Of a function that is right at ordinary points: how exact it is elsewhere, and whether it is right there."""
         expected = reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
+        found = _excused(reading, expected, found)
         epsilon = SINGLE if calls.single else DOUBLE
         undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
-        computed = np.isfinite(found).all(axis=1)
+        computed = np.all(np.isfinite(found), axis=1)
         rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= 1000)
         coarse = self._right_when_coarse(reading)
-        wrong = computed & ~rounding.all(axis=1)
+        wrong = computed & ~np.all(rounding, axis=1)
         for place in np.flatnonzero(wrong):
             entry = int(np.flatnonzero(~rounding[place])[0])
             if is_erratic(lambda points: self._at(reading, points), expected.point(int(place)), entry):
@@ -312,8 +329,9 @@ class Examination:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, expected)
-        rounding = is_rounding(expected, found, SINGLE if calls.single else DOUBLE).all(axis=1)
-        wrong = np.isfinite(found).all(axis=1) & ~rounding
+        found = _excused(reading, expected, found)
+        rounding = np.all(is_rounding(expected, found, SINGLE if calls.single else DOUBLE), axis=1)
+        wrong = np.all(np.isfinite(found), axis=1) & ~rounding
         return (expected, found, wrong) if wrong.any() else None
 
     def _at(self, reading: Reading, points: Points) -> Array:
@@ -401,10 +419,6 @@ class Examination:
         return tuple(said)
 
 
-def _arrangements(wanted: Wanted) -> Arrangements:
-    return Arrangements(wanted)
-
-
 def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -> Array:
     """Angles that come back, moved by whole turns to the exact ones; a turned one is as exact as the turn, no more."""
     wanted = expected.wanted
@@ -420,6 +434,25 @@ def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -
             turned = (turns != 0) | (offsets is not None and offsets[column] != 0)
             same = turned & (np.abs(moved - exact) <= TURNED)
             found[:, column] = np.where(same, exact, np.where(turns, moved, found[:, column]))
+    return found
+
+
+def _excused(reading: Reading, expected: Expected, found: Array) -> Array:
+    """What a function has, without what rounding of arguments in its convention makes: it cannot know better."""
+    changed = [symbol for symbol in reading.wanted.symbols if symbol.name in reading.binding.changes]
+    found = found.copy()
+    finite = np.where(np.isfinite(found), found, 0.0)
+    for place in np.flatnonzero((expected.errors(finite) > EXCUSED).any(axis=1)) if changed else ():
+        exact, point, slack = expected.values[place], expected.point(int(place)), np.zeros(found.shape[1])
+        for symbol in changed:
+            step = TURNED * (max(abs(point[symbol.name]), symbol.is_angle))
+            moved = reading.wanted.at(
+                {name: np.array([value]) for name, value in point.items()}
+                | {symbol.name: np.array([point[symbol.name] + step])}
+            )
+            slack += np.abs(moved.values[0] - exact) if moved.count else 0.0
+        difference = found[place] - exact
+        found[place] = exact + np.sign(difference) * np.maximum(np.abs(difference) - slack, 0.0)
     return found
 
 
@@ -443,7 +476,7 @@ def _undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[str]:
         kinds.setdefault(words, []).append(place)
     if calls.complex:
         kinds["it is complex"] = calls.complex
-    quiet = set(range(expected.count)) - {place for places in kinds.values() for place in places}
+    quiet = set(range(expected.count)) - {place for places in kinds.values() for place in places} - set(calls.unknown)
     for place in sorted(quiet):
         if not np.isfinite(found[place]).all():
             kinds.setdefault("it is infinite" if np.isinf(found[place]).any() else "it is undefined", []).append(place)
@@ -463,10 +496,17 @@ def _indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[st
     lowest = np.array(
         [np.linalg.eigvalsh(one).min() if fine else 0.0 for one, fine in zip(matrices, usable, strict=True)]
     )
-    if lowest.min(initial=0.0) < -1e-3:
-        place = int(np.flatnonzero(lowest < -1e-3)[0])
-        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(place).items())
-        yield f"indefinite, which no covariance is, at {int((lowest < -1e-3).sum())} of {expected.count} points, such as {at}"
+    places = np.flatnonzero(lowest < INDEFINITE)
+    if len(places):
+        place = max(places, key=lambda one: sum(_size(expected, int(one))))
+        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(int(place)).items())
+        yield f"indefinite, which no covariance is, at {len(places)} of {expected.count} points, such as {at}"
+
+
+def _size(expected: Expected, place: int) -> Iterator[float]:
+    """The scales of the deviations at a point: the larger they are, the less of an edge it is."""
+    for name in deviations_of(expected.wanted.symbols):
+        yield float(np.log10(max(expected.points[name][place], 1e-300)))
 
 
 def _said(binding: Binding) -> tuple[str, ...]:

@@ -20,6 +20,7 @@ from radartrack.testing.wanted import Wanted
 
 LONGEST = 4  # rows whose orders are all tried
 HALF_TURN = 180 / math.pi
+ORDER = 1.25  # the cost of another order, which an azimuth from the other axis explains as well
 UNLIKELY = 3  # of a convention that one wrong sign explains as well
 AZIMUTH, ELEVATION, PREDICTED = "beta", "epsilon", "predicted_"
 
@@ -127,7 +128,7 @@ class Arrangement:
     sources: tuple[int, ...]
     factors: Array
     offsets: Array
-    cost: int
+    cost: float
 
     def undone(self, found: Array) -> Array:
         """The entries that are wanted, from what came back."""
@@ -138,10 +139,15 @@ class Arrangement:
 
 
 class Arrangements:
-    """Those that a quantity allows."""
+    """Those that a quantity allows.
 
-    def __init__(self, wanted: Wanted) -> None:
-        self._wanted = wanted
+    Args:
+        wanted: the quantity.
+        stated: the order of the state, where the user says it: the columns of a derivative follow it.
+    """
+
+    def __init__(self, wanted: Wanted, stated: Sequence[str] = ()) -> None:
+        self._wanted, self._stated = wanted, stated
         self._size = len(wanted.places)
 
     @cached_property
@@ -158,6 +164,10 @@ class Arrangements:
             found.append(
                 ("the azimuth counted from the other axis (pi/2 - beta)", np.where(turned, -1.0, 1.0), offset, 1)
             )
+        if AZIMUTH in self._names:
+            column = self._names.index(AZIMUTH)
+            often = np.array([place[1:].count(column) for place in self._wanted.places])
+            found.append((f"the derivative by {AZIMUTH} likewise", (-1.0) ** often, zeros, 0))
         return found
 
     @cached_property
@@ -175,13 +185,15 @@ class Arrangements:
         return len(self._wanted.quantity.shape) == 1
 
     @cached_property
-    def orders(self) -> list[tuple[str, tuple[int, ...], int]]:
+    def orders(self) -> list[tuple[str, tuple[int, ...], float]]:
         """Words, sources, cost."""
         shape = self._wanted.shape
         flat = {index: place for place, index in enumerate(indices(shape))}
         own = tuple(range(self._size))
-        found: dict[tuple[int, ...], tuple[str, int]] = {own: ("", 0)}
+        found: dict[tuple[int, ...], tuple[str, float]] = {own: ("", 0)}
         for words, moved, cost in _moves(shape, self._names):
+            if self._stated and words == f"the columns in the order {', '.join(self._stated)}":
+                words, cost = "", 0  # noqa: PLW2901 - as it was asked for
             found.setdefault(tuple(flat[moved(index)] for index in indices(shape)), (words, cost))
         return [(words, sources, cost) for sources, (words, cost) in found.items()]
 
@@ -200,7 +212,8 @@ class Arrangements:
             if offsets.any():
                 back = np.where(offsets[:, np.newaxis] != 0, np.angle(np.exp(1j * back)), back)
             with np.errstate(all="ignore"):
-                same = (np.abs(back - expected[:, :, np.newaxis]) <= tolerance[:, :, np.newaxis]).all(axis=0)
+                near = np.abs(back - expected[:, :, np.newaxis]) <= tolerance[:, :, np.newaxis]
+            same = np.all(near, axis=0)
             counted = [(self._wrong(same, sources), own, said, sources) for said, sources, own in self.orders]
             for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
                 both = " and ".join(filter(None, (said, words)))
@@ -211,31 +224,34 @@ class Arrangements:
         return len({entries[place] for place, source in enumerate(sources) if not same[place, source]})
 
 
-def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, _Move, int]]:
+def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, _Move, float]]:
     """Where an entry stands in another order, what that is called, and what it costs."""
     if len(shape) == 1:
         for order in _orders(shape[0]):
-            yield f"the entries in the order {_spoken(order)}", _Move((order,)), 1
-        return
+            yield f"the entries in the order {_spoken(order)}", _Move((order,)), ORDER
     if len(shape) < 2:
         return
-    square = shape[-1] == shape[-2]
-    if square and len(shape) == 2:
-        yield "transposed", _Move(transposed=True), 1
-    if len(set(shape)) == 1 and len(shape) == 3:
-        yield "the first axis last", _Move(last=True), 1
+    if len(set(shape)) == 1:
+        yield from _of_a_cube(shape)
     rest = len(shape) - 1
-    if square and len(shape) == 2:
-        for order in _orders(shape[0]):
-            yield f"rows and columns in the order {_spoken(order)}", _Move((order, order)), 1
     for rows in _orders(shape[0]):
-        yield f"the rows in the order {_spoken(rows)}", _Move((rows, *(_own(shape[1]),) * rest)), 1
+        yield f"the rows in the order {_spoken(rows)}", _Move((rows, *(_own(shape[1]),) * rest)), ORDER
     for columns in _orders(shape[1]):
-        yield f"the columns in the order {_spoken(columns, names)}", _Move((_own(shape[0]), *(columns,) * rest)), 1
+        yield f"the columns in the order {_spoken(columns, names)}", _Move((_own(shape[0]), *(columns,) * rest)), ORDER
     if max(shape) < LONGEST:
         for rows, columns in product(_orders(shape[0]), _orders(shape[1])):
             words = f"the rows in the order {_spoken(rows)} and the columns in the order {_spoken(columns, names)}"
-            yield words, _Move((rows, *(columns,) * rest)), 2
+            yield words, _Move((rows, *(columns,) * rest)), 2 * ORDER
+
+
+def _of_a_cube(shape: Index) -> Iterator[tuple[str, _Move, float]]:
+    """The same of as many rows as columns."""
+    if len(shape) == 3:
+        yield "the first axis last", _Move(last=True), 1
+        return
+    yield "the result transposed", _Move(transposed=True), 1
+    for order in _orders(shape[0]):
+        yield f"rows and columns in the order {_spoken(order)}", _Move((order, order)), ORDER
 
 
 @dataclass(frozen=True)

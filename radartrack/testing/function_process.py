@@ -68,7 +68,7 @@ def main() -> None:
     answers, printed = _apart()
     watched = _Watched(request["function"], request["timeout"], answers)
     try:
-        function = watched(_loaded(Path(request["file"]), request["function"]))
+        function = watched(loaded(Path(request["file"]), request["function"]))
         answer = _answer(function, request)
         if printed.count:
             answer["remarks"] = [*answer["remarks"], PRINTS]
@@ -156,7 +156,7 @@ class _Watched:
         _tell(self._answers, {"cannot": f"{self._name} {what} (stopped after {self._timeout:g} s)"})
 
 
-def _loaded(path: Path, name: str) -> Callable[..., Any]:
+def loaded(path: Path, name: str) -> Callable[..., Any]:
     """A function of a file, which is run as Python runs it."""
     sys.path.insert(0, str(path.resolve().parent))
     spec = importlib.util.spec_from_file_location(path.stem, path)

@@ -1,4 +1,4 @@
-"""Searches for edits of a derived formula that give it the values of a function: the checker's search, the other way."""
+"""Searches for edits of a derived formula that give it a function's values: the checker's search, the other way."""
 
 from __future__ import annotations
 
@@ -6,12 +6,16 @@ import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
+import numpy as np
+
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
+from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, other_numbers
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Number, Power, Product, Sum, Tree, replace_at, walk
@@ -26,7 +30,9 @@ from radartrack.testing.wanted import Expected
 
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
 LONG = 300  # characters of a formula that is told
+SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
 SHORT = 400  # characters of a formula that is tried over one denominator
+POINTS, FEWEST = 18, 8  # at which edits are screened, and fewer than which say nothing
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
 
 
@@ -45,17 +51,20 @@ class SlipSearch:
         self._confirming, self._found_there = confirming, found_there
         symbols: Sequence[Variable] = screening.wanted.symbols
         self._names = Names({symbol.name: symbol for symbol in symbols})
-        here, self._wider = (
+        self._here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
             for one in (screening, confirming)
         )
-        self._screen = Screen(here, screening.count)
 
     def slip(self, place: int) -> Slip | None:
         """The likeliest edit of one entry, by its place among those that are wanted."""
-        target = tuple(map(float, self._found[:, place]))
-        if not all(map(math.isfinite, target)):
+        known = np.flatnonzero(np.isfinite(self._found[:, place]))[:POINTS]
+        if len(known) < (FEWEST if self._here else 1):
             return None
+        target = tuple(map(float, self._found[known, place]))
+        self._screen = Screen(
+            {name: tuple(values[n] for n in known) for name, values in self._here.items()}, len(known)
+        )
         wanted = self._screening.wanted
         entry = wanted.entries[place].xreplace(
             {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
@@ -71,7 +80,7 @@ class SlipSearch:
                     break
             if best is not None and best[0].cost <= LIKELY:
                 break
-        return None if best is None else _told(best[1], best[0], index)
+        return None if best is None else _told(best[1], best[0], index, self._names)
 
     def other_entry(self, place: int) -> int | None:
         """Another entry that the function has there."""
@@ -85,8 +94,11 @@ class SlipSearch:
     def _edits(self, tree: Tree, target: Values) -> list[Candidate]:
         if all(value == 0 for value in target):
             return [Candidate(Number("0"), "", 1.0)]
+        if not self._here:  # a number, which many things are worth: only what is plainly an edit of it
+            return sorted(self._forwards(tree, target), key=lambda candidate: candidate.cost)
         found = Search(self._screen, target, self._names, tree, ()).edits(tree)
         found += self._misread_powers(tree, target)
+        found = found or list(self._forwards(tree, target))
         return sorted(found, key=lambda candidate: candidate.cost)
 
     def _misread_powers(self, tree: Tree, target: Values) -> Iterator[Candidate]:
@@ -97,6 +109,18 @@ class SlipSearch:
                     edited = replace_at(tree, path, other)
                     if _near(self._screen(edited), target, target):
                         yield Candidate(edited, "", 1.3)
+
+    def _forwards(self, tree: Tree, target: Values) -> Iterator[Candidate]:
+        """Edits by what they make of the whole: below an even power, a part could be worth either of two values."""
+        nodes = list(walk(tree))
+        kinds = {name: self._names.dimensions[name] for name in self._here}
+        quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
+        for path, node in nodes if len(nodes) <= SMALL else ():
+            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node)):
+                edited = replace_at(tree, path, edit.tree)
+                program = Program(edited)
+                if all(_near(program(point), (value,), (value,)) for point, value in zip(quick, target, strict=False)):
+                    yield Candidate(edited, edit.words, edit.cost)
 
     def _is_confirmed(self, tree: Tree, place: int) -> bool:
         """Whether the edited formula is the function in all directions, wherever that has a value."""
@@ -127,10 +151,25 @@ def _trees(entry: Expr) -> list[Tree]:
     return list(dict.fromkeys(found))
 
 
-def _told(derived: Tree, candidate: Candidate, index: Index) -> Slip:
-    words = edit_in_words(derived, candidate.tree)
-    formula, other = (_short(tree) for tree in (candidate.tree, derived))
-    return Slip((index,), words, formula, other, candidate.cost)
+def _told(derived: Tree, candidate: Candidate, index: Index, names: Names) -> Slip:
+    """In the words of the formula as it was edited, or as it would be written then, whichever are shorter."""
+    written = _rewritten(candidate.tree, names)
+    words, tree = min(((edit_in_words(derived, one), one) for one in (candidate.tree, written)), key=_length)
+    return Slip((index,), words, _short(tree), _short(derived), candidate.cost)
+
+
+def _length(told: tuple[str, Tree]) -> int:
+    return len(told[0])
+
+
+def _rewritten(tree: Tree, names: Names) -> Tree:
+    """A short formula with its factors put together; a long one as it is."""
+    if len(to_text(tree)) > SHORT:
+        return tree
+    try:
+        return to_tree(names.read(tree))
+    except FormulaError:
+        return tree
 
 
 def _short(tree: Tree) -> str:

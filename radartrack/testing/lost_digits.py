@@ -96,8 +96,9 @@ def _where(expected: Expected, errors: npt.NDArray[np.float64], place: int) -> s
         at = ", ".join(f"{one} = {value:.3g}" for one, value in expected.point(place).items())
         return f"at {at}"
     bad = np.abs(expected.points[name])[errors > MANY_ULP]
-    small = best < 0
-    return f"where {name} is {'small' if small else 'large'} ({name} {'<=' if small else '>='} {bad.max() if small else bad.min():.1e})"
+    if best < 0:
+        return f"where {name} is small ({name} <= {bad.max():.1e})"
+    return f"where {name} is large ({name} >= {bad.min():.1e})"
 
 
 def _subtraction(entry: Expr, expected: Expected, place: int) -> str:

@@ -1,4 +1,4 @@
-"""What can be said of a difference that no edit explains: on which symbols it depends, of what order it is, and where."""
+"""What can be said of a difference that no edit explains: on which symbols it depends, its order, and where it is."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def described(wanted: Wanted, places: Sequence[int], difference: Difference, poi
     for place in places:
         index = (wanted.places[place],) if wanted.shape else ()
         here = {name: np.array([value]) for name, value in point.items()}
-        if not np.isfinite(difference({name: values * MOVED for name, values in here.items()})[0, place]):
-            yield f"{at_place(*index) or 'it '}differs"  # nothing is known beside the points of a table
+        if not here or not np.isfinite(difference({name: values * MOVED for name, values in here.items()})[0, place]):
+            yield f"{at_place(*index) or 'it '}differs"  # a constant, or a table, of which nothing is known elsewhere
             continue
         depends = [symbol.name for symbol in wanted.symbols if _matters(symbol, place, difference, point)]
         order = _order(deviations_of(wanted.symbols), place, difference, point)
@@ -43,7 +43,7 @@ def _matters(symbol: Variable, place: int, difference: Difference, point: dict[s
         moved = point[symbol.name] / 2 + 0.1
     both = {name: np.array([value, moved if name == symbol.name else value]) for name, value in point.items()}
     first, second = difference(both)[:, place]
-    return abs(first - second) > NOISE * abs(first)  # never of what is not known there
+    return bool(abs(first - second) > NOISE * abs(first))  # never of what is not known there
 
 
 def _order(deviations: Sequence[str], place: int, difference: Difference, point: dict[str, float]) -> int | None:
@@ -72,4 +72,9 @@ def region(expected: Expected, wrong: npt.NDArray[np.bool_]) -> str:
         ):
             if wrong.any() and (wrong <= there).all() and wrong[there].mean() > 0.5 and not there.all():
                 return f"only where {words}"
+        if wrong.any() and not wrong.all():
+            if values[wrong].max() < values[~wrong].min():
+                return f"only where {symbol.name} is {values[wrong].max():.3g} or less"
+            if values[wrong].min() > values[~wrong].max():
+                return f"only where {symbol.name} is {values[wrong].min():.3g} or more"
     return f"at {int(wrong.sum())} of {expected.count} points of the domain"

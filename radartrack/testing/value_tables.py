@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 import numpy.typing as npt
 
+from radartrack.testing.called_function import NotKnown
 from radartrack.testing.examination import CONFIRMING, DOMAIN, FEW, SCREENING, CannotDiagnose
 from radartrack.testing.function_conventions import argument_changes
 from radartrack.testing.wanted import Wanted
@@ -52,7 +53,8 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
     entries = [place for place, name in enumerate(names) if name not in own]
     if len(entries) != len(wanted.places):
         raise CannotDiagnose(
-            f"beside {', '.join(own)} the table has {len(entries)} columns; {wanted.name} has {len(wanted.places)} entries"
+            f"beside {', '.join(own)} the table has {len(entries)} columns; "
+            f"{wanted.name} has {len(wanted.places)} entries"
         )
     given = {name: names.index(name) for name in own if name in names}
     known: dict[Row, npt.NDArray[np.float64]] = {}
@@ -71,7 +73,7 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
 
     def look_up(*arguments: float) -> npt.NDArray[np.float64]:
         if tuple(arguments) not in known:
-            raise LookupError("this is no point of the table")
+            raise NotKnown
         return known[tuple(arguments)]
 
     return look_up

@@ -25,7 +25,8 @@ from radartrack.verification.error_in_ulp import Yardstick
 Array = npt.NDArray[np.float64]
 
 NAME = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?")
-WHOLE = 37  # how far whole numbers are spread beyond the smallest at ordinary points
+WIDE = 1.1  # twice an ordinary deviation without a unit
+WHOLE = 11  # how far whole numbers are spread at ordinary points; high powers of larger ones drown other terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +83,7 @@ class Wanted:
     def at(self, points: Points) -> Expected:
         """The exact values at some points, without those at which there are none."""
         count = len(next(iter(points.values()))) if points else 1
+        points = dict(points)
         full = points | {name: np.full(count, value) for name, value in self.given.items()}
         full = {symbol.name: full[symbol.name] for symbol in self.quantity.symbols}
         rows = [tuple(float(values[n]) for values in full.values()) for n in range(count)]
@@ -109,10 +111,19 @@ class Wanted:
         points = {s.name: np.array([point[s.name] for point in found]) for s in self.quantity.symbols}
         for place, symbol in enumerate(self.quantity.symbols):
             if symbol.whole:
-                highest = points[symbol.at_most.name] if symbol.at_most else symbol.high
-                spread = symbol.low + 1 + (np.arange(count) * (5 + 2 * place)) % WHOLE
-                points[symbol.name] = np.maximum(np.minimum(spread, highest), symbol.low)
+                highest = points[symbol.at_most.name] if symbol.at_most else np.full(count, symbol.high)
+                least = min(symbol.low + 2 * (symbol.at_most is None), symbol.high)
+                room = np.minimum(highest - least, WHOLE) + 1
+                points[symbol.name] = least + (np.arange(count) * (5 + 2 * place)) % room
         return self.at(points)
+
+    def wide(self, count: int) -> Expected:
+        """As `ordinary`, with deviations of ordinary size also where the domain ends before: no term is tiny then."""
+        found = self.ordinary(count).points
+        for symbol in self.quantity.symbols:
+            if is_deviation(symbol) and symbol.high < WIDE:
+                found[symbol.name] = found[symbol.name] * (WIDE / symbol.high)
+        return self.at({name: values for name, values in found.items() if name not in self.given})
 
     def coarse(self, count: int) -> Expected:
         """At points with large errors in all directions, where every effect stands out."""
@@ -194,7 +205,7 @@ def wanted_by(name: str, given: Mapping[str, float], own: Iterable[Quantity] = (
 
 
 def edge_points(symbols: Sequence[Variable]) -> Points:
-    """Round points, then ends of the domain, and zero inside it, one symbol at a time and pairs of angles; deviations small and large."""
+    """Round points, then ends of the domain and zero, one symbol at a time, then all deviations small, or large."""
     rows = list(round_points(symbols))
     (middle,) = ordinary_points(symbols, 1)
     for symbol in symbols:

@@ -1,0 +1,120 @@
+"""Faults of public code, retold: functions as engineers write them, right and wrong."""
+
+import ctypes
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+
+def radar_jacobian(px: float, py: float, vx: float, vy: float) -> Any:
+    """Of range, azimuth and range rate, as in the filters of robots."""
+    c1 = px * px + py * py
+    c2 = math.sqrt(c1)
+    c3 = c1 * c2
+    return np.array([
+        [px / c2, py / c2, 0, 0],
+        [-py / c1, px / c1, 0, 0],
+        [py * (vx * py - vy * px) / c3, px * (px * vy - py * vx) / c3, px / c2, py / c2],
+    ])  # fmt: skip
+
+
+def x_for_y(px: float, py: float, vx: float, vy: float) -> Any:
+    found = radar_jacobian(px, py, vx, vy)
+    found[2, 0] *= px / py
+    return found
+
+
+def whole_number_power(px: float, py: float, vx: float, vy: float) -> Any:
+    """3/2 of whole numbers is 1."""
+    found = radar_jacobian(px, py, vx, vy)
+    found[2, :2] *= math.sqrt(px * px + py * py)
+    return found
+
+
+def interleaved(state: Any) -> Any:
+    """The state as x, vx, y, vy in one vector, and the columns likewise."""
+    px, vx, py, vy = state
+    return radar_jacobian(px, py, vx, vy)[:, [0, 2, 1, 3]]
+
+
+def guarded(px: float, py: float, vx: float, vy: float) -> Any:
+    """Zero where the target is near."""
+    return radar_jacobian(px, py, vx, vy) if px * px + py * py > 1e-4 and px > -5e5 else np.zeros((3, 4))
+
+
+def lost_power_signs(east: float, north: float, up: float) -> Any:
+    """Of range, azimuth and elevation; the last row has sqrt(E² + 2 + N) for sqrt(E² + N²)."""
+    ground, distance = east**2 + north**2, east**2 + north**2 + up**2
+    wrong, slant = math.sqrt(2 + east**2 + north), math.sqrt(distance)
+    return [
+        [east / slant, north / slant, up / slant],
+        [north / ground, -east / ground, 0.0],
+        [-east * up / (wrong * distance), -north * up / (wrong * distance), wrong / distance],
+    ]
+
+
+def rotated(r: float, theta: float, sr: float, st: float, *, across: Callable[[float, float], float]) -> Any:
+    """R S Rᵀ."""
+    c, s = math.cos(theta), math.sin(theta)
+    turn = np.array([[c, -s], [s, c]])
+    return turn @ np.diag([sr**2, across(r, st) ** 2]) @ turn.T
+
+
+def without_range(r: float, theta: float, sr: float, st: float) -> Any:
+    """The deviation of the angle is not multiplied by the range."""
+    return rotated(r, theta, sr, st, across=lambda _, angle: angle)
+
+
+def linear(r: float, theta: float, sr: float, st: float) -> Any:
+    return rotated(r, theta, sr, st, across=lambda distance, angle: distance * angle)
+
+
+def of_variances(r: float, theta: float, p: float, q: float) -> Any:
+    return linear(r, theta, math.sqrt(p), math.sqrt(q))
+
+
+def in_degrees(r: float, bearing: float, sr: float, sb: float) -> Any:
+    return linear(r, math.radians(bearing), sr, math.radians(sb))
+
+
+def printed_unbiased(r: float, theta: float, sr: float, st: float, kind: Any = np.float64) -> Any:
+    """As it is printed: a small difference of large squares."""
+    distance, angle, along, across = map(kind, (r, theta, sr, st))
+    half, two = kind(0.5), kind(2)
+    attenuation = np.exp(-across * across / two)
+    excess = (attenuation**-2 - two) * distance**2
+    size, fourth = half * (distance**2 + along**2), attenuation**4
+    c, s = np.cos(angle), np.sin(angle)
+    mixed = excess * c * s + size * fourth * np.sin(two * angle)
+    return np.array([
+        [excess * c * c + size * (1 + fourth * np.cos(two * angle)), mixed],
+        [mixed, excess * s * s + size * (1 - fourth * np.cos(two * angle))],
+    ], dtype=kind)  # fmt: skip
+
+
+def printed_unbiased_single(r: float, theta: float, sr: float, st: float) -> Any:
+    return printed_unbiased(r, theta, sr, st, np.float32)
+
+
+def bias_of_truth(r: float, theta: float, s: float) -> Any:
+    """The bias given the truth."""
+    shortfall = math.expm1(-s * s / 2)
+    return [r * math.cos(theta) * shortfall, r * math.sin(theta) * shortfall]
+
+
+def half_plane(x: float, y: float) -> Any:
+    return math.hypot(x, y), math.atan(y / x)
+
+
+def hypot_of_c() -> Any:
+    """A function of a shared library."""
+    found = ctypes.CDLL(None).hypot
+    found.argtypes, found.restype = (ctypes.c_double, ctypes.c_double), ctypes.c_double
+    return found
+
+
+def white_noise_velocity(q: float, dt: float) -> Any:
+    """The process noise of constant velocity with a fourth power where the third belongs."""
+    return q * np.array([[dt**4 / 4, dt**2 / 2], [dt**2 / 2, dt]])

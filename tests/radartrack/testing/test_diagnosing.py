@@ -1,0 +1,240 @@
+"""A function is told to be what it is: right, in another convention, with a slip, inexact, or undefined somewhere."""
+
+import math
+import os
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from radartrack.derive.catalogue import UnknownQuantity, catalogue, find
+from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.formula.to_expression import to_expression
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.text import read_text
+from radartrack.testing import CannotDiagnose, Diagnosis, assert_derived, diagnose
+from radartrack.verification.domain_points import coarse
+from radartrack.verification.layers.formula_mutants import mutants
+from radartrack.verification.subject import generated
+from tests.radartrack.testing import own_functions as own
+from tests.radartrack.testing.black_boxes import Function, function_of, named, rewritings
+
+FUNCTIONS = int(os.environ.get("RADARTRACK_FUNCTIONS", "0"))  # mutants of each quantity as functions; 0 for a sample
+SAMPLE = (
+    "polar.jacobian", "polar.covariance.truth", "polar.unbiased.estimate", "observe.polar_doppler.jacobian",
+    "kinematics.constant_acceleration.process_noise", "ruv.covariance.linear", "fusion.weights.three",
+)  # fmt: skip
+RIGHT = ("polar.covariance.averaged", "observe.spherical.jacobian", "fusion.variance.three")
+SHARE = 0.95
+WRONG = {"slip", "differs", "undefined"}
+
+
+@pytest.mark.parametrize("name", sorted(catalogue()) if FUNCTIONS else RIGHT)
+def test_right_functions_in_any_order_convention_and_precision_are_not_called_wrong(name: str) -> None:
+    quantity = find(name)
+    for kind, function in rewritings(generated(quantity), quantity, Random(name)).items():
+        found = diagnose(function, name)
+        assert found.verdict not in WRONG, (kind, str(found))
+        if kind in {"as it is", "another order of arguments", "lists"}:
+            assert found.agrees, (kind, str(found))
+
+
+@pytest.mark.parametrize("name", [name for name in sorted(catalogue()) if FUNCTIONS or name in SAMPLE])
+def test_mutants_are_never_called_right_and_nearly_always_traced_to_their_slip(name: str) -> None:
+    quantity = find(name)
+    traced = []
+    for mutant in mutants(quantity, FUNCTIONS or 2, seed=7):
+        found = diagnose(function_of(mutant.entries, quantity), name)
+        assert not found.agrees, (mutant.kind, str(found))
+        traced.append(found.verdict in {"slip", "convention"})
+        if found.verdict == "slip":
+            assert all(len(slip.entries) <= 2 for slip in found.slips), str(found)  # one place, and its mirror image
+    assert sum(traced) >= SHARE * len(traced) - 1
+
+
+@pytest.mark.parametrize(
+    ("function", "name", "words"),
+    [
+        (own.x_for_y, "observe.polar_doppler.jacobian", "entry [2, 0]: x for y"),
+        (own.whole_number_power, "observe.polar_doppler.jacobian", "entries [2, 0] and [2, 1]: the power 3/2 is 1"),
+        (own.lost_power_signs, "observe.spherical.jacobian", "y + 2 for y**2"),
+        (own.without_range, "polar.covariance.linear", "the factor r**2 is missing"),
+        (own.white_noise_velocity, "kinematics.constant_velocity.process_noise", "the power 3 is 4 in T**3"),
+    ],
+)  # fmt: skip
+def test_slips_of_public_code_are_named(function: Function, name: str, words: str) -> None:
+    found = diagnose(function, name)
+    assert not found.agrees
+    assert words in found.slip
+    assert found.slip in str(found)
+
+
+@pytest.mark.parametrize(
+    ("function", "name", "words"),
+    [
+        (own.of_variances, "polar.covariance.linear", "variances in place of sigma_r and sigma_beta"),
+        (own.in_degrees, "polar.covariance.linear", "beta and sigma_beta in degrees"),
+        (own.interleaved, "observe.polar_doppler.jacobian", "the columns in the order x, vx, y, vy"),
+        (own.bias_of_truth, "polar.bias.averaged", "this is polar.bias.truth"),
+    ],
+)  # fmt: skip
+def test_other_conventions_are_told_and_no_slip_is_made_of_them(function: Function, name: str, words: str) -> None:
+    found = diagnose(function, name)
+    assert (found.verdict, found.slip, found.agrees) == ("convention", "", False)
+    assert words in found.convention
+    assert words in str(found)
+
+
+def test_what_is_said_of_the_convention_makes_a_function_right() -> None:
+    assert_derived(own.of_variances, "polar.covariance.linear", variances=True)
+    assert_derived(own.in_degrees, "polar.covariance.linear", degrees=True)
+    order = {"state": ("x", "vx", "y", "vy")}
+    assert_derived(own.interleaved, "observe.polar_doppler.jacobian", arguments=order)
+    assert_derived(own.linear, "polar.covariance.linear", given={"rho": 0})
+
+
+def test_a_convention_and_a_slip_are_told_together() -> None:
+    def turned(r: float, azimuth: float, elevation: float) -> Any:
+        (c, s), (k, t) = ((math.cos(one), math.sin(one)) for one in (azimuth, elevation))
+        return [[k * c, -r * k * s, -r * t * c], [k * s, r * k * c, r * t * s], [t, 0, r * k]]
+
+    found = diagnose(turned, "spherical.jacobian")
+    assert "from the other axis" in found.convention
+    assert found.slip.startswith("entry [1, 2]: the sign")
+
+
+def test_another_order_of_parameters_is_found_without_their_names() -> None:
+    found = diagnose(lambda a, b: [b * math.cos(a), b * math.sin(a)], "polar.map")
+    assert found.agrees
+    assert found.arguments == ("a: beta", "b: r")
+
+
+def test_a_function_of_a_shared_library_is_diagnosed() -> None:
+    assert_derived(own.hypot_of_c(), "observe.polar.map[0]", ulp=2)
+
+
+def test_a_textbook_form_is_right_and_said_to_lose_its_digits_by_which_subtraction() -> None:
+    found = diagnose(own.printed_unbiased, "polar.unbiased.covariance")
+    assert found.agrees
+    assert found.lost_digits is not None
+    assert found.lost_digits.digits >= 12
+    assert "sigma_beta is small" in found.lost_digits.where
+    assert "cancels" in found.lost_digits.why
+    assert found.lost_digits.instead == "radartrack.generated.polar.unbiased_covariance"
+    with pytest.raises(AssertionError, match="loses"):
+        assert_derived(own.printed_unbiased, "polar.unbiased.covariance")
+
+
+def test_a_covariance_that_single_precision_makes_indefinite_is_told_as_that() -> None:
+    found = diagnose(own.printed_unbiased_single, "polar.unbiased.covariance")
+    assert found.agrees
+    assert "indefinite" in str(found)
+    assert "single precision" in str(found)
+
+
+def test_where_a_function_is_wrong_in_a_half_plane_is_said() -> None:
+    found = diagnose(own.half_plane, "observe.polar.map")
+    assert found.verdict == "differs"
+    assert "where x < 0" in str(found)
+    assert "ZeroDivisionError" in str(found)
+
+
+def test_where_a_function_leaves_the_formula_is_said() -> None:
+    found = diagnose(own.guarded, "observe.polar_doppler.jacobian")
+    assert found.verdict == "differs"
+    assert "right at ordinary points" in str(found)
+
+
+def polar_map(change: Callable[[float, float, list[float]], Any]) -> Function:
+    return named(lambda r, az: change(r, az, [r * math.cos(az), r * math.sin(az)]), ["r", "az"])
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda r, _, found: [math.nan, math.nan] if r > 1e7 else found, "undefined"),
+        (lambda r, _, found: [math.inf, found[1]] if r > 1e7 else found, "infinite"),
+        (lambda r, _, found: [complex(0, 1), found[1]] if r > 1e7 else found, "complex"),
+        (lambda r, _, found: 1 / 0 if r > 1e7 else found, "ZeroDivisionError"),
+        (lambda r, _, found: [1.0] if r > 1e7 else found, r"shape \(1,\)"),
+    ],
+)  # fmt: skip
+def test_where_there_is_no_real_value_is_said(change: Callable[[float, float, list[float]], Any], words: str) -> None:
+    found = diagnose(polar_map(change), "polar.map")
+    assert found.verdict == "undefined"
+    with pytest.raises(AssertionError, match=words):
+        assert_derived(polar_map(change), "polar.map")
+
+
+def test_a_function_that_does_not_give_the_same_twice_is_told() -> None:
+    chance = Random(1)
+    found = diagnose(
+        polar_map(lambda _, __, values: [values[0] * (1 + 1e-13 * chance.random()), values[1]]), "polar.map"
+    )
+    assert not found.agrees
+    assert "not deterministic" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("function", "words"),
+    [
+        (lambda *_: 1.0, "it returns a number"),
+        (lambda *_: None, "it returns nothing"),
+        (lambda *_: "xy", "it returns"),
+        (lambda r, _: {}[r], "KeyError"),
+        (lambda: [1.0, 2.0], "cannot be called with r, beta"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_compared_is_refused_with_a_word(function: Function, words: str) -> None:
+    with pytest.raises(CannotDiagnose, match=words):
+        diagnose(function, "polar.map")
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"given": {"rho": 0}}, "given may fix r, beta of polar.map; given also rho"),
+        ({"degrees": "r"}, "degrees may name beta; given r"),
+        ({"arguments": {"az": "theta"}}, "arguments must name symbols"),
+        ({"arguments": {"state": "r"}}, "arguments must name parameters: r, az; given state"),
+    ],
+)  # fmt: skip
+def test_options_that_name_nothing_are_refused(options: dict[str, Any], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        diagnose(lambda r, az: [r, az], "polar.map", **options)
+    with pytest.raises(UnknownQuantity):
+        diagnose(lambda r, az: [r, az], "polar.mop")
+
+
+def test_of_what_no_edit_explains_it_is_said_on_what_the_difference_depends_and_of_what_order_it_is() -> None:
+    def strange(r: float, az: float, sr: float, saz: float) -> Any:
+        found = np.array(own.linear(r, az, sr, saz))
+        found[0, 0] += math.tanh(r) * saz**4 * math.atan(az + 0.3)
+        return found
+
+    found = diagnose(strange, "polar.covariance.linear")
+    assert found.verdict == "differs"
+    (words,) = found.differences
+    assert (
+        words
+        == "entry [0, 0]: differs; the difference depends on r, beta, sigma_beta and is of order 4 in the deviations"
+    )
+
+
+def test_the_formula_of_a_slip_is_what_the_function_computes() -> None:
+    """Read again and evaluated in many digits, beside the mutant that the function was made of."""
+    quantity = find("polar.covariance.linear")
+    symbols = {symbol.name: symbol for symbol in quantity.symbols}
+    points = coarse(quantity, 5, seed=77)
+    for mutant in mutants(quantity, 4, seed=3):
+        found: Diagnosis = diagnose(function_of(mutant.entries, quantity), quantity.name)
+        for slip in found.slips:
+            read: Any = to_expression(read_text(slip.formula, symbols), symbols) if slip.formula else None
+            if read is not None:
+                pair = Evaluator(Tensor((2,), (read, mutant.entries[slip.entries[0]])), quantity.symbols)
+                for n in range(5):
+                    first, second = pair([float(values[n]) for values in points.values()])
+                    assert mpmath.almosteq(first, second, 1e-30)

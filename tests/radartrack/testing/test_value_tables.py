@@ -1,0 +1,73 @@
+"""Values that another language computed at given points are diagnosed as the function that computed them would be."""
+
+import csv
+import io
+import math
+from collections.abc import Callable
+
+import pytest
+
+from radartrack.testing import CannotDiagnose, Diagnosis
+from radartrack.testing.examination import Examination
+from radartrack.testing.function_conventions import AS_ASKED
+from radartrack.testing.value_tables import points_table, tabulated
+from radartrack.testing.wanted import Wanted, wanted_by
+
+WANTED = wanted_by("polar.map", {})
+
+
+def filled(wanted: Wanted, formula: Callable[..., tuple[float, float]], spelled: str = "r") -> str:
+    """The table with values in two more columns, written by another program."""
+    rows = list(csv.reader(io.StringIO(points_table(wanted))))
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\r\n")
+    writer.writerow([*rows[0], "first", "second"])
+    for row in rows[1:]:
+        writer.writerow([_spelled(value, spelled) for value in (*map(float, row), *formula(*map(float, row)))])
+    return text.getvalue()
+
+
+def _spelled(value: float, spelled: str) -> str:
+    return repr(value) if spelled == "r" else format(value, spelled)
+
+
+def diagnosed(wanted: Wanted, text: str) -> Diagnosis:
+    return Examination(tabulated(wanted, text), wanted, {"argument 1": "r", "argument 2": "beta"}, AS_ASKED).diagnosis()
+
+
+def right(r: float, beta: float) -> tuple[float, float]:
+    return r * math.cos(beta), r * math.sin(beta)
+
+
+@pytest.mark.parametrize("spelled", ["r", ".15g", ".17e"])
+def test_a_right_table_is_told_to_be_right_however_its_numbers_are_written(spelled: str) -> None:
+    found = diagnosed(WANTED, filled(WANTED, right, spelled))
+    assert found.agrees, str(found)
+    assert found.ulp is not None
+    assert found.ulp < 64
+
+
+def test_degrees_and_slips_are_found_in_tables() -> None:
+    degrees = diagnosed(WANTED, filled(WANTED, lambda r, beta: right(r, math.radians(beta))))
+    assert (degrees.verdict, degrees.convention) == ("convention", "beta in degrees")
+    slip = diagnosed(WANTED, filled(WANTED, lambda r, beta: (r * math.cos(beta) ** 2, r * math.sin(beta))))
+    assert slip.slip == "entry [0]: the power 1 is 2: cos(beta)**2 for cos(beta)"
+    strange = diagnosed(WANTED, filled(WANTED, lambda r, beta: (math.tanh(r) * math.atan(beta), r * math.sin(beta))))
+    assert strange.differences == ("entry [0]: differs",)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda _: "", "lines of values"),
+        (lambda text: text.rsplit("\r\n", 2)[0], "lines of values"),
+        (lambda text: text.replace("second", "beta"), "1 columns"),
+        (lambda text: text.replace("\r\n", "x\r\n", 2), "is no number"),
+        (lambda text: text.replace("\r\n", ",1\r\n").replace(",1", "", 1), "has 5 values"),
+        (lambda text: "\r\n".join([text.split("\r\n")[0], *text.split("\r\n")[:0:-1]]), "that point has"),
+    ],
+    ids=["empty", "short", "columns", "text", "cells", "order"],
+)
+def test_what_is_no_table_of_the_points_is_refused_with_a_word(change: Callable[[str], str], words: str) -> None:
+    with pytest.raises(CannotDiagnose, match=words):
+        tabulated(WANTED, change(filled(WANTED, right)))
