@@ -98,8 +98,8 @@ class SteadyState:
         Raises:
             NotProved: when that is another function.
         """
-        excess = self.index * (w - 1) / index
-        written = entry.xreplace({w - 1: sp.cancel(excess)})
+        excess = sp.cancel(self.index * (w - 1)) / index
+        written = entry.xreplace({1 / (w - 1): 1 / sp.factor(excess)})
         if not is_zero(written.xreplace({index: self.index}) - entry):
             raise NotProved(f"{written} is not {entry}")
         return written

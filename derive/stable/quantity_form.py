@@ -35,13 +35,19 @@ def _form(quantity: Quantity, *_origin: object) -> StableForm:
 
 def readable(quantity: Quantity) -> Tensor[Expr]:
     """The form with its intermediates filled in, to be read: 1 − e^x stands where code calls expm1."""
-    form = in_one_form(form_of(quantity))
+    form = legible(quantity, form_of(quantity))
     plain = {symbol: without_expm1(definition) for symbol, definition in form.definitions.items()}
     return StableForm(plain, form.entries.map(without_expm1)).expanded()
 
 
-def in_one_form(form: StableForm) -> StableForm:
-    """With the second of two forms of a function, the textbook's, where code chooses between them by size."""
+def legible(quantity: Quantity, form: StableForm) -> StableForm:
+    """The form that people read.
+
+    Where code is written over Stumpff's functions, that is the derivation; where it chooses between two forms of a
+    function by size, the second of them, the textbook's.
+    """
+    if any(entry.has(sp.stumpff) for entry in form.entries):
+        return StableForm({}, quantity.expression)
     choices = {symbol: sp.Integer(0) for symbol, value in form.definitions.items() if isinstance(value, sp.below)}
     entries = form.entries.map(lambda entry: entry.xreplace(choices))
     return StableForm(form.definitions, entries, form.arbitrary).only(entries)

@@ -13,7 +13,7 @@ from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.stable.quantity_form import in_one_form, without_expm1
+from radartrack.derive.stable.quantity_form import legible, without_expm1
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.writing.quantity_text import latex_name
 
@@ -60,7 +60,7 @@ def book(pages: Sequence[Page]) -> str:
 
 def formula(quantity: Quantity, form: StableForm) -> str:
     """The formula typeset over its intermediates, equal entries once; a long one is only named."""
-    definitions, entries = _without_waves(form)
+    definitions, entries = _without_waves(legible(quantity, form))
     names = {symbol: latex_name(symbol) for symbol in quantity.symbols} | _letters(definitions)
     equations = chain(((names[symbol], value) for symbol, value in definitions.items()), _places(entries))
     body = _aligned(equations, names)
@@ -101,7 +101,6 @@ def _greek(name: str) -> str:
 
 def _without_waves(form: StableForm) -> tuple[dict[Symbol, Expr], Tensor[Expr]]:
     """With sines and cosines where they are used, and expm1 as a difference."""
-    form = in_one_form(form)
     waves = {s: value for s, value in form.definitions.items() if isinstance(value, sp.sin | sp.cos)}
     definitions = {
         symbol: without_expm1(value).xreplace(waves)

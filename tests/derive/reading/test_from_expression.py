@@ -29,7 +29,8 @@ def test_the_formula_of_an_expression_is_read_as_that_expression(tree: Tree):
 
 @pytest.mark.parametrize("quantity", catalogue().values(), ids=lambda quantity: quantity.name)
 def test_derived_formulas_are_ordered_as_the_algebra_system_orders_them(quantity: Quantity):
-    expression = quantity.expression.entries[0]
+    derived = quantity.expression.entries[0]
+    expression = derived.xreplace({call: call.expanded() for call in derived.atoms(sp.Abbreviation)})
     assert to_text(to_tree(expression)) == str(expression).replace("Abs(", "abs(")
 
 

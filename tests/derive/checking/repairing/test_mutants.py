@@ -29,7 +29,7 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.characters import MAX_CHARACTERS
 from radartrack.derive.reading.text import read_text
-from radartrack.derive.symbolic import Expr
+from radartrack.derive.symbolic import Abbreviation, Expr
 from tests.derive.checking.repairing.mutants import mutants, rewritings
 
 MUTANTS = int(os.environ.get("RADARTRACK_MUTANTS", "2"))
@@ -92,10 +92,14 @@ def _is_traced(slip: Tree, tree: Tree, reference: Reference, names: Names, expre
     return any(names.read(read_text(one.formula, names.values)) == names.read(tree) for one in found)
 
 
+def _without_abbreviations(expression: Expr) -> Expr:
+    return expression.xreplace({call: call.expanded() for call in expression.atoms(Abbreviation)})
+
+
 def _differ(first: Expr, second: Expr, symbols: tuple[Variable, ...]) -> bool:
     """Whether both differ at a point; an oracle that shares nothing with the checker."""
     plain = {symbol: sympy.Symbol(f"plain_{symbol.name}") for symbol in symbols}
-    expressions = (expression.xreplace(plain) for expression in (first, second))
+    expressions = (_without_abbreviations(expression).xreplace(plain) for expression in (first, second))
     one, other = (sympy.lambdify(list(plain.values()), e, "mpmath") for e in expressions)
     for point in (*generic_points(symbols, 4), *domain_points(symbols, 12)):
         with mpmath.workdps(DIGITS):
