@@ -125,7 +125,7 @@ BAR_SHALOM = cite("barshalom1995")
 LERRO = cite("lerro1993")
 MO = cite("mo1998")
 DUAN = cite("duan2004", "modified unbiased")
-BORDONARO = cite("bordonaro2014", "decorrelated")
+BORDONARO = cite("bordonaro2014", "decorrelated", cite("mo1998", "R_m where Kp = K, R_t where Kp = 0"))
 
 # fmt: off - a table reads best with few lines a row
 EXPANSION = (
