@@ -228,7 +228,8 @@ def update_with(
     }
     seen = np.broadcast_to(values, (*tracks, len(sight.outputs))).reshape(-1, len(sight.outputs))
     errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
-    means, covariances = np.empty((len(seen), len(mean))), np.empty((len(seen), len(mean), len(mean)))
+    dtype, shape = np.result_type(mean, covariance, seen, errors), (len(seen), len(mean))
+    means, covariances = np.empty(shape, dtype), np.empty((*shape, len(mean)), dtype)
     look = _Look(sight, places, second, spread, errors)
 
     def block(own: NDArray[np.intp], new_means: RealArray, new_covariances: RealArray) -> None:
@@ -316,7 +317,8 @@ class _Look(NamedTuple):
         if self.second:
             shift, spread = _curvature(sight.evaluate("hessian", near, site), covariance, places)
             predicted = predicted + shift
-            noise = spread + (noise if noise.ndim == 3 else noise[..., np.newaxis])
+            noise, lost = _with_spread(noise if noise.ndim == 3 else noise[..., np.newaxis], spread)
+            rows[np.swapaxes(np.broadcast_to(lost, (mean.shape[0], *lost.shape)), 0, 1)] = 0
         innovation = measured - predicted
         for place in sight.azimuths:
             innovation[place] -= 2 * np.pi * np.round(innovation[place] / (2 * np.pi))
@@ -332,6 +334,13 @@ def _curvature(hessian: RealArray, covariance: RealArray, places: list[int]) -> 
     across = np.swapaxes(turned, -1, -2).reshape(flat.shape)
     moments = flat @ np.swapaxes(across, -1, -2)
     return np.trace(turned, axis1=-2, axis2=-1).T / 2, np.moveaxis(moments + np.swapaxes(moments, -1, -2), 0, -1) / 4
+
+
+def _with_spread(noise: RealArray, spread: RealArray) -> tuple[RealArray, NDArray[np.bool_]]:
+    """R with what curvature adds, (m, m, tracks), and what is lost in that, (m, tracks): its square overflows."""
+    lost = ~(np.sqrt(np.finfo(spread.dtype).max) >= np.diagonal(spread).T)
+    alone = np.eye(len(spread), dtype=spread.dtype)[..., np.newaxis]
+    return np.where(lost | lost[:, np.newaxis], alone, noise + spread), lost
 
 
 def _predicted(mean: RealArray, covariance: RealArray, motion: Motion) -> tuple[RealArray, RealArray]:

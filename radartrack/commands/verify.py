@@ -38,7 +38,7 @@ class EngineName(StrEnum):
     DASK = "dask"
 
 
-def verify(  # noqa: PLR0913, PLR0917 - one an option
+def verify(
     names: Annotated[list[str] | None, typer.Argument(help="Quantities or parts of names; without any, all.")] = None,
     full: Annotated[bool, typer.Option("--full", help="100 000 points, 100 000 000 draws, and mutants.")] = False,
     draws: Annotated[int | None, typer.Option(help="Draws at each point of the simulation.", min=1)] = None,
