@@ -328,12 +328,15 @@ class _Look(NamedTuple):
 
 def _curvature(hessian: RealArray, covariance: RealArray, places: list[int]) -> tuple[RealArray, RealArray]:
     """tr(G P)/2, (m, tracks), and tr(G_a P G_b P)/2, (m, m, tracks)."""
-    spread = np.moveaxis(covariance[np.ix_(places, places)], -1, 0)[:, np.newaxis]
-    turned = hessian @ spread
-    flat = turned.reshape(*turned.shape[:2], -1)
-    across = np.swapaxes(turned, -1, -2).reshape(flat.shape)
-    moments = flat @ np.swapaxes(across, -1, -2)
-    return np.trace(turned, axis1=-2, axis2=-1).T / 2, np.moveaxis(moments + np.swapaxes(moments, -1, -2), 0, -1) / 4
+    curvature = np.ascontiguousarray(np.moveaxis(hessian, 0, -1))
+    turned = _combination(np.moveaxis(curvature, 2, 0)[:, :, :, np.newaxis], covariance[np.ix_(places, places)])
+    size, tracks = len(turned), turned.shape[-1]
+    flat, across = (part.reshape(size, -1, tracks) for part in (turned, turned.swapaxes(1, 2)))
+    spread = np.empty((size, size, tracks), turned.dtype)
+    for i in range(size):
+        for j in range(i + 1):
+            spread[i, j] = spread[j, i] = np.einsum("pt,pt->t", flat[i], across[j]) / 2
+    return np.trace(turned, axis1=1, axis2=2) / 2, spread
 
 
 def _with_spread(noise: RealArray, spread: RealArray) -> tuple[RealArray, NDArray[np.bool_]]:
