@@ -21,6 +21,7 @@ from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Tensor, indices
+from radartrack.derive.sensors import models
 from radartrack.derive.symbolic import Symbol
 from radartrack.verification.domain_points import coarse
 from radartrack.verification.outcome import Function, Outcome
@@ -149,23 +150,23 @@ def _complete(model: Model, at: Mapping[Symbol, Number]) -> dict[Symbol, Number]
 
 def _observed(quantity: Quantity, at: Mapping[Symbol, Number]) -> Tensor[Number]:
     name, _, kind = row_of(quantity).rpartition(".")
-    symbols = quantity.symbols
     if kind == "map":
-        position = [at[symbol] for symbol in symbols]
+        position = [at[symbol] for symbol in quantity.symbols if symbol not in models()[name].parameters]
         if name == "ruv":  # an array sees what is in front of it: its direction cosines do not tell behind
             position[2] = abs(position[2])
         return Tensor((len(position),), tuple(position))
     order = {"jacobian": 1, "hessian": 2}[kind]
+    state = quantity.symbols[: quantity.shape[1]]
     observed = catalogue()[f"observe.{name}.map"].expression
-    return derivatives(jets(list(observed), at, symbols, order), order, len(symbols))
+    return derivatives(jets(list(observed), at, state, order), order, len(state))
 
 
 def _composed(quantity: Quantity, point: Mapping[str, float], found: Tensor[Number]) -> Tensor[Number]:
     """What a map gives, taken back by the map that undoes it; anything else as it is."""
     model, row = model_of(quantity), row_of(quantity)
     name, _, kind = row.rpartition(".")
-    if quantity.module == "observe" and kind == "map":
-        return _position(name, found, point)
+    if quantity.module == "observe" and kind == "map" and quantity.name not in ELEMENTARY:
+        return _position(models()[name], found, point)
     if model is not None and row == "map":
         return _measured(model, found, point)
     return found
@@ -174,23 +175,25 @@ def _composed(quantity: Quantity, point: Mapping[str, float], found: Tensor[Numb
 def _measured(model: Model, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
     """The measured quantities from coordinates; a range rate from the pseudo-measurement and the range."""
     observe = catalogue()[f"observe.{model.name}.map"]
-    state = [*found.entries[:2], mpmath.mpf(0), mpmath.mpf(0)] if "eta" in model.outputs else list(found.entries)
-    seen = list(_values(observe, state))
-    if "eta" in model.outputs:
-        seen[2] = found.entries[2] / mpmath.mpf(point["r"])
-    return Tensor((len(seen),), tuple(seen))
+    known = [mpmath.mpf(point[symbol.name]) for symbol in model.parameters]
+    if "eta" not in model.outputs:
+        return Tensor((len(model.measured),), _values(observe, [*found.entries, *known]))
+    *position, eta = found.entries
+    *seen, _ = _values(observe, [*position, *(mpmath.mpf(0) for _ in position), *known])
+    return Tensor((len(model.measured),), (*seen, eta / mpmath.mpf(point["r"])))
 
 
-def _position(name: str, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
+def _position(model: Model, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
     """The state from what is observed; the velocity as it was, if its radial part is right."""
-    model_map = catalogue()[f"{name}.map"]
-    position = list(_values(model_map, list(found.entries)))
-    if "vx" not in point:
-        return Tensor((len(position),), tuple(position))
-    x, y, eta = position
-    given = [mpmath.mpf(point[axis]) for axis in ("x", "y", "vx", "vy")]
-    radial = given[0] * given[2] + given[1] * given[3]
-    return Tensor((4,), (x, y, given[2] * eta / radial, given[3] * eta / radial))
+    known = [mpmath.mpf(point[symbol.name]) for symbol in model.parameters]
+    coordinates = _values(catalogue()[f"{model.name}.map"], [*found.entries, *known])
+    if "eta" not in model.outputs:
+        return Tensor((len(coordinates),), coordinates)
+    *position, eta = coordinates
+    axes = list(model.outputs)[:-1]
+    velocity = [mpmath.mpf(point[f"v{axis}"]) for axis in axes]
+    radial = mpmath.fdot([mpmath.mpf(point[axis]) for axis in axes], velocity)
+    return Tensor((2 * len(axes),), (*position, *(component * eta / radial for component in velocity)))
 
 
 def _values(quantity: Quantity, numbers: list[Number]) -> tuple[Number, ...]:

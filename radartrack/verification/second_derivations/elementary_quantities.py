@@ -7,7 +7,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from radartrack.derive.language.tensor import Tensor
-from radartrack.verification.second_derivations import best_weights, straight_lines, taylor_terms, van_loan_motion
+from radartrack.verification.second_derivations import (
+    best_weights,
+    between_sites,
+    straight_lines,
+    taylor_terms,
+    track_starts,
+    van_loan_motion,
+)
 
 Number = Any
 
@@ -22,6 +29,6 @@ class Second:
 
 ELEMENTARY = {
     name: Second(module.METHOD, values)
-    for module in (straight_lines, best_weights, van_loan_motion, taylor_terms)
+    for module in (straight_lines, best_weights, van_loan_motion, taylor_terms, between_sites, track_starts)
     for name, values in module.DERIVATIONS.items()
 }
