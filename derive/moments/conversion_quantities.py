@@ -344,6 +344,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         conditioning=Conditioning.TRUTH,
         source=cite("gao2020", "(1)"),
         word="sqrt((J K J')_aa)",
+        scaled_by=shared.model.scaled_by,
         derivation=lambda: _coordinate_deviations(shared).expanded(),
         rewriting=lambda: _coordinate_deviations(shared),
     )
@@ -356,6 +357,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         conditioning=Conditioning.TRUTH,
         source=cite("gao2020", "(2)"),
         word="sqrt(tr(J K J')/n)",
+        scaled_by=shared.model.scaled_by,
         derivation=lambda: _position_deviation(shared).expanded(),
         rewriting=lambda: _position_deviation(shared),
     )
@@ -391,6 +393,7 @@ def _validity(shared: Conversion, formulas: str) -> Quantity:
         conditioning=Conditioning.TRUTH,
         source=cite("prosov", "the question of validity"),
         word=f"sqrt(E[(J^-1 (w.d)^{NEGLECTED[formulas]} h)_i^2])/({factorial(NEGLECTED[formulas])} sigma_i)",
+        scaled_by=model.scaled_by,
         derivation=lambda: validity(model, formulas),
         rewriting=lambda: validity_form(model, formulas),
     )
@@ -430,4 +433,5 @@ def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:
         source=row.source if row.name != "map" else shared.model.source,
         word=row.word,
         derivation=lambda: derive(shared),
+        scaled_by=shared.model.scaled_by,
     )

@@ -45,7 +45,7 @@ DEVIATIONS: Mapping[str, Sequence[str]] = {
     "spherical_doppler": ("range_std", "azimuth_std", "elevation_std", "range_rate_std"),
     "ruv": ("range_std", "u_std", "v_std"),
 }
-CORRELATIONS = np.array([[1.0, 0.25, -0.5, 0.2], [0.25, 1.0, 0.4, -0.1], [-0.5, 0.4, 1.0, 0.3], [0.2, -0.1, 0.3, 1.0]])
+CORRELATIONS = np.array([[1.0, 0.25, -0.5, 0.2], [0.25, 1.0, 0.4, -0.3], [-0.5, 0.4, 1.0, 0.3], [0.2, -0.3, 0.3, 1.0]])
 """Of predictions: all quantities with all others, as a track has them."""
 
 PREDICTED_DEVIATIONS = {
