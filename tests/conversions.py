@@ -16,7 +16,7 @@ from tests import maps
 
 QUANTITIES = [quantity for quantity in catalogue().values() if quantity.module in models()]
 BY_HAND = [quantity for quantity in QUANTITIES if quantity.module in maps.MAPS]
-"""Of the models whose maps are written down by hand; the bistatic radar, whose map has a parameter, has its own tests."""
+"""Of the models whose maps are written down by hand; the bistatic radar, whose map has a parameter, has own tests."""
 
 
 def generated(quantity: Quantity) -> Callable[..., np.ndarray]:
