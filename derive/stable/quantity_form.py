@@ -35,7 +35,7 @@ def scaled(form: StableForm, quantity: Quantity, scale: Variable) -> StableForm:
     """
     lengths = [symbol for symbol in quantity.symbols if symbol.unit.metre and symbol != scale]
     shares = {symbol: sp.Symbol(f"{symbol.name}_per_{scale.name}", real=True) for symbol in lengths}
-    over_scale: dict[Expr, Expr] = {scale: sp.Integer(1), **shares}
+    over_scale: dict[Expr, Expr] = {symbol: shares.get(symbol, sp.Integer(1)) for symbol in (scale, *lengths)}
     definitions = {shares[symbol]: symbol / scale ** sp.Rational(*_ratio(symbol.unit.metre)) for symbol in lengths}
     definitions |= {name: value.xreplace(over_scale) for name, value in form.definitions.items()}
     entries = [
