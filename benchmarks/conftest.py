@@ -20,9 +20,11 @@ def plots() -> dict[str, Floats]:
         "r": generator.uniform(1e3, 1e5, PLOTS),
         "azimuth": generator.uniform(-3.0, 3.0, PLOTS),
         "elevation": generator.uniform(-1.0, 1.0, PLOTS),
+        "range_rate": generator.uniform(-300.0, 300.0, PLOTS),
         "range_std": generator.uniform(10.0, 100.0, PLOTS),
         "azimuth_std": generator.uniform(1e-3, 2e-2, PLOTS),
         "elevation_std": generator.uniform(1e-3, 2e-2, PLOTS),
+        "range_rate_std": generator.uniform(0.5, 5.0, PLOTS),
     }
 
 

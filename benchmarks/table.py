@@ -54,6 +54,10 @@ ROWS = (
         "TestSpherical::test_numpy", "TestSpherical::test_fused", "≤ 2.0"),
     Row("`convert.spherical`, unbiased, 1e6 plots, with `[fast]`", "the same loop",
         "TestSpherical::test_fast", "TestSpherical::test_fused", "≤ 0.7"),
+    Row("`convert.spherical_doppler`, unbiased, 1e6 plots, NumPy alone", "a fused Numba loop, one thread",
+        "TestSphericalDoppler::test_numpy", "TestSphericalDoppler::test_fused", "≤ 2.0"),
+    Row("`convert.spherical_doppler`, unbiased, 1e6 plots, with `[fast]`", "the same loop",
+        "TestSphericalDoppler::test_fast", "TestSphericalDoppler::test_fused", "≤ 0.7"),
     Row("`convert.polar`, one plot", "Stone Soup's",
         "TestOnePlot::test_numpy", "TestOnePlot::test_stone_soup", "≥ 10 times faster", faster=True),
     Row("`FiniteSampleFilter.estimate`, 1e5 tracks of 20 scans", "the bare matrix product",
@@ -62,6 +66,13 @@ ROWS = (
         "TestRun::test_radartrack", "TestRun::test_filterpy", "≥ 500 times faster", faster=True),
     Row("`kalman.run`, 1e4 tracks of 100 steps", "the same arithmetic in einsum and matmul",
         "TestKalman::test_radartrack", "TestKalman::test_by_hand", "≤ 1.0"),
+    *(
+        Row(f"`kalman.update_with`, order {order}, 1e5 tracks", "the same arithmetic in matmul and solve",
+            f"TestUpdateWith::test_radartrack[{order}]", f"TestUpdateWith::test_by_hand[{order}]", "≤ 1.5")
+        for order in (1, 2)
+    ),
+    Row("`kalman.update_with`, order 1, 1e5 tracks", "Stone Soup's extended updater, track by track",
+        "TestUpdateWith::test_radartrack[1]", "TestUpdateWithPeer::test_stone_soup", "≥ 100 times faster", faster=True),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, NumPy alone", "drawing the normals alone",
         "TestMonteCarlo::test_numpy", "TestMonteCarlo::test_normals", "–"),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, with `[fast]`", "the same",

@@ -15,6 +15,7 @@ from radartrack._arrays import machine_code
 
 POLAR = ("r", "azimuth", "range_std", "azimuth_std")
 SPHERICAL = ("r", "azimuth", "elevation", "range_std", "azimuth_std", "elevation_std")
+SPHERICAL_DOPPLER = (*SPHERICAL[:3], "range_rate", *SPHERICAL[3:], "range_rate_std")
 FEW = 300
 Timed = Callable[..., Any]
 
@@ -58,6 +59,21 @@ class TestSpherical:
     def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
         arrays = [*(plots[n] for n in SPHERICAL), np.zeros(PLOTS)]
         timed(fused_loop("spherical_unbiased", 3), *arrays, items=PLOTS, rounds=3)
+
+
+class TestSphericalDoppler:
+    """convert.spherical_doppler with deviations of each plot."""
+
+    def test_numpy(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(machine_code, "is_available", lambda: False)
+        timed(convert.spherical_doppler, *(plots[n] for n in SPHERICAL_DOPPLER), items=PLOTS, rounds=3)
+
+    def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        timed(convert.spherical_doppler, *(plots[n] for n in SPHERICAL_DOPPLER), items=PLOTS, rounds=3)
+
+    def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        arrays = [*(plots[n] for n in SPHERICAL_DOPPLER), np.zeros(PLOTS)]
+        timed(fused_loop("spherical_doppler_unbiased", 4), *arrays, items=PLOTS, rounds=3)
 
 
 class TestOnePlot:

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities bistatic.*.
 
-Written by radartrack regenerate, generator 1, derivation 77a1107b484010a7; not to be edited.
+Written by radartrack regenerate, generator 1, derivation c665183dbeef7f96; not to be edited.
 """
 
 import numpy as np
@@ -785,8 +785,8 @@ def validity_linear(
     product_3 = 0.5 * path * rho**2 * sigma_beta_squared * sum_2 * sum_3
     sum_1_squared = sum_1**2
     result = _empty(arguments, (2,))
-    result[..., 0] = np.sqrt((0.5 * complement_of_rho_squared * path * sigma_beta_squared * sum_2 * sum_3 + product_1 + product_2 + product_3)**2 + 2.0 * (product_1 + product_2 + product_3)**2 + 0.5 * complement_of_rho_squared**2 * path_squared * sigma_beta_squared**2 * sum_2**2 * sum_3**2 + (path * rho * sigma_beta * sum_2 * sum_3 - 2.0 * baseline * sigma_path * sin_beta * sum_2 * sum_3 * term_1)**2 * complement_of_rho_squared * sigma_beta_squared) / (sigma_path * sum_1)
-    result[..., 1] = np.sqrt(3.0 * (-2.0 * baseline * sigma_beta * sin_beta * sum_1 * sum_2 * sum_3 * term_1 - 2.0 * rho * sigma_path * sum_1_squared * term_1)**2 * sigma_beta_squared + 4.0 * complement_of_rho_squared * sigma_beta_squared * sigma_path_squared * sum_1_squared**2 / divisor_1**2) / ((2.0 * baseline * cos_beta * path * path_squared - 2.0 * baseline * baseline_squared * cos_beta * path - path_squared**2 + baseline_squared**2) * sigma_beta)
+    result[..., 0] = np.sqrt((0.5 * complement_of_rho_squared * path * sigma_beta_squared * sum_2 * sum_3 + product_1 + product_2 + product_3)**2 + 2.0 * (product_1 + product_2 + product_3)**2 + 0.5 * complement_of_rho_squared**2 * path_squared * sigma_beta_squared**2 * sum_2**2 * sum_3**2 + (path * rho * sigma_beta * sum_2 * sum_3 - 2.0 * baseline * sigma_path * sin_beta * sum_2 * sum_3 * term_1)**2 * complement_of_rho_squared * sigma_beta_squared) / (np.abs(sum_1) * sigma_path)
+    result[..., 1] = np.sqrt(3.0 * (-2.0 * baseline * sigma_beta * sin_beta * sum_1 * sum_2 * sum_3 * term_1 - 2.0 * rho * sigma_path * sum_1_squared * term_1)**2 * sigma_beta_squared + 4.0 * complement_of_rho_squared * sigma_beta_squared * sigma_path_squared * sum_1_squared**2 / divisor_1**2) / (np.abs(2.0 * baseline * cos_beta * path * path_squared - 2.0 * baseline * baseline_squared * cos_beta * path - path_squared**2 + baseline_squared**2) * sigma_beta)
     return result
 
 
@@ -865,8 +865,8 @@ def validity_second_order(
         + path_squared
     )
     result = _empty(arguments, (2,))
-    result[..., 0] = np.sqrt((12.0 * baseline_squared * product_4 * sin_beta_squared * term_1 - 2.0 * complement_of_rho_squared * sigma_beta_squared * sigma_path * sum_2 * term_1 - 3.0 * baseline * complement_of_rho_squared * path * product_3 * rho * sin_beta * sum_3 * sum_4 * term_2 - 3.0 * baseline * path * product_2 * product_3 * sin_beta * sum_3 * sum_4 * term_2 - 6.0 * rho_squared * sigma_beta_squared * sigma_path * sum_2 * term_1 + 24.0 * baseline_squared * rho * sigma_beta * sigma_path_squared * sin_beta * sum_5 * term_1)**2 + 2.0 * (product_5 + product_6 + product_7)**2 * complement_of_rho_squared * sigma_beta_squared + 2.0 * (-2.0 * sigma_path * sum_2 * term_1 - 3.0 * baseline * path * rho * sigma_beta * sin_beta * sum_3 * sum_4 * term_2)**2 * complement_of_rho_squared_squared * sigma_beta_squared**2 + 6.0 * (4.0 * baseline_squared * product_4 * sin_beta_squared * term_1 - 2.0 * rho_squared * sigma_beta_squared * sigma_path * sum_2 * term_1 - baseline * path * product_2 * product_3 * sin_beta * sum_3 * sum_4 * term_2 + 8.0 * baseline_squared * rho * sigma_beta * sigma_path_squared * sin_beta * sum_5 * term_1)**2 + 6.0 * baseline_squared * complement_of_rho_squared * complement_of_rho_squared**2 * path_squared * sigma_beta_squared * sigma_beta_squared**2 * sin_beta_squared * sum_3**2 * sum_4**2 * term_1 + (product_5 - 3.0 * baseline * complement_of_rho_squared * path * sigma_beta_squared * sin_beta * sum_3 * sum_4 * term_2 + product_6 + product_7)**2 * complement_of_rho_squared * sigma_beta_squared) / (sigma_path * sum_1)
-    result[..., 1] = np.sqrt(3.0 * (8.0 * baseline_squared * sigma_beta * sin_beta * sum_1 * sum_5 * term_1 + 8.0 * baseline_squared * rho * sigma_path * sin_beta_squared * sum_1 * term_1)**2 * complement_of_rho_squared * sigma_beta_squared * sigma_path_squared + 32.0 * baseline_squared_squared * complement_of_rho_squared_squared * sigma_beta_squared * sigma_path_squared**2 * sin_beta_squared**2 * sum_1**2 / (divisor_1**2)**2 + 6.0 * (4.0 * baseline_squared * rho_squared * sigma_path_squared * sin_beta_squared * sum_1 * term_1 - 2.0 * sigma_beta_squared * sum_1 * sum_3 * sum_4 * sum_6 * term_1 / 3.0 + 8.0 * baseline_squared * rho * sigma_beta * sigma_path * sin_beta * sum_1 * sum_5 * term_1)**2 * sigma_beta_squared + (12.0 * baseline_squared * rho_squared * sigma_path_squared * sin_beta_squared * sum_1 * term_1 - 2.0 * sigma_beta_squared * sum_1 * sum_3 * sum_4 * sum_6 * term_1 + 24.0 * baseline_squared * rho * sigma_beta * sigma_path * sin_beta * sum_1 * sum_5 * term_1 + 4.0 * baseline_squared * complement_of_rho_squared * sigma_path_squared * sin_beta_squared * sum_1 * term_1)**2 * sigma_beta_squared) / ((2.0 * baseline * cos_beta * product_1 - 2.0 * baseline * baseline_squared * cos_beta * path - path_squared_squared + baseline_squared_squared) * sigma_beta)
+    result[..., 0] = np.sqrt((12.0 * baseline_squared * product_4 * sin_beta_squared * term_1 - 2.0 * complement_of_rho_squared * sigma_beta_squared * sigma_path * sum_2 * term_1 - 3.0 * baseline * complement_of_rho_squared * path * product_3 * rho * sin_beta * sum_3 * sum_4 * term_2 - 3.0 * baseline * path * product_2 * product_3 * sin_beta * sum_3 * sum_4 * term_2 - 6.0 * rho_squared * sigma_beta_squared * sigma_path * sum_2 * term_1 + 24.0 * baseline_squared * rho * sigma_beta * sigma_path_squared * sin_beta * sum_5 * term_1)**2 + 2.0 * (product_5 + product_6 + product_7)**2 * complement_of_rho_squared * sigma_beta_squared + 2.0 * (-2.0 * sigma_path * sum_2 * term_1 - 3.0 * baseline * path * rho * sigma_beta * sin_beta * sum_3 * sum_4 * term_2)**2 * complement_of_rho_squared_squared * sigma_beta_squared**2 + 6.0 * (4.0 * baseline_squared * product_4 * sin_beta_squared * term_1 - 2.0 * rho_squared * sigma_beta_squared * sigma_path * sum_2 * term_1 - baseline * path * product_2 * product_3 * sin_beta * sum_3 * sum_4 * term_2 + 8.0 * baseline_squared * rho * sigma_beta * sigma_path_squared * sin_beta * sum_5 * term_1)**2 + 6.0 * baseline_squared * complement_of_rho_squared * complement_of_rho_squared**2 * path_squared * sigma_beta_squared * sigma_beta_squared**2 * sin_beta_squared * sum_3**2 * sum_4**2 * term_1 + (product_5 - 3.0 * baseline * complement_of_rho_squared * path * sigma_beta_squared * sin_beta * sum_3 * sum_4 * term_2 + product_6 + product_7)**2 * complement_of_rho_squared * sigma_beta_squared) / (np.abs(sum_1) * sigma_path)
+    result[..., 1] = np.sqrt(3.0 * (8.0 * baseline_squared * sigma_beta * sin_beta * sum_1 * sum_5 * term_1 + 8.0 * baseline_squared * rho * sigma_path * sin_beta_squared * sum_1 * term_1)**2 * complement_of_rho_squared * sigma_beta_squared * sigma_path_squared + 32.0 * baseline_squared_squared * complement_of_rho_squared_squared * sigma_beta_squared * sigma_path_squared**2 * sin_beta_squared**2 * sum_1**2 / (divisor_1**2)**2 + 6.0 * (4.0 * baseline_squared * rho_squared * sigma_path_squared * sin_beta_squared * sum_1 * term_1 - 2.0 * sigma_beta_squared * sum_1 * sum_3 * sum_4 * sum_6 * term_1 / 3.0 + 8.0 * baseline_squared * rho * sigma_beta * sigma_path * sin_beta * sum_1 * sum_5 * term_1)**2 * sigma_beta_squared + (12.0 * baseline_squared * rho_squared * sigma_path_squared * sin_beta_squared * sum_1 * term_1 - 2.0 * sigma_beta_squared * sum_1 * sum_3 * sum_4 * sum_6 * term_1 + 24.0 * baseline_squared * rho * sigma_beta * sigma_path * sin_beta * sum_1 * sum_5 * term_1 + 4.0 * baseline_squared * complement_of_rho_squared * sigma_path_squared * sin_beta_squared * sum_1 * term_1)**2 * sigma_beta_squared) / (np.abs(2.0 * baseline * baseline_squared * cos_beta * path - 2.0 * baseline * cos_beta * product_1 - baseline_squared_squared + path_squared_squared) * sigma_beta)
     return result
 
 
@@ -3724,7 +3724,8 @@ def decorrelated_covariance_second_order(
     Name: bistatic.decorrelated.covariance.second_order.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^2.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         path: length of the path from transmitter to target to receiver [m], 30000 to 1e+06.
@@ -3811,7 +3812,8 @@ def decorrelated_covariance_fourth_order(
     Name: bistatic.decorrelated.covariance.fourth_order.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^4.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         path: length of the path from transmitter to target to receiver [m], 30000 to 1e+06.
@@ -7030,7 +7032,8 @@ def decorrelated_covariance_semidefinite(
     Name: bistatic.decorrelated.covariance.semidefinite.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^4 + dg K dg', g = Lp h.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         path: length of the path from transmitter to target to receiver [m], 30000 to 1e+06.

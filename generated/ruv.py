@@ -2027,7 +2027,8 @@ def decorrelated_covariance_second_order(
     Name: ruv.decorrelated.covariance.second_order.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^2.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2107,7 +2108,8 @@ def decorrelated_covariance_fourth_order(
     Name: ruv.decorrelated.covariance.fourth_order.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^4.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.
@@ -2917,7 +2919,8 @@ def decorrelated_covariance_semidefinite(
     Name: ruv.decorrelated.covariance.semidefinite.
     Definition: e^Lp [e^L(u u') - h h'] to sigma^4 + dg K dg', g = Lp h.
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.

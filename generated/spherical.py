@@ -2204,7 +2204,8 @@ def decorrelated_covariance(
     Name: spherical.decorrelated.covariance.
     Definition: e^Lp [e^L(u u') - h h'].
     Conditioning: averaged over a prediction: the measured symbols stand for the predicted mean.
-    Source: Bordonaro et al. 2014 decorrelated, doi:10.1109/TAES.2014.120563.
+    Source: Bordonaro et al. 2014 decorrelated; Mo et al. 1998 R_m where Kp = K, R_t where Kp = 0,
+    doi:10.1109/TAES.2014.120563, doi:10.1109/7.705921.
 
     Args:
         r: range [m], 1 to 1e+08.

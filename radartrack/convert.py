@@ -340,11 +340,12 @@ def bistatic(
     Near the baseline they converge slowly, which the intervals below keep off.
 
     The arguments broadcast to the leading shape of the result. It is float32 where every array given is, and
-    float64 otherwise; all is computed in float64.
+    float64 otherwise.
 
     Args:
-        path: measured length of the path [m], from 1e-9 to 1e15.
-        azimuth: measured azimuth [rad], wrapped or not, from -1e6 to 1e6; 0 is where the transmitter stands.
+        path: measured length of the path [m], from 1e-30 to 1e100, in float32 to 1e10.
+        azimuth: measured azimuth [rad], wrapped or not, from -1e6 to 1e6, in float32 from -1e3 to 1e3; 0 is where the
+            transmitter stands.
         baseline: distance from transmitter to receiver [m], at least 0; baseline + 5 path_std is at most 0.999 path.
         path_std: standard deviation of the path [m].
         azimuth_std: standard deviation of the azimuth [rad], from 0 to 0.5, and to arccosh(path/baseline)/5.

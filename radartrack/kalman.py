@@ -242,7 +242,8 @@ def update_with(
     }
     seen = np.broadcast_to(values, (*tracks, len(sight.outputs))).reshape(-1, len(sight.outputs))
     errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
-    means, covariances = np.empty((len(seen), len(mean))), np.empty((len(seen), len(mean), len(mean)))
+    dtype, shape = np.result_type(mean, covariance, seen, errors), (len(seen), len(mean))
+    means, covariances = np.empty(shape, dtype), np.empty((*shape, len(mean)), dtype)
     look = _Look(sight, places, second, spread, errors)
 
     def block(own: NDArray[np.intp], new_means: RealArray, new_covariances: RealArray) -> None:
@@ -330,7 +331,8 @@ class _Look(NamedTuple):
         if self.second:
             shift, spread = _curvature(sight.evaluate("hessian", near, site), covariance, places)
             predicted = predicted + shift
-            noise = spread + (noise if noise.ndim == 3 else noise[..., np.newaxis])
+            noise, lost = _with_spread(noise if noise.ndim == 3 else noise[..., np.newaxis], spread)
+            rows[np.swapaxes(np.broadcast_to(lost, (mean.shape[0], *lost.shape)), 0, 1)] = 0
         innovation = measured - predicted
         for place in sight.azimuths:
             innovation[place] -= 2 * np.pi * np.round(innovation[place] / (2 * np.pi))
@@ -340,12 +342,22 @@ class _Look(NamedTuple):
 
 def _curvature(hessian: RealArray, covariance: RealArray, places: list[int]) -> tuple[RealArray, RealArray]:
     """tr(G P)/2, (m, tracks), and tr(G_a P G_b P)/2, (m, m, tracks)."""
-    spread = np.moveaxis(covariance[np.ix_(places, places)], -1, 0)[:, np.newaxis]
-    turned = hessian @ spread
-    flat = turned.reshape(*turned.shape[:2], -1)
-    across = np.swapaxes(turned, -1, -2).reshape(flat.shape)
-    moments = flat @ np.swapaxes(across, -1, -2)
-    return np.trace(turned, axis1=-2, axis2=-1).T / 2, np.moveaxis(moments + np.swapaxes(moments, -1, -2), 0, -1) / 4
+    curvature = np.ascontiguousarray(np.moveaxis(hessian, 0, -1))
+    turned = _combination(np.moveaxis(curvature, 2, 0)[:, :, :, np.newaxis], covariance[np.ix_(places, places)])
+    size, tracks = len(turned), turned.shape[-1]
+    flat, across = (part.reshape(size, -1, tracks) for part in (turned, turned.swapaxes(1, 2)))
+    spread = np.empty((size, size, tracks), turned.dtype)
+    for i in range(size):
+        for j in range(i + 1):
+            spread[i, j] = spread[j, i] = np.einsum("pt,pt->t", flat[i], across[j]) / 2
+    return np.trace(turned, axis1=1, axis2=2) / 2, spread
+
+
+def _with_spread(noise: RealArray, spread: RealArray) -> tuple[RealArray, NDArray[np.bool_]]:
+    """R with what curvature adds, (m, m, tracks), and what is lost in that, (m, tracks): its square overflows."""
+    lost = ~(np.sqrt(np.finfo(spread.dtype).max) >= np.diagonal(spread).T)
+    alone = np.eye(len(spread), dtype=spread.dtype)[..., np.newaxis]
+    return np.where(lost | lost[:, np.newaxis], alone, noise + spread), lost
 
 
 def _predicted(mean: RealArray, covariance: RealArray, motion: Motion) -> tuple[RealArray, RealArray]:

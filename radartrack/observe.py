@@ -169,7 +169,8 @@ def bistatic(state: ArrayLike, baseline: ArrayLike, azimuth_from: AzimuthFrom = 
 
     Args:
         state: as for `polar`.
-        baseline: distance of the transmitter [m], from 0 to 1e15, on the axis that the azimuth is counted from.
+        baseline: distance of the transmitter [m], on the axis that the azimuth is counted from, from 0 to 1e100, in
+            float32 to 1e10.
         azimuth_from: as for `polar`.
 
     Returns:

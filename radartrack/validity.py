@@ -261,7 +261,7 @@ def bistatic(
         path: from transmitter to target to receiver [m], as the conversion `bistatic` takes it.
         azimuth: azimuth at the receiver [rad], as for `polar`; 0 is where the transmitter stands.
         baseline: distance from transmitter to receiver [m], as the conversion takes it.
-        path_std: standard deviation of the path [m], from 1e-30 to 1e15.
+        path_std: standard deviation of the path [m].
         azimuth_std: standard deviation of the azimuth [rad], to 0.5.
         correlation: correlation of the errors of path and azimuth, from -1 to 1.
         formulas: as for `polar`.

@@ -21,6 +21,10 @@ def polar_doppler(m: Any, r: Any, beta: Any, rdot: Any) -> list[Any]:
     return [r * m.cos(beta), r * m.sin(beta), r * rdot]
 
 
+def spherical_doppler(m: Any, r: Any, beta: Any, epsilon: Any, rdot: Any) -> list[Any]:
+    return [*spherical(m, r, beta, epsilon), r * rdot]
+
+
 def spherical(m: Any, r: Any, beta: Any, epsilon: Any) -> list[Any]:
     return [r * m.cos(epsilon) * m.sin(beta), r * m.cos(epsilon) * m.cos(beta), r * m.sin(epsilon)]
 
@@ -29,8 +33,11 @@ def ruv(m: Any, r: Any, u: Any, v: Any) -> list[Any]:
     return [r * u, r * v, r * m.sqrt(1 - u * u - v * v)]
 
 
-MAPS: dict[str, Callable[..., list[Any]]] = {f.__name__: f for f in (polar, polar_doppler, ruv, spherical)}
+MAPS: dict[str, Callable[..., list[Any]]] = {
+    f.__name__: f for f in (polar, polar_doppler, ruv, spherical, spherical_doppler)
+}
 CORRELATED = {"polar": ("r", "beta"), "polar_doppler": ("r", "rdot"), "ruv": ("u", "v"), "spherical": ("r", "beta")}
+CORRELATED["spherical_doppler"] = ("r", "rdot")
 
 
 def rotated(angle: float, x: int, y: int, size: int) -> np.ndarray:
@@ -44,6 +51,7 @@ ROTATIONS: dict[str, Callable[[float], np.ndarray]] = {
     "polar": lambda angle: rotated(angle, 0, 1, 2),
     "polar_doppler": lambda angle: rotated(angle, 0, 1, 3),
     "spherical": lambda angle: rotated(angle, 1, 0, 3),
+    "spherical_doppler": lambda angle: rotated(angle, 1, 0, 4),
 }
 """What adding an angle to the azimuth does to the coordinates."""
 
@@ -52,6 +60,7 @@ REFLECTIONS: dict[str, Sequence[tuple[str, Sequence[float]]]] = {
     "polar_doppler": [("beta", (1, -1, 1)), ("rdot", (1, 1, -1))],
     "ruv": [("u", (-1, 1, 1)), ("v", (1, -1, 1))],
     "spherical": [("beta", (-1, 1, 1)), ("epsilon", (1, 1, -1))],
+    "spherical_doppler": [("beta", (-1, 1, 1, 1)), ("epsilon", (1, 1, -1, 1)), ("rdot", (1, 1, 1, -1))],
 }
 """Measured quantities whose sign can be turned, and what that does to the coordinates."""
 

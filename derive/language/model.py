@@ -32,6 +32,7 @@ class Model:
         units: the unit of each coordinate.
         source: where the map stands in print.
         parameters: symbols of the map that are known and carry no error, such as a baseline.
+        scaled_by: a length over which code takes all others, for maps with high powers of lengths.
 
     Raises:
         TypeError: when an output is no expression.
@@ -48,6 +49,7 @@ class Model:
     source: Source
     correlations: Mapping[tuple[Variable, Variable], Variable] = field(default_factory=dict)
     parameters: tuple[Variable, ...] = ()
+    scaled_by: Variable | None = None
 
     def __post_init__(self) -> None:
         self._require_words()

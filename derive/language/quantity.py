@@ -43,6 +43,7 @@ class Quantity:
         scale: what the error of each entry is measured against, where its kind does not say that.
         measured_against: the scale in words.
         common_unit: a factor of the unit of every entry; the unit of a scalar.
+        scaled_by: a length over which code takes all others.
         is_difference: whether it vanishes where it is of use, as a residual does; its errors are then
             measured against the sizes of its terms.
         model: the measurement model that it belongs to, if any.
@@ -61,6 +62,7 @@ class Quantity:
     scale: Callable[[], Tensor[Expr]] | None = field(default=None, repr=False, compare=False)
     measured_against: str = ""
     common_unit: Unit = ONE
+    scaled_by: Variable | None = None
     is_difference: bool = False
     model: Model | None = field(default=None, repr=False)
     unit_of_entry: Callable[[Index], Unit] | None = field(default=None, repr=False, compare=False)

@@ -125,7 +125,7 @@ BAR_SHALOM = cite("barshalom1995")
 LERRO = cite("lerro1993")
 MO = cite("mo1998")
 DUAN = cite("duan2004", "modified unbiased")
-BORDONARO = cite("bordonaro2014", "decorrelated")
+BORDONARO = cite("bordonaro2014", "decorrelated", cite("mo1998", "R_m where Kp = K, R_t where Kp = 0"))
 
 # fmt: off - a table reads best with few lines a row
 EXPANSION = (
@@ -352,6 +352,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         conditioning=Conditioning.TRUTH,
         source=cite("gao2020", "(1)"),
         word="sqrt((J K J')_aa)",
+        scaled_by=shared.model.scaled_by,
         derivation=lambda: _coordinate_deviations(shared).expanded(),
         rewriting=lambda: _coordinate_deviations(shared),
         model=shared.model,
@@ -365,6 +366,7 @@ def _deviations(shared: Conversion) -> list[Quantity]:
         conditioning=Conditioning.TRUTH,
         source=cite("gao2020", "(2)"),
         word="sqrt(tr(J K J')/n)",
+        scaled_by=shared.model.scaled_by,
         derivation=lambda: _position_deviation(shared).expanded(),
         rewriting=lambda: _position_deviation(shared),
         model=shared.model,
@@ -401,6 +403,7 @@ def _validity(shared: Conversion, formulas: str) -> Quantity:
         conditioning=Conditioning.TRUTH,
         source=cite("prosov", "the question of validity"),
         word=f"sqrt(E[(J^-1 (w.d)^{NEGLECTED[formulas]} h)_i^2])/({factorial(NEGLECTED[formulas])} sigma_i)",
+        scaled_by=model.scaled_by,
         derivation=lambda: validity(model, formulas),
         rewriting=lambda: validity_form(model, formulas),
         model=model,
@@ -442,4 +445,5 @@ def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:
         word=row.word,
         derivation=lambda: derive(shared),
         model=shared.model,
+        scaled_by=shared.model.scaled_by,
     )

@@ -57,7 +57,7 @@ def validity_form(model: Model, formulas: str) -> StableForm:
     form = general_form(terms)
     mean_square = MeanSquare(model, list(named.values()))
     ratios = [
-        sp.sqrt(mean_square.of({powers: named[i, powers] for powers in row.terms})) / (row.divisor * deviation)
+        sp.sqrt(mean_square.of({powers: named[i, powers] for powers in row.terms})) / (_size(row.divisor) * deviation)
         for i, (row, deviation) in enumerate(zip(rows, model.deviations, strict=True))
     ]
     parts = dict(zip(named.values(), form.entries, strict=True))
@@ -66,6 +66,11 @@ def validity_form(model: Model, formulas: str) -> StableForm:
     definitions = {**form.definitions, **long, **mean_square.definitions}
     entries = tuple(ratio.xreplace(short) for ratio in ratios)
     return StableForm(definitions, form.entries).only(Tensor((len(rows),), entries))
+
+
+def _size(divisor: Expr) -> Expr:
+    """The divisor without its sign, which only a sum may turn: lengths are positive, and cosines of elevations."""
+    return sp.Mul(*(sp.Abs(factor) if isinstance(factor, sp.Add) else factor for factor in sp.Mul.make_args(divisor)))
 
 
 def _name(model: Model, i: int, powers: Powers) -> Symbol:

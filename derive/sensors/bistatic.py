@@ -16,6 +16,7 @@ MODEL = Model(
     title="Bistatic path length and azimuth to x and y",
     measured=(path, beta),
     parameters=(baseline,),
+    scaled_by=path,
     deviations=(deviation(path, low=1e-3, high=1e3), deviation(beta, low=1e-9, high=0.1)),
     correlations={(path, beta): correlation("rho", path, beta)},
     outputs={"x": r * cos(beta), "y": r * sin(beta)},

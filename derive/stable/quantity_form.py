@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
 
 from radartrack.derive import symbolic as sp
@@ -9,6 +10,7 @@ from radartrack.derive.algebra.equality import proved_zero
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.stable.shifted_count import with_sums_expanded
 from radartrack.derive.symbolic import Expr
@@ -23,14 +25,37 @@ def form_of(quantity: Quantity) -> StableForm:
     return _form(quantity, quantity.derivation, quantity.rewriting)
 
 
+def scaled(form: StableForm, quantity: Quantity, scale: Variable) -> StableForm:
+    """The same with every length over one of them, so that no power of a length overflows that need not.
+
+    A quantity in m^d is homogeneous of the degree d in all that is measured in metres: f(s, x) = s^d f(1, x/s). That
+    every quantity of a model has its unit follows from the outputs', which are checked where a model is made.
+    """
+    lengths = [symbol for symbol in quantity.symbols if symbol.unit.metre and symbol != scale]
+    shares = {symbol: sp.Symbol(f"{symbol.name}_per_{scale.name}", real=True) for symbol in lengths}
+    over_scale: dict[Expr, Expr] = {symbol: shares.get(symbol, sp.Integer(1)) for symbol in (scale, *lengths)}
+    definitions = {shares[symbol]: symbol / scale ** sp.Rational(*_ratio(symbol.unit.metre)) for symbol in lengths}
+    definitions |= {name: value.xreplace(over_scale) for name, value in form.definitions.items()}
+    entries = [
+        scale ** sp.Rational(*_ratio(quantity.unit(index).metre)) * entry.xreplace(over_scale)
+        for index, entry in form.entries.items()
+    ]
+    return StableForm(definitions, form.entries, form.arbitrary).only(Tensor(form.entries.shape, tuple(entries)))
+
+
+def _ratio(exponent: Fraction) -> tuple[int, int]:
+    return exponent.numerator, exponent.denominator
+
+
 @cache
 def _form(quantity: Quantity, *_origin: object) -> StableForm:
     """Kept by what it is derived from: another model may have the same names."""
     if quantity.rewriting is not None:
         form = quantity.rewriting()
         _prove(form, quantity.expression)
-        return form
-    return general_form(quantity.expression)
+    else:
+        form = general_form(quantity.expression)
+    return form if quantity.scaled_by is None else scaled(form, quantity, quantity.scaled_by)
 
 
 def readable(quantity: Quantity) -> Tensor[Expr]:

@@ -60,9 +60,7 @@ RANGE_RATE = Domain(" m/s", 1e50, 1e8, "the square of a larger number times a ra
 RANGE_RATE_STD = Domain(" m/s", 1e50, 1e8, "the square of a larger number times a range overflows")
 DIRECTION_COSINE = Domain("", 1.0, 1.0, "no cosine is larger", signed=True)
 DIRECTION_COSINE_STD = Domain("", 1.0, 1.0, "no cosine is larger")
-PATH = Domain(" m", 1e15, 1e15, "high powers of other numbers overflow or vanish", smallest=1e-9)
-PATH_STD = Domain(" m", 1e15, 1e15, "high powers of larger numbers overflow")
-BASELINE = Domain(" m", 1e15, 1e15, "high powers of larger numbers overflow")
+PATH = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow, and a path has a length", smallest=1e-30)
 PATH_AZIMUTH_STD = Domain(" rad", 0.5, 0.5, "of a larger deviation the series of fourth order leaves a per cent")
 CORRELATION = Domain("", 1.0, 1.0, "no correlation is larger", signed=True)
 

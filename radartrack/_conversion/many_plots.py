@@ -9,10 +9,9 @@ from numpy.typing import ArrayLike
 
 from radartrack._arrays import machine_code
 from radartrack._arrays.batches import BLOCK, fill
-from radartrack._arrays.validation import DOUBLE, RealArray, broadcast_shape, common_shape, real_arrays
+from radartrack._arrays.validation import RealArray, broadcast_shape, common_shape, real_arrays
 from radartrack._conversion.careful_covariance import decorrelated, make_sound
 from radartrack._conversion.prediction import COVARIANCE, MEAN, Predicted
-from radartrack._conversion.semidefinite import cast
 from radartrack._conversion.sensors import Sensor
 from radartrack._conversion.way import Way
 from radartrack.generated import conversions
@@ -32,22 +31,14 @@ def many_plots(way: Way, given: Mapping[str, ArrayLike]) -> tuple[RealArray, Rea
 
     """
     arrays = real_arrays({**given, **way.prediction})
-    dtype = next(iter(arrays.values())).dtype
-    if way.sensor.in_double and dtype != DOUBLE:
-        mean, covariance = _computed(way, {name: array.astype(DOUBLE) for name, array in arrays.items()})
-        return mean.astype(dtype), cast(covariance, dtype)
-    return _computed(way, arrays)
-
-
-def _computed(way: Way, arrays: Mapping[str, RealArray]) -> tuple[RealArray, RealArray]:
     try:
-        return _in_blocks(way, arrays)
+        return _computed(way, arrays)
     except ValueError:  # from one block; the message is about all
         _checked(way.sensor, arrays)
         raise
 
 
-def _in_blocks(way: Way, arrays: Mapping[str, RealArray]) -> tuple[RealArray, RealArray]:
+def _computed(way: Way, arrays: Mapping[str, RealArray]) -> tuple[RealArray, RealArray]:
     """In blocks, each of which is checked while it is in the cache."""
     sensor = way.sensor
     size = len(sensor.coordinates)  # as many coordinates as there are measured quantities

@@ -77,8 +77,9 @@ def nearest(covariances: RealArray, independent: RealArray) -> RealArray:
 
     """
     variances = np.maximum(_variances(independent), np.abs(_variances(covariances)))
-    deviations = np.sqrt(np.where(variances > 0, variances, 1))
-    values, vectors = np.linalg.eigh(covariances / deviations[:, :, np.newaxis] / deviations[:, np.newaxis, :])
+    deviations = np.sqrt(variances)  # what has none keeps none, whatever eigenvectors rounding mixes
+    divisors = np.where(deviations > 0, deviations, 1)
+    values, vectors = np.linalg.eigh(covariances / divisors[:, :, np.newaxis] / divisors[:, np.newaxis, :])
     least, limit = values.min(initial=0), -ROUNDING * np.finfo(covariances.dtype).eps
     if not least >= limit:
         allowed = f"positive semidefinite: eigenvalues of its correlations from {limit:.2g}"

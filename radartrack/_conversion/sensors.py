@@ -10,14 +10,12 @@ import numpy as np
 from radartrack._arrays.validation import (
     ANGLE,
     ANGLE_STD,
-    BASELINE,
     CORRELATION,
     DIRECTION_COSINE,
     DIRECTION_COSINE_STD,
     ELEVATION,
     PATH,
     PATH_AZIMUTH_STD,
-    PATH_STD,
     RANGE,
     RANGE_RATE,
     RANGE_RATE_STD,
@@ -55,7 +53,6 @@ class Sensor(NamedTuple):
         azimuth_from: where the formulas count the azimuth from; None without an azimuth.
         series: what the names of formulas end with that are series; empty for closed forms.
         parameters: what the map takes beside the coordinates, which is known without error.
-        in_double: whether powers in the formulas are too high for float32, whose plots are then computed in float64.
     """
 
     module: SensorName
@@ -65,7 +62,6 @@ class Sensor(NamedTuple):
     azimuth_from: AzimuthFrom | None
     series: str = ""
     parameters: Mapping[str, Argument] = MappingProxyType({})
-    in_double: bool = False
 
     @property
     def arguments(self) -> dict[str, Argument]:
@@ -243,16 +239,15 @@ SENSORS: Mapping[SensorName, Sensor] = {
     "bistatic": Sensor(
         module="bistatic",
         coordinates={"path": Argument("path", PATH), "azimuth": _AZIMUTH},
-        parameters={"baseline": Argument("baseline", BASELINE)},
+        parameters={"baseline": Argument("baseline", RANGE)},
         noise={
-            "path_std": Argument("sigma_path", PATH_STD),
+            "path_std": Argument("sigma_path", RANGE),
             "azimuth_std": Argument("sigma_beta", PATH_AZIMUTH_STD),
             "correlation": _CORRELATION,
         },
         correlated=(0, 1),
         azimuth_from="x",
         series="_semidefinite",
-        in_double=True,
     ),
     "ruv": Sensor(
         module="ruv",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack._arrays.validation import (
-    BASELINE,
+    RANGE,
     Domain,
     RealArray,
     require_trailing_shape,
@@ -97,7 +97,7 @@ class Sight:
             array = given[name]
             if len(symbols) > 1:
                 require_trailing_shape(name, array, (len(symbols),))
-            require_within(name, array, POSITION if len(symbols) > 1 else BASELINE)
+            require_within(name, array, POSITION if len(symbols) > 1 else RANGE)
             parts = np.moveaxis(array, -1, 0) if len(symbols) > 1 else [array]
             values |= dict(zip(symbols, (off_pole(part) for part in parts), strict=True))
         return values

@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn, SearchStrategy
 
 from radartrack import simulate
-from radartrack._arrays.sensors import DIRECTION, MARGIN, SENSORS, SensorName
 from radartrack._arrays.validation import one_of, whole_number
+from radartrack._conversion.sensors import DIRECTION, MARGIN, SENSORS, SensorName
 from radartrack.derive.catalogue import find
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.language.quantity import Quantity

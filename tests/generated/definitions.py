@@ -4,6 +4,7 @@ Nothing here knows a closed form. θ is the true value, w ~ N(0, K) its measurem
 measurement-conditioned quantity averages over θ = z − w, a prediction-conditioned one over θ = θₚ − wₚ.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -17,12 +18,20 @@ from tests import maps
 from tests.conversions import generated
 from tests.quadrature import Gaussian, Point, square
 
-POLYNOMIAL_ORDER = 4  # exact to degree seven; the square of range times range rate has degree four
+POLYNOMIAL_ORDER = 3  # exact to degree five; the square of range times range rate has degree four
+
+
+def enough(deviation: float) -> int:
+    """Nodes at which the remainder of Gauss-Hermite quadrature for waves of twice an angle is below rounding."""
+    count = POLYNOMIAL_ORDER + 1
+    while count * math.log(math.e * deviation**2 / count + 1e-300) > math.log(1e-17):
+        count += 1
+    return count
 
 
 @dataclass(frozen=True)
 class Expectations:
-    """A model at given errors; `order` nodes an angle."""
+    """A model at given errors; `order` nodes an angle, or fewer where its deviation is small."""
 
     model: str
     errors: Mapping[str, float]
@@ -38,7 +47,12 @@ class Expectations:
 
     def _gaussian(self, prefix: str) -> Gaussian:
         variables = models()[self.model].measured
-        orders = {v.name: self.order if v.unit == RADIAN else POLYNOMIAL_ORDER for v in variables}
+        orders = {
+            v.name: min(self.order, enough(self.errors[f"{prefix}sigma_{v.name}"]))
+            if v.unit == RADIAN
+            else POLYNOMIAL_ORDER
+            for v in variables
+        }
         names = maps.measured(self.model)
         return Gaussian.of(names, maps.covariance(self.model, self.errors, prefix), orders)
 

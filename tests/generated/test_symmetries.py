@@ -15,7 +15,7 @@ from radartrack.verification.domain_points import sample
 from tests import conversions, maps
 from tests.examples import share
 
-MOVING = [q for q in conversions.QUANTITIES if not conversions.row(q).startswith(("jacobian", "hessian", "std."))]
+MOVING = [q for q in conversions.BY_HAND if not conversions.row(q).startswith(("jacobian", "hessian", "std."))]
 EXACT = 1e-13
 
 

@@ -16,40 +16,47 @@ Plot = dict[str, Any]
 
 METHODS: tuple[Method, ...] = get_args(Method)
 OF_THE_PLOT = [method for method in METHODS if method != "decorrelated"]
-SENSORS = ("polar", "spherical", "polar_doppler", "ruv")
-WITH_AZIMUTH = SENSORS[:3]
+SENSORS = ("polar", "spherical", "polar_doppler", "spherical_doppler", "ruv")
+WITH_AZIMUTH = SENSORS[:4]
 CLOSED = WITH_AZIMUTH
-CORRELATED = {"polar": (0, 1), "spherical": (0, 1), "polar_doppler": (0, 2), "ruv": (1, 2)}
+CORRELATED = {"polar": (0, 1), "spherical": (0, 1), "polar_doppler": (0, 2), "spherical_doppler": (0, 3), "ruv": (1, 2)}
 
 ANGLES = {"azimuth": 2.3, "range_std": 40.0, "azimuth_std": 0.3, "correlation": -0.6}
 PLOTS: Mapping[str, Plot] = {
     "polar": {"r": 900.0} | ANGLES,
     "spherical": {"r": 900.0, "elevation": -0.4, "elevation_std": 0.15} | ANGLES,
     "polar_doppler": {"r": 900.0, "range_rate": -80.0, "range_rate_std": 15.0} | ANGLES,
+    "spherical_doppler": {"r": 900.0, "elevation": -0.4, "range_rate": -80.0}
+    | {"elevation_std": 0.15, "range_rate_std": 15.0}
+    | ANGLES,
     "ruv": {"r": 900.0, "u": 0.3, "v": -0.4, "range_std": 9.0, "u_std": 0.01, "v_std": 0.02, "correlation": -0.6},
 }
 COORDINATES: Mapping[str, Sequence[str]] = {
     "polar": ("r", "azimuth"),
     "spherical": ("r", "azimuth", "elevation"),
     "polar_doppler": ("r", "azimuth", "range_rate"),
+    "spherical_doppler": ("r", "azimuth", "elevation", "range_rate"),
     "ruv": ("r", "u", "v"),
 }
 DEVIATIONS: Mapping[str, Sequence[str]] = {
     "polar": ("range_std", "azimuth_std"),
     "spherical": ("range_std", "azimuth_std", "elevation_std"),
     "polar_doppler": ("range_std", "azimuth_std", "range_rate_std"),
+    "spherical_doppler": ("range_std", "azimuth_std", "elevation_std", "range_rate_std"),
     "ruv": ("range_std", "u_std", "v_std"),
 }
-CORRELATIONS = np.array([[1.0, 0.25, -0.5], [0.25, 1.0, 0.4], [-0.5, 0.4, 1.0]])
+CORRELATIONS = np.array([[1.0, 0.25, -0.5, 0.2], [0.25, 1.0, 0.4, -0.3], [-0.5, 0.4, 1.0, 0.3], [0.2, -0.3, 0.3, 1.0]])
 """Of predictions: all quantities with all others, as a track has them."""
 
 PREDICTED_DEVIATIONS = {
     "polar": [40.0, 0.2],
     "spherical": [40.0, 0.2, 0.1],
     "polar_doppler": [40.0, 0.2, 8.0],
+    "spherical_doppler": [40.0, 0.2, 0.1, 8.0],
     "ruv": [20.0, 0.02, 0.01],
 }
 STEP = {"polar": [-50.0, -0.1], "spherical": [-50.0, -0.1, 0.1], "polar_doppler": [-50.0, -0.1, 9.0]}
+STEP["spherical_doppler"] = [-50.0, -0.1, 0.1, 9.0]
 STEP["ruv"] = [-50.0, -0.05, 0.05]
 
 

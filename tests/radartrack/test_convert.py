@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from radartrack.convert import Method, polar, polar_doppler, ruv, spherical
+from radartrack.convert import Method, polar, polar_doppler, ruv, spherical, spherical_doppler
 from tests.examples import share
 from tests.radartrack.plots import (
     COORDINATES,
@@ -62,7 +62,7 @@ def test_a_correlation_of_the_prediction_beyond_one_by_rounding_counts_as_one() 
 @pytest.mark.parametrize("sensor", SENSORS[1:])
 def test_fully_correlated_predictions_are_those_of_almost_fully_correlated_ones(sensor: str) -> None:
     mean, matrix = prediction(sensor)
-    deviations = np.sqrt(np.diagonal(matrix)) * [1, -1, 1]
+    deviations = np.sqrt(np.diagonal(matrix)) * [1, -1, 1, -1][: size(sensor)]
     full = np.outer(deviations, deviations)
     nearly = full + np.diag(1e-12 * deviations**2)
     got, expected = (convert(sensor, "decorrelated", predicted=(mean, each)) for each in (full, nearly))
@@ -92,7 +92,7 @@ def test_covariances_are_symmetric_and_positive_semidefinite_for_correlated_erro
     matrix = convert(sensor, method, **plot, **chosen).covariance
     assert_agree(matrix, matrix.T, np.abs(matrix), 1e-15)
     deviations = np.sqrt(np.diagonal(matrix))
-    metres = slice(2 if sensor == "polar_doppler" else None)
+    metres = slice(-1 if sensor.endswith("doppler") else None)
     # Full correlation may leave nothing of one variance but the rounding of what cancelled.
     deviations[metres] = np.maximum(deviations[metres], 1e-4 * deviations[metres].max())
     scale = np.where(deviations > 0, deviations, 1)
@@ -140,7 +140,7 @@ def test_the_compass_convention_is_the_other_one_with_the_axes_exchanged(
 ) -> None:
     plot = data.draw(plots(sensor))
     from_x, from_y = (convert(sensor, method, **plot, azimuth_from=axis) for axis in ("x", "y"))
-    order = [1, 0, 2][: size(sensor)]
+    order = [1, 0, 2, 3][: size(sensor)]
     assert (from_y.mean == from_x.mean[order]).all()
     assert (from_y.covariance == from_x.covariance[np.ix_(order, order)]).all()
 
@@ -155,11 +155,11 @@ def test_an_azimuth_counted_from_the_other_axis_gives_the_same_position(
     """The sense of rotation changes too, and with it the sign of the azimuth's correlations."""
     plot = data.draw(plots(sensor))
     mirrored: Plot = {**plot, "azimuth": math.pi / 2 - plot["azimuth"]}
-    if sensor != "polar_doppler":
+    if not sensor.endswith("doppler"):
         mirrored["correlation"] = -plot["correlation"]
-    signs = np.array([1, -1, 1])[: size(sensor)]
+    signs = np.array([1, -1, 1, 1])[: size(sensor)]
     mean, matrix = prediction(sensor)
-    there = (mean * signs + [0, math.pi / 2, 0][: size(sensor)], matrix * np.outer(signs, signs))
+    there = (mean * signs + [0, math.pi / 2, 0, 0][: size(sensor)], matrix * np.outer(signs, signs))
     got = convert(sensor, method, **plot, azimuth_from="x")
     chosen: Plot = {"predicted": there} if method == "decorrelated" else {}
     same = convert(sensor, method, **mirrored, azimuth_from="y", **chosen)
@@ -176,7 +176,9 @@ def test_north_and_east(azimuth_from: Any, azimuth: float, expected: tuple[int, 
     plane = polar(1.0, angle, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
     space = spherical(1.0, angle, 0.0, 0.0, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
     doppler = polar_doppler(1.0, angle, 7.0, 0.0, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
+    moving = spherical_doppler(1.0, angle, 0.0, 7.0, 0.0, 0.0, 0.0, 0.0, method="linear", azimuth_from=azimuth_from)
     np.testing.assert_allclose(plane.mean, expected, atol=1e-15)
+    np.testing.assert_allclose(moving.mean, [*expected, 0, 7], atol=1e-15)
     np.testing.assert_allclose(space.mean, [*expected, 0], atol=1e-15)
     np.testing.assert_allclose(doppler.mean, [*expected, 7], atol=1e-15)
 
@@ -185,6 +187,7 @@ def test_the_azimuth_is_counted_as_each_model_does_unless_one_says_otherwise() -
     assert polar(1.0, 0.0, 0.0, 0.0).mean.tolist() == [1, 0]
     assert polar_doppler(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [1, 0, 0]
     assert spherical(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 1, 0]
+    assert spherical_doppler(1.0, *[0.0] * 7).mean.tolist() == [0, 1, 0, 0]
     assert ruv(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 0, 1]
 
 

@@ -10,7 +10,7 @@ from radartrack._arrays.patterns import distinct
 from tests.radartrack.plots import COORDINATES, METHODS, PLOTS, PREDICTED_DEVIATIONS, SENSORS
 
 SHAPES = [(0,), (0, 3), (3, 0), (1,), ()]
-STATES = {"polar": 2, "spherical": 3, "polar_doppler": 4, "ruv": 3}
+STATES = {"polar": 2, "spherical": 3, "polar_doppler": 4, "spherical_doppler": 6, "ruv": 3}
 FILTERS = [FiniteSampleFilter(10.0, 250.0, rate_std, degree) for rate_std in (None, 15.0) for degree in (0, 2)]
 
 

@@ -14,8 +14,15 @@ from radartrack.observe import Observed, Projected
 from tests.examples import share
 from tests.radartrack.plots import SENSORS, WITH_AZIMUTH, Floats, assert_agree, cartesian
 
-POSITIONS = {"polar": 2, "spherical": 3, "polar_doppler": 2, "ruv": 3}
-SIZES = {"polar": 2, "spherical": 3, "polar_doppler": 4, "ruv": 3}
+POSITIONS = {"polar": 2, "spherical": 3, "polar_doppler": 2, "spherical_doppler": 3, "ruv": 3}
+SIZES = {"polar": 2, "spherical": 3, "polar_doppler": 4, "spherical_doppler": 6, "ruv": 3}
+POSITIONS |= {"bearing": 2, "bistatic": 2, "bistatic_range_rate": 2, "range_difference": 3, "range_rate_difference": 3}
+SIZES |= {"bearing": 2, "bistatic": 2, "bistatic_range_rate": 4, "range_difference": 3, "range_rate_difference": 6}
+BASELINE, RECEIVER = 7e3, [3e3, -4e3, 50.0]
+SITES: dict[str, Any] = {"bistatic": {"baseline": BASELINE}, "bistatic_range_rate": {"baseline": BASELINE}}
+SITES |= {"range_difference": {"receiver": RECEIVER}, "range_rate_difference": {"receiver": RECEIVER}}
+OF_ONE_SITE = (*SENSORS, "bearing")
+ALL = (*OF_ONE_SITE, *SITES)
 
 coordinate = st.floats(100, 1e5) | st.floats(-1e5, -100)
 speed = st.floats(1, 300) | st.floats(-300, -1)
@@ -34,13 +41,22 @@ def project(sensor: Any, mean: Any, covariance: Any, *words: Any, **chosen: Any)
 
 
 def observed(sensor: str, state: Any, **convention: str) -> Observed:
-    found: Observed = getattr(observe, sensor)(state, **convention)
+    site = {name: np.asarray(place, np.asarray(state).dtype) for name, place in SITES.get(sensor, {}).items()}
+    found: Observed = getattr(observe, sensor)(state, **site, **convention)
     return found
 
 
 def measured_by_mpmath(sensor: str, *state: Any) -> list[Any]:
     """Range, angles, rates and cosines from their definitions, in 50 digits."""
     x, y, *rest = state
+    if sensor in SITES:
+        return [measured_at_two_sites(sensor, state)] if sensor != "bistatic" else measured_by_bistatic_radar(x, y)
+    if sensor == "bearing":
+        return [mpmath.atan2(y, x)]
+    if sensor == "spherical_doppler":
+        z, *velocity = rest
+        r, beta, epsilon = measured_by_mpmath("spherical", x, y, z)
+        return [r, beta, epsilon, sum(a * b for a, b in zip((x, y, z), velocity, strict=True)) / r]
     if sensor == "polar":
         return [mpmath.hypot(x, y), mpmath.atan2(y, x)]
     if sensor == "polar_doppler":
@@ -52,15 +68,35 @@ def measured_by_mpmath(sensor: str, *state: Any) -> list[Any]:
     return [r, mpmath.atan2(x, y), mpmath.asin(rest[0] / r)]
 
 
+def measured_by_bistatic_radar(x: Any, y: Any) -> list[Any]:
+    return [mpmath.hypot(x, y) + mpmath.hypot(x - BASELINE, y), mpmath.atan2(y, x)]
+
+
+def measured_at_two_sites(sensor: str, state: tuple[Any, ...]) -> Any:
+    """Rates are those of lengths, by the chain rule along the flight."""
+    size = POSITIONS[sensor]
+    position, velocity = state[:size], state[size:]
+    there = [a - b for a, b in zip(position, RECEIVER if size == 3 else [BASELINE, 0.0], strict=True)]
+    sign = 1 if sensor.startswith("bistatic") else -1
+    near, far = (mpmath.sqrt(sum(a * a for a in offset)) for offset in (position, there))
+    if not velocity:
+        return far + sign * near
+    rates = [
+        sum(a * v for a, v in zip(offset, velocity, strict=True)) / length
+        for offset, length in ((position, near), (there, far))
+    ]
+    return rates[1] + sign * rates[0]
+
+
 def derivative(sensor: str, state: Floats, orders: tuple[int, ...], output: int) -> float:
     with mpmath.workdps(50):
         point = [mpmath.mpf(float(value)) for value in state]
         return float(mpmath.diff(lambda *s: measured_by_mpmath(sensor, *s)[output], point, orders))
 
 
-@pytest.mark.parametrize("sensor", SENSORS)
+@pytest.mark.parametrize("sensor", ALL)
 @given(data=st.data())
-@share(0.3)
+@share(0.1)
 def test_measurement_jacobian_and_hessian_are_those_of_the_definition_differentiated_numerically(
     sensor: str, data: st.DataObject
 ) -> None:
@@ -72,8 +108,12 @@ def test_measurement_jacobian_and_hessian_are_those_of_the_definition_differenti
         measured = measured_by_mpmath(sensor, *map(mpmath.mpf, state.tolist()))
     for output, value in enumerate(measured):
         scale = {"r": distance, "rdot": 300.0}.get("r" if output == 0 else "", 1.0)
-        if sensor == "polar_doppler" and output == 2:
+        if sensor == "bearing":
+            scale = 1.0
+        if "rate" in sensor or (sensor.endswith("doppler") and output == len(got.measurement) - 1):
             scale = 300.0
+        if sensor in SITES:  # the term of each site is to rounding what it is
+            scale *= 10 * max(1.0, 1e4 / distance_from_the_other_site(sensor, state))
         assert abs(got.measurement[output] - float(value)) <= 1e-14 * max(scale, float(abs(value)))
         for i in range(SIZES[sensor]):
             first = tuple(int(k == i) for k in range(SIZES[sensor]))
@@ -83,6 +123,11 @@ def test_measurement_jacobian_and_hessian_are_those_of_the_definition_differenti
                 second = tuple(int(k == i) + int(k == j) for k in range(SIZES[sensor]))
                 expected = derivative(sensor, state, second, output)
                 assert abs(got.hessian[output, i, j] - expected) * unit[i] * unit[j] <= 1e-12 * scale
+
+
+def distance_from_the_other_site(sensor: str, state: Floats) -> float:
+    size = POSITIONS[sensor]
+    return float(np.linalg.norm(state[:size] - (RECEIVER if size == 3 else [BASELINE, 0.0])))
 
 
 @pytest.mark.parametrize("azimuth_from", ["x", "y"])
@@ -97,9 +142,9 @@ def test_observation_undoes_conversion(sensor: str, azimuth_from: str, data: st.
     back = function(*got, *[0.0] * len(got), method="linear", **convention).mean
     size = POSITIONS[sensor]
     assert_agree(back[:size], state[:size], np.linalg.norm(state[:size]), 1e-13)
-    if sensor == "polar_doppler":
-        radial = state[:2] @ state[2:]
-        assert abs(back[2] - radial) <= 1e-13 * np.linalg.norm(state[:2]) * np.linalg.norm(state[2:])
+    if sensor.endswith("doppler"):
+        radial = state[:size] @ state[size:]
+        assert abs(back[-1] - radial) <= 1e-13 * np.linalg.norm(state[:size]) * np.linalg.norm(state[size:])
 
 
 @pytest.mark.parametrize("sensor", WITH_AZIMUTH)
@@ -111,7 +156,7 @@ def test_the_other_azimuth_is_the_complement_and_its_derivatives_those_of_the_co
     from_x, from_y = (observed(sensor, state, azimuth_from=axis) for axis in ("x", "y"))
     both = from_x.measurement[1] + from_y.measurement[1]
     assert math.remainder(both - math.pi / 2, 2 * math.pi) == pytest.approx(0, abs=1e-14)
-    signs = np.array([1, -1, 1])[: len(from_x.measurement)]
+    signs = np.array([1, -1, 1, 1])[: len(from_x.measurement)]
     scale = np.abs(from_x.jacobian).max(axis=1, keepdims=True)
     assert (np.abs(from_y.jacobian - signs[:, np.newaxis] * from_x.jacobian) <= 1e-13 * scale).all()
     scale = np.abs(from_x.hessian).max(axis=(1, 2), keepdims=True)
@@ -122,12 +167,11 @@ def test_the_other_azimuth_is_the_complement_and_its_derivatives_those_of_the_co
 # The ends.
 
 
-@pytest.mark.parametrize("sensor", SENSORS)
+@pytest.mark.parametrize("sensor", OF_ONE_SITE)
 @pytest.mark.parametrize("zero", [0.0, -0.0])
 def test_at_the_radar_the_measurement_and_all_its_derivatives_are_zero(sensor: str, zero: float) -> None:
     state = np.full(SIZES[sensor], zero)
-    if sensor == "polar_doppler":
-        state[2:] = 100.0
+    state[POSITIONS[sensor] :] = 100.0
     for part in observed(sensor, state):
         assert (part == 0).all()
 
@@ -148,8 +192,9 @@ def test_direction_cosines_have_their_derivatives_on_the_normal_of_the_array() -
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("sensor", SENSORS)
+@pytest.mark.parametrize("sensor", ALL)
 @given(data=st.data())
+@share(0.5)
 def test_what_is_allowed_never_gives_infinity_or_nan(
     sensor: str, dtype: type[np.floating[Any]], data: st.DataObject
 ) -> None:
@@ -159,6 +204,9 @@ def test_what_is_allowed_never_gives_infinity_or_nan(
     sizes = st.sampled_from([0.0, *tiny, 1e-5, 1.0, 1e5, largest])
     signs = st.sampled_from([-1, 1])
     state = [data.draw(sizes) * data.draw(signs) for _ in range(POSITIONS[sensor])]
+    if sensor in SITES and data.draw(st.booleans()):  # about the other site
+        site = RECEIVER if POSITIONS[sensor] == 3 else [BASELINE, 0.0]
+        state = [a + b for a, b in zip(state, site, strict=True)] if max(map(abs, state)) < largest else state
     state += [data.draw(st.sampled_from([0.0, 1.0, fastest])) for _ in range(SIZES[sensor] - len(state))]
     got = observed(sensor, np.array(state, dtype))
     assert all(np.isfinite(part).all() for part in got)
@@ -258,6 +306,7 @@ def test_a_projected_track_serves_the_decorrelated_conversion(
     predicted = project(sensor, mean, 1e-4 * matrix, **convention)
     deviations = {"polar": [10.0, 1e-3], "spherical": [10.0, 1e-3, 1e-3]} | {
         "polar_doppler": [10.0, 1e-3, 1.0],
+        "spherical_doppler": [10.0, 1e-3, 1e-3, 1.0],
         "ruv": [10.0, 1e-3, 1e-3],
     }
     function: Any = getattr(convert, sensor)
@@ -270,8 +319,9 @@ def test_a_projected_track_serves_the_decorrelated_conversion(
 
 
 def cartesian_mean(sensor: str, mean: Floats) -> Floats:
-    if sensor == "polar_doppler":
-        return np.array([*mean[:2], mean[:2] @ mean[2:]])
+    size = POSITIONS[sensor]
+    if sensor.endswith("doppler"):
+        return np.array([*mean[:size], mean[:size] @ mean[size:]])
     return mean
 
 
@@ -298,6 +348,17 @@ def test_projections_broadcast_mean_and_covariance() -> None:
         (lambda: observe.polar_doppler([1, 1, 1e51, 0]), ValueError, r"vx of state must be from -1e\+50 to"),
         (lambda: observe.polar(["1", "2"]), TypeError, r"state must be real numbers"),
         (lambda: observe.polar([1, 2j]), TypeError, r"state must be real numbers; .* complex128"),
+        (lambda: observe.range_difference([1, 2, 3], [1, 2]), ValueError, r"receiver must have shape \(..., 3\)"),
+        (lambda: observe.range_difference([1, 2, 3], [1, 2, 1e151]), ValueError, r"receiver must be from -1e\+150"),
+        (lambda: observe.bistatic([1, 2], -1.0), ValueError, r"baseline must be from 0 to 1e\+100 m"),
+        (lambda: observe.bistatic([[1, 2]] * 3, [1.0, 2.0]), ValueError, r"state \(3,\), baseline \(2,\)"),
+        (lambda: project("bistatic", [1, 2], np.eye(2)), TypeError, r"takes \['baseline'\] beside the state; got \[\]"),
+        (lambda: project("polar", [1, 2], np.eye(2), baseline=1.0), TypeError, r"takes no site beside the state"),
+        (
+            lambda: project("bistatic", [5, 0], np.eye(2), baseline=5.0),
+            ValueError,
+            r"mean's distance from the transmitter must be",
+        ),
         (lambda: observed("polar", [1.0, 2.0], azimuth_from="north"), ValueError, r"azimuth_from must be one of"),
         (lambda: project("radar", [1.0], [[1.0]]), ValueError, r"sensor must be one of .*; got 'radar'"),
         (lambda: project("polar", [1, 2], np.eye(3)), ValueError, r"covariance must have shape \(..., 2, 2\)"),

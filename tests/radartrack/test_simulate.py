@@ -21,6 +21,8 @@ TARGETS: list[Target] = [
 NOISE: dict[str, dict[str, float]] = {
     "polar": {"range_std": 50.0, "azimuth_std": 0.02, "correlation": -0.6},
     "spherical": {"range_std": 50.0, "azimuth_std": 0.02, "elevation_std": 0.01, "correlation": 0.7},
+    "spherical_doppler": {"range_std": 50.0, "azimuth_std": 0.02, "elevation_std": 0.01, "range_rate_std": 3.0}
+    | {"correlation": 0.9},
     "polar_doppler": {"range_std": 50.0, "azimuth_std": 0.02, "range_rate_std": 3.0, "correlation": 0.9},
     "ruv": {"range_std": 50.0, "u_std": 0.02, "v_std": 0.01, "correlation": 0.5},
 }

@@ -10,9 +10,11 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.verification.second_derivations import (
     arcs,
     best_weights,
+    between_sites,
     doubling,
     straight_lines,
     taylor_terms,
+    track_starts,
     van_loan_motion,
 )
 
@@ -29,6 +31,15 @@ class Second:
 
 ELEMENTARY = {
     name: Second(module.METHOD, values)
-    for module in (straight_lines, best_weights, van_loan_motion, taylor_terms, arcs, doubling)
+    for module in (
+        straight_lines,
+        best_weights,
+        van_loan_motion,
+        taylor_terms,
+        arcs,
+        doubling,
+        between_sites,
+        track_starts,
+    )
     for name, values in module.DERIVATIONS.items()
 }

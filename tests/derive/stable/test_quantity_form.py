@@ -39,3 +39,19 @@ def test_a_form_of_ones_own_that_differs_is_not_proved(factor: int, term: sympy.
     wrong = StableForm({}, quantity.expression.map(lambda entry: factor * entry + term))
     with pytest.raises(NotProved):
         form_of(replace(quantity, name="polar.wrong", rewriting=lambda: wrong))
+
+
+SCALED = [
+    find(f"bistatic.{row}") for row in ("map", "jacobian", "bias.second_order", "covariance.linear", "std.linear")
+]
+PATH = find("bistatic.map").symbols[0]
+
+
+@pytest.mark.parametrize("quantity", SCALED, ids=conversions.ids)
+def test_lengths_over_one_of_them_leave_the_quantity_what_it_was(quantity: Quantity):
+    at = {symbol: sympy.Rational(3, 7) for symbol in quantity.symbols} | {PATH: sympy.Integer(2)}
+    form = form_of(quantity)
+    lengths = {symbol for symbol in quantity.symbols if symbol.unit.metre} - {PATH}
+    assert not any(entry.free_symbols & lengths for entry in form.entries)
+    for written, derived in zip(form.expanded(), quantity.expression, strict=True):
+        assert abs(sympy.N(written.xreplace(at) - derived.xreplace(at), 40, maxn=200)) < 1e-30

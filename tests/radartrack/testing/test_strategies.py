@@ -9,7 +9,7 @@ from hypothesis import Phase, find, given, settings
 from hypothesis import strategies as st
 
 from radartrack import convert
-from radartrack._arrays.sensors import SENSORS, SensorName
+from radartrack._conversion.sensors import SENSORS, SensorName
 from radartrack.derive.catalogue import find as quantity_of
 from radartrack.testing import strategies
 from radartrack.verification.subject import generated
