@@ -136,19 +136,15 @@ class FormulaSearch:
         meaning = f"{row['meaning']} ({row['source']})"
         shape = tuple(row["shape"])
         zeros = dict.fromkeys(row.get("correlations", ()), "0")
-        for values, given in ((row["values"], {}), (row.get("uncorrelated", ()), zeros)):
-            if values and None not in values:
-                used = [self._used(row, bits, given) for bits in row["used"]]
+        for values, words, given in (("values", "used", {}), ("uncorrelated", "used_uncorrelated", zeros)):
+            if values in row and None not in row[values]:
+                used = [_used(row, word) for word in row[words]]
                 if shape:
                     whole = [symbol for symbol in row["symbols"] if any(symbol in one for one in used)]
-                    self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, values))))
-                for place, (own, worth) in enumerate(zip(used, values, strict=True)):
+                    self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values]))))
+                for place, (own, worth) in enumerate(zip(used, row[values], strict=True)):
                     item = _Item(f"{name}{_index(place, shape)}", meaning, given, (tuple(worth),))
                     self._put(row, own, (), item)
-
-    @staticmethod
-    def _used(row: Mapping[str, Any], bits: str, given: Mapping[str, str]) -> list[str]:
-        return [symbol for symbol, bit in zip(row["symbols"], bits, strict=True) if bit == "1" and symbol not in given]
 
     def _put(self, row: Mapping[str, Any], symbols: Sequence[str], shape: tuple[int, ...], item: _Item) -> None:
         if not symbols or not any(map(any, item.values)):
@@ -249,6 +245,11 @@ def _candidate(
     renamed = {letter: name for letter, name in reading.items() if letter != name}
     formula = to_text(rebuild(tree, symbol))
     return Candidate(item.quantity, item.meaning, formula, renamed, words, item.given, difference)
+
+
+def _used(row: Mapping[str, Any], word: str) -> list[str]:
+    """The symbols that a word of 0 and 1 says."""
+    return [symbol for symbol, sign in zip(row["symbols"], word, strict=True) if sign == "1"]
 
 
 def _index(place: int, shape: Sequence[int]) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 
 import mpmath
 
+from radartrack.derive.checking.question.conditions import zero
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import Point, round_points
 from radartrack.derive.language.quantity import Quantity
@@ -37,16 +38,23 @@ def row(quantity: Quantity) -> dict[str, Any]:
         "symbols": {name: [_rounded(point[name]) for point in points] for name in names},
         "angles": [symbol.name for symbol in quantity.symbols if symbol.is_angle],
         "kinds": {symbol.name: _kind(symbol) for symbol in quantity.symbols},
-        "used": ["".join("01"[symbol in entry.free_symbols] for symbol in quantity.symbols) for entry in entries],
+        "used": _used(entries, quantity.symbols),
         "values": _values(entries, quantity.symbols, points),
     }
     if correlations:
+        vanishing = zero([symbol for symbol in quantity.symbols if symbol.is_correlation])
         uncorrelated = [point | dict.fromkeys(correlations, 0.0) for point in points]
         data |= {
             "correlations": correlations,
+            "used_uncorrelated": _used(entries.map(lambda entry: entry.xreplace(vanishing)), quantity.symbols),
             "uncorrelated": _values(entries, quantity.symbols, uncorrelated),
         }
     return data
+
+
+def _used(entries: Tensor[Expr], symbols: Sequence[Variable]) -> list[str]:
+    """For each entry a word of 0 and 1: in which of the symbols it is."""
+    return ["".join("01"[symbol in entry.free_symbols] for symbol in symbols) for entry in entries]
 
 
 def _points(symbols: Sequence[Variable]) -> list[Point]:

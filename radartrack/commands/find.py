@@ -13,6 +13,7 @@ from radartrack._system import terminal
 from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
+    from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
 
 PROVED = 6  # candidates that are proved, of those that are worth the same
@@ -30,6 +31,7 @@ def find(
 
     Exit 0 when it is one, 1 when one is only near or none is, 2 when it cannot be read.
     """
+    from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.finding.letters import read_free
     from radartrack.derive.formula.error import FormulaError
 
@@ -38,15 +40,17 @@ def find(
     except FormulaError as error:
         terminal.complain(str(error))
         raise typer.Exit(UNREADABLE) from None
-    search = catalogue_search()
-    found = list(proved(search.candidates(tree), timeout))
+    with Decider(timeout) as decider:
+        decider.start()
+        search = catalogue_search()
+        found = list(proved(search.candidates(tree), decider))
     for candidate, proof in found:
         _tell(candidate, proof)
     if found:
         raise typer.Exit(FOUND)
     near = search.near(tree)
     for candidate in near:
-        _tell(candidate, f"near: at most {candidate.difference * 100:.2g} % apart at {3} points")
+        _tell(candidate, f"near: at most {candidate.difference * 100:.2g} % apart at three points")
     if not near:
         terminal.complain("No quantity of the catalogue is this formula, nor near it.")
     raise typer.Exit(ONLY_NEAR)
@@ -60,20 +64,18 @@ def catalogue_search() -> FormulaSearch:
     return FormulaSearch(json.loads(text))
 
 
-def proved(candidates: Sequence[Candidate], timeout: float) -> Iterator[tuple[Candidate, str]]:
+def proved(candidates: Sequence[Candidate], decider: Decider) -> Iterator[tuple[Candidate, str]]:
     """Those that a formula is proved to be, or is to many digits, and which of the two."""
     from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
-    from radartrack.derive.checking.papers.deadline import Decider
 
-    with Decider(timeout) as decider:
-        for candidate in candidates[:PROVED]:
-            claim = Claim("formula", candidate.quantity, candidate.formula, given=candidate.given)
-            try:
-                record = decider.decide(claim)
-            except UnreadableClaim:
-                continue  # an entry that the quantity of today does not have
-            if record["verdict"] in {"equal", "equal_numerically"}:
-                yield candidate, "proved" if record["verdict"] == "equal" else record["reason"]
+    for candidate in candidates[:PROVED]:
+        claim = Claim("formula", candidate.quantity, candidate.formula, given=candidate.given)
+        try:
+            record = decider.decide(claim)
+        except UnreadableClaim:
+            continue  # an entry that the quantity of today does not have
+        if record["verdict"] in {"equal", "equal_numerically"}:
+            yield candidate, "proved" if record["verdict"] == "equal" else record["reason"]
 
 
 def _tell(candidate: Candidate, proof: str) -> None:
