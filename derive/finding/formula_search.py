@@ -13,11 +13,23 @@ from radartrack.derive.evaluation.tree_values import Program
 from radartrack.derive.finding.letters import assignments
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Constant, Name, Negation, Number, Product, Quotient, Sum, Tree, names
+from radartrack.derive.formula.tree import (
+    Array,
+    Constant,
+    Name,
+    Negation,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    has_verbs,
+    names,
+)
 
 SAME = 1e-8  # relative difference at generic points below which formulas are worth a proof
 NEAR = 0.4  # and below which they are near: a coefficient of 1/3 for 1/2 is
-TRIED_FOR_NEAR = 60  # readings of one set of symbols
+FEW = 12  # readings of one set of symbols; by more of them, what is near is near by chance
 MOST_CANDIDATES = 12
 MOST_NEAR = 3
 
@@ -124,7 +136,7 @@ class FormulaSearch:
     def near(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth nearly the same as, the nearest first."""
         best: dict[str, Candidate] = {}
-        for family, reading, convention, values in self._readings(tree, TRIED_FOR_NEAR, conventions=1):
+        for family, reading, convention, values in self._readings(tree, FEW, conventions=1):
             for _, _, item in family.items:
                 difference = _difference(values, item.values)
                 known = best.get(item.quantity)
@@ -159,13 +171,16 @@ class FormulaSearch:
         self, tree: Tree, most: int | None = None, conventions: int = len(_CONVENTIONS)
     ) -> Iterator[tuple[_Family, dict[str, str], _Convention, tuple[Values, ...]]]:
         """The values of a formula in every way in which its letters are the symbols of a family."""
+        if has_verbs(tree):
+            return  # what has to be worked out first has no value here
         letters = sorted(names(tree))
         shape, entries = _entries(tree)
         programs = [Program(entry) for entry in entries]
         for (size, of_shape, _), family in self._families.items():
             if size != len(letters) or of_shape != shape:
                 continue
-            for reading in islice(assignments(letters, family.kinds), most):
+            readings = list(islice(assignments(letters, family.kinds), most and most + 1))
+            for reading in readings if most is None or len(readings) <= most else ():
                 angles = [letter for letter in letters if family.kinds[reading[letter]] == "angle"]
                 for convention in _CONVENTIONS[: conventions if angles else 1]:
                     values = _values(programs, reading, angles, convention, family)

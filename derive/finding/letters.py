@@ -13,14 +13,13 @@ from radartrack.derive.reading.text import read_text
 MOST_LETTERS = 24
 MOST_ASSIGNMENTS = 5000  # of one set of symbols
 _UNKNOWN = re.compile(r"(\w+) is not a name here")
-_EULER = re.compile(r"(?<![\w.])e\s*(?:\^|\*\*)\s*[({\-]")
-_LONE_E = re.compile(r"(?<![\w.\\])e(?!\w)")
-_PLAIN = re.compile(r"[_^{}\\]")
+_RAISED = re.compile(r"\s*(?:\^|\*\*)\s*[({\-]")  # as Euler's number is, and east seldom
+_LONE_E = re.compile(r"(?<![\w.])[eE](?!\w)")
 
 _ANGLES = ("beta", "epsilon")
 # What a letter means wherever it stands, the likeliest first; a letter without a meaning may be anything.
 _MEANINGS: Mapping[str, tuple[str, ...]] = {
-    **dict.fromkeys(("theta", "phi", "psi", "az", "azimuth", "azi", "bearing", "brg", "b", "th", "a"), _ANGLES),
+    **dict.fromkeys(("theta", "phi", "psi", "az", "azimuth", "azi", "bearing", "brg", "b", "th"), _ANGLES),
     **dict.fromkeys(("el", "elevation", "eps", "elev", "e"), ("epsilon", "beta", "x")),
     **dict.fromkeys(("R", "range", "rng", "d", "D", "dist"), ("r", "path", "distance")),
     **dict.fromkeys(("rr", "rdot", "doppler", "rrate", "range_rate", "dr"), ("rdot",)),
@@ -44,7 +43,7 @@ def read_free(formula: str, *, latex: bool) -> Tree:
     Raises:
         FormulaError: when it cannot be read.
     """
-    names = {"e"} if _LONE_E.search(formula) and not latex and not _EULER.search(formula) else set[str]()
+    names = set[str]() if latex else _east(formula)
     while True:
         try:
             return (read_latex if latex else read_text)(formula, names)
@@ -53,6 +52,13 @@ def read_free(formula: str, *, latex: bool) -> Tree:
             if unknown is None or unknown[1] in names or len(names) >= MOST_LETTERS:
                 raise
             names.add(unknown[1])
+
+
+def _east(formula: str) -> set[str]:
+    """The letters e and E where they are coordinates: where none is raised to something in brackets."""
+    found = list(_LONE_E.finditer(formula))
+    raised = {one[0] for one in found if _RAISED.match(formula, one.end())}
+    return {one[0] for one in found} - raised
 
 
 def assignments(letters: Sequence[str], symbols: Mapping[str, str]) -> Iterator[dict[str, str]]:
