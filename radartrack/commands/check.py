@@ -8,6 +8,7 @@ import typer
 from rich.text import Text
 
 from radartrack._system import output_files, terminal
+from radartrack.commands.pairs import pairs
 from radartrack.commands.seconds import seconds
 
 EXIT = {"equal": 0, "equal_numerically": 0, "differs": 1, "wrong_dimensions": 1, "undecided": 3}
@@ -39,8 +40,8 @@ def check(
         quantity=name,
         formula="" if latex else formula,
         latex=formula if latex else "",
-        given=_pairs(given or [], "--given"),
-        let=_pairs(let or [], "--let"),
+        given=pairs(given or [], "--given"),
+        let=pairs(let or [], "--let"),
     )
     try:
         with Decider(timeout) as decider:
@@ -53,19 +54,6 @@ def check(
     else:
         _tell(terminal.shown(record), latex=latex)
     raise typer.Exit(EXIT[record["verdict"]])
-
-
-def _pairs(given: list[str], option: str) -> dict[str, str]:
-    """`name=value` as a mapping."""
-    pairs: dict[str, str] = {}
-    for one in given:
-        name, sign, value = one.partition("=")
-        if not sign or not name.strip() or not value.strip():
-            raise typer.BadParameter(f"{one!r} must be name=formula, such as rho=0", param_hint=option)
-        if name.strip() in pairs:
-            raise typer.BadParameter(f"{name.strip()} is given twice", param_hint=option)
-        pairs[name.strip()] = value.strip()
-    return pairs
 
 
 def _tell(record: dict[str, object], *, latex: bool) -> None:
