@@ -16,6 +16,7 @@ from typer.core import TyperGroup
 from radartrack._system import terminal
 from radartrack.commands.audit import audit
 from radartrack.commands.check import check
+from radartrack.commands.draft import draft
 from radartrack.commands.find import find
 from radartrack.commands.list_quantities import list_quantities
 from radartrack.commands.regenerate import regenerate
@@ -107,6 +108,7 @@ app.command(name="list")(list_quantities)
 app.command()(show)
 app.command(context_settings={"ignore_unknown_options": True})(check)  # a formula may begin with a minus sign
 app.command(context_settings={"ignore_unknown_options": True})(find)  # likewise
+app.command()(draft)
 app.command()(audit)
 app.command()(verify)
 app.command()(reproduce)

@@ -49,6 +49,7 @@ class Candidate:
         convention: what is measured otherwise, in words.
         given: the conditions under which it is.
         difference: the largest relative one at the points.
+        let: definitions that the formula uses; none where it is found.
     """
 
     quantity: str
@@ -58,6 +59,7 @@ class Candidate:
     convention: str = ""
     given: Mapping[str, str] = field(default_factory=dict)
     difference: float = 0.0
+    let: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -69,7 +69,7 @@ def proved(candidates: Sequence[Candidate], decider: Decider) -> Iterator[tuple[
     from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 
     for candidate in candidates[:PROVED]:
-        claim = Claim("formula", candidate.quantity, candidate.formula, given=candidate.given)
+        claim = Claim("formula", candidate.quantity, candidate.formula, given=candidate.given, let=candidate.let)
         try:
             record = decider.decide(claim)
         except UnreadableClaim:
