@@ -17,6 +17,8 @@ from radartrack._system import terminal
 from radartrack.commands.audit import audit
 from radartrack.commands.check import check
 from radartrack.commands.diagnose import diagnose, points
+from radartrack.commands.draft import draft
+from radartrack.commands.find import find
 from radartrack.commands.list_quantities import list_quantities
 from radartrack.commands.regenerate import regenerate
 from radartrack.commands.reproduce import reproduce
@@ -106,8 +108,10 @@ app.command()(regenerate)
 app.command(name="list")(list_quantities)
 app.command()(show)
 app.command(context_settings={"ignore_unknown_options": True})(check)  # a formula may begin with a minus sign
+app.command(context_settings={"ignore_unknown_options": True})(find)  # likewise
 app.command()(diagnose)
 app.command()(points)
+app.command()(draft)
 app.command()(audit)
 app.command()(verify)
 app.command()(reproduce)

@@ -18,10 +18,11 @@ from radartrack.derive.checking.comparing.counterexample import (
     Relative,
     counterexample,
     find_difference,
+    measured_against,
     unreal_counterexample,
     worst_over_domain,
 )
-from radartrack.derive.checking.comparing.difference_scale import squared_scale
+from radartrack.derive.checking.comparing.difference_scale import squared_floor
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Here, Imaginary, Values
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain
@@ -500,11 +501,12 @@ class Question:
 
     def _real_counterexample(self, entry: Index, values: Values) -> Counterexample:
         pair = self.printed_entry(entry), self.derived_entry(entry)
-        scale = under(self.conditions, squared_scale(self.reference, entry))
-        worst = worst_over_domain(Relative(*pair, scale, self.symbols), self.domain, values.point)
+        floor, beside = squared_floor(self.reference, entry)
+        relative = Relative(*pair, pair[1] ** 2, self.symbols, under(self.conditions, floor))
+        worst = worst_over_domain(relative, self.domain.working(), values.point)
         if values.relative < MATTERS <= worst.relative:
             values = Comparison(*pair, self.symbols).differ_at(worst.point) or values
-        return counterexample(values, entry, worst, self.symbols)
+        return counterexample(values, entry, worst, self.symbols, measured_against(beside))
 
 
 _WRONG = {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
-from radartrack.derive.symbolic import Expr
+if TYPE_CHECKING:  # trees are evaluated without SymPy
+    from radartrack.derive.symbolic import Expr
 
 Node = TypeVar("Node")
 Operation = TypeVar("Operation")

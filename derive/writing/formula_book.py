@@ -13,9 +13,10 @@ from radartrack.derive.language.source import Source
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.stable.quantity_form import legible, without_expm1
+from radartrack.derive.stable.quantity_form import legible
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.writing.quantity_text import latex_name
+from radartrack.derive.writing.short_formula import plain
 
 LONGEST = 6000
 LINE = 220
@@ -100,14 +101,12 @@ def _greek(name: str) -> str:
 
 
 def _without_waves(form: StableForm) -> tuple[dict[Symbol, Expr], Tensor[Expr]]:
-    """With sines and cosines where they are used, and expm1 as a difference."""
+    """With sines and cosines where they are used, expm1 as a difference, and no guards."""
     waves = {s: value for s, value in form.definitions.items() if isinstance(value, sp.sin | sp.cos)}
     definitions = {
-        symbol: without_expm1(value).xreplace(waves)
-        for symbol, value in form.definitions.items()
-        if symbol not in waves
+        symbol: plain(value).xreplace(waves) for symbol, value in form.definitions.items() if symbol not in waves
     }
-    return definitions, form.entries.map(lambda entry: without_expm1(entry).xreplace(waves))
+    return definitions, form.entries.map(lambda entry: plain(entry).xreplace(waves))
 
 
 def _places(entries: Tensor[Expr]) -> Iterator[tuple[str, Expr]]:

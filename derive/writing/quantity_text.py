@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 from radartrack.derive import symbolic as sp
-from radartrack.derive.formula.from_expression import to_tree
-from radartrack.derive.formula.printing import to_text
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, nested
 from radartrack.derive.stable.quantity_form import form_of, readable
-from radartrack.derive.symbolic import Symbol
+from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.writing.common_subexpressions import with_common_parts
 from radartrack.derive.writing.numpy_expression import code
 from radartrack.derive.writing.numpy_writer import helpers
+from radartrack.derive.writing.short_formula import LONG, plain, printed, short
+
+NOTHING_GIVEN: Mapping[Symbol, Expr] = MappingProxyType({})
 
 LATEX_NAMES = {
     "r": "r",
@@ -32,20 +36,30 @@ def heading(quantity: Quantity) -> list[str]:
     ]
 
 
-def text(quantity: Quantity, index: Index | None = None) -> str:
+def text(quantity: Quantity, index: Index | None = None, given: Mapping[Symbol, Expr] = NOTHING_GIVEN) -> str:
     """The formula as the checker reads it; a whole tensor as nested lists."""
-    entries = readable(quantity)
-    wanted = entries if index is None else Tensor((), (entries[index],))
-    return nested(wanted.map(lambda entry: to_text(to_tree(entry))))
+    return nested(_wanted(quantity, index, given).map(printed))
 
 
-def latex(quantity: Quantity, index: Index | None = None) -> str:
+def latex(quantity: Quantity, index: Index | None = None, given: Mapping[Symbol, Expr] = NOTHING_GIVEN) -> str:
     """The formula typeset; vectors and matrices as such, higher tensors as a row of matrices."""
     names = {symbol: latex_name(symbol) for symbol in quantity.symbols}
-    entries = readable(quantity)
-    if index is not None or not quantity.shape:
-        return sp.latex(entries[index or ()], symbol_names=names)
-    return _matrix(entries.map(lambda entry: sp.latex(entry, symbol_names=names)))
+    entries = _wanted(quantity, index, given).map(lambda entry: sp.latex(entry, symbol_names=names))
+    return _matrix(entries) if entries.shape else entries.entries[0]
+
+
+def _wanted(quantity: Quantity, index: Index | None, given: Mapping[Symbol, Expr]) -> Tensor[Expr]:
+    """What is to be printed, each entry as short as it is known: a long derivation in the form that code has."""
+    derived = quantity.expression
+    wanted = derived if index is None else Tensor((), (derived[index],))
+    if given:
+        return wanted.map(lambda entry: short(entry.xreplace(dict(given))))
+    if all(len(printed(plain(entry))) <= LONG for entry in wanted):
+        return wanted.map(short)
+    form = readable(quantity)
+    written = form if index is None else Tensor((), (form[index],))
+    pairs = zip(wanted.entries, written.entries, strict=True)
+    return Tensor(wanted.shape, tuple(min(short(a), plain(b), key=lambda one: len(printed(one))) for a, b in pairs))
 
 
 def python(quantity: Quantity, index: Index | None = None) -> str:

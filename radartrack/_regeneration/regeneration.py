@@ -25,6 +25,7 @@ from radartrack._system.directory_swap import replace_directory, replace_file
 from radartrack._system.worker_processes import Workers, ended_on_failure
 from radartrack._system.written_files import Owners
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.finding import screening_values
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.stable.quantity_form import form_of
@@ -48,8 +49,9 @@ POINTS = 500
 PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
 
 BOOK = "formulas.md"
+SCREENING = "screening.json"
 Files = dict[str, str]
-Written = tuple[str, str]  # statements and formula
+Written = tuple[str, str, dict[str, Any]]  # statements, formula, and values to screen formulas by
 Task = str | tuple[str, str]  # a quantity's name, or model and method of a conversion
 Done = Written | ConversionCode
 Step = Callable[[str], None]
@@ -78,10 +80,11 @@ Record = dict[str, Accuracy]  # by quantity
 
 @dataclass(frozen=True)
 class Derived:
-    """A quantity as code and as a formula to read."""
+    """A quantity as code, as a formula to read, and as values."""
 
     function: Function
     formula: str
+    values: Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -155,8 +158,8 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
         done = _told(tasks, (_done_or_refused(task, quantities) for task in tasks), step)
     derived = []
     for name, quantity in quantities.items():
-        statements, typeset = done[name]
-        derived.append(Derived(Function(quantity, statements), typeset))
+        statements, typeset, values = done[name]
+        derived.append(Derived(Function(quantity, statements), typeset, values))
     return Derivation(derived, [code for code in done.values() if isinstance(code, ConversionCode)])
 
 
@@ -208,9 +211,9 @@ def _told(tasks: Sequence[Task], done: Iterable[Done], step: Step) -> dict[Task,
 
 
 def written(quantity: Quantity) -> Written:
-    """The statements and the typeset formula of one quantity."""
+    """The statements, the typeset formula and the values of one quantity."""
     form = form_of(quantity)
-    return body(quantity, form), formula(quantity, form)
+    return body(quantity, form), formula(quantity, form), screening_values.row(quantity)
 
 
 def read_record(directory: Path) -> Record:
@@ -281,6 +284,7 @@ def texts(derivation: Derivation, record: Record) -> Files:
         "__init__.py": PACKAGE,
         "py.typed": "",
         RECORD: json.dumps(rows, indent=1) + "\n",
+        SCREENING: _screening(derivation.quantities),
         BOOK: book(pages),
         **_modules(derivation.functions, record),
     }
@@ -288,6 +292,12 @@ def texts(derivation: Derivation, record: Record) -> Files:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
     return files | {written_files.RECORD: written_files.record(files)}
+
+
+def _screening(quantities: Iterable[Derived]) -> str:
+    """The values of all quantities, a line each."""
+    rows = [f"{json.dumps(one.function.quantity.name)}: {json.dumps(one.values)}" for one in quantities]
+    return "{\n" + ",\n".join(rows) + "\n}\n"
 
 
 def differences(directory: Path, expected: Files) -> Iterator[str]:
@@ -308,7 +318,7 @@ def names(quantities: Mapping[str, Quantity]) -> set[str]:
     """Of the files that are written for quantities; as in `texts`, before anything is derived."""
     conversions = {"conversions.py", "loops.py"} if conversions_of(quantities) else set()
     modules = {f"{quantity.module}.py" for quantity in quantities.values()}
-    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions
+    return {"__init__.py", "py.typed", RECORD, SCREENING, BOOK, written_files.RECORD} | modules | conversions
 
 
 def in_the_way(directory: Path, wanted: Collection[str]) -> list[str]:

@@ -127,7 +127,8 @@ def _worst(example: Record) -> str:
     values = (
         f"{name} = {quantity_value(value, units.get(name, '1'))}" for name, value in example["largest_at"].items()
     )
-    return f"{percent(relative)} over the domain, at {', '.join(values)}"
+    against = example.get("measured_against") or "the derived value"
+    return f"{percent(relative)} of {against}, at {', '.join(values)}"
 
 
 def _suggestion(suggestion: Record) -> str:

@@ -10,6 +10,7 @@ from rich.text import Text
 from radartrack._system import output_files, terminal
 from radartrack.commands.code_argument import code_argument
 from radartrack.commands.model_file import ModelFile, declared
+from radartrack.commands.pairs import pairs
 from radartrack.commands.seconds import seconds
 
 EXIT = {"equal": 0, "equal_numerically": 0, "differs": 1, "wrong_dimensions": 1, "undecided": 3}
@@ -67,19 +68,6 @@ def check(
     else:
         _tell(terminal.shown(record), echo=bool(latex or code or not formula.isascii()))
     raise typer.Exit(EXIT[record["verdict"]])
-
-
-def pairs(given: list[str], option: str) -> dict[str, str]:
-    """`name=value` as a mapping."""
-    pairs: dict[str, str] = {}
-    for one in given:
-        name, sign, value = one.partition("=")
-        if not sign or not name.strip() or not value.strip():
-            raise typer.BadParameter(f"{one!r} must be name=formula, such as rho=0", param_hint=option)
-        if name.strip() in pairs:
-            raise typer.BadParameter(f"{name.strip()} is given twice", param_hint=option)
-        pairs[name.strip()] = value.strip()
-    return pairs
 
 
 def _tell(record: dict[str, object], *, echo: bool) -> None:

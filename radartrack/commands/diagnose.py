@@ -8,8 +8,8 @@ from typing import Annotated, Any
 import typer
 
 from radartrack._system import output_files, terminal
-from radartrack.commands.check import pairs
 from radartrack.commands.model_file import ModelFile, declared, own_quantities
+from radartrack.commands.pairs import pairs
 from radartrack.commands.seconds import seconds
 
 RIGHT = {"agrees", "loses_digits"}

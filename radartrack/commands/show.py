@@ -9,6 +9,7 @@ import typer
 
 from radartrack._system import terminal
 from radartrack.commands.model_file import ModelFile, own_quantities
+from radartrack.commands.pairs import pairs
 
 
 class Format(StrEnum):
@@ -25,16 +26,31 @@ COMMENT = {Format.TEXT: "", Format.LATEX: "% ", Format.PYTHON: "# "}
 def show(
     name: Annotated[str, typer.Argument(help="A quantity, or one entry of it: 'polar.covariance.averaged[0,0]'.")],
     format: Annotated[Format, typer.Option(help="How to print it.")] = Format.TEXT,
+    given: Annotated[list[str] | None, typer.Option(help="A condition: rho=0. May be repeated.")] = None,
     model: ModelFile = None,
 ) -> None:
-    """Show one formula, its symbols, its conditioning and its source."""
+    """Show one formula, its symbols, its conditioning and its source; what it prints, `check` reads."""
     from radartrack.commands import quantity_name
+    from radartrack.derive.checking.question.compared_quantity import refer_to
+    from radartrack.derive.checking.question.printed_formula import conditions_for
+    from radartrack.derive.formula.error import FormulaError
     from radartrack.derive.writing import quantity_text
 
     quantity, index = quantity_name.read(name, own_quantities(model).values())
+    if given and format is Format.PYTHON:
+        raise typer.BadParameter("code is that of the whole formula; leave --given or --format python out")
+    try:
+        conditions = conditions_for(refer_to(quantity), pairs(given or [], "--given"))
+    except FormulaError as error:
+        raise typer.BadParameter(error.message, param_hint="--given") from None
     for line in quantity_text.heading(quantity):
         terminal.say(f"{COMMENT[format]}{line}")
-    formula = {Format.TEXT: quantity_text.text, Format.LATEX: quantity_text.latex, Format.PYTHON: quantity_text.python}[
-        format
-    ]
-    terminal.say(f"\n{formula(quantity, index)}")
+    if conditions:
+        terminal.say(
+            f"{COMMENT[format]}given:        {', '.join(f'{one} = {value}' for one, value in conditions.items())}"
+        )
+    if format is Format.PYTHON:
+        terminal.say(f"\n{quantity_text.python(quantity, index)}")
+        return
+    formula = {Format.TEXT: quantity_text.text, Format.LATEX: quantity_text.latex}[format]
+    terminal.say(f"\n{formula(quantity, index, conditions)}")

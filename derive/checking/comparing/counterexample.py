@@ -10,6 +10,7 @@ from operator import itemgetter
 
 import mpmath
 
+from radartrack.derive.checking.comparing.domain_search import summits
 from radartrack.derive.checking.comparing.numerical_comparison import (
     LARGEST,
     NOISE,
@@ -19,6 +20,7 @@ from radartrack.derive.checking.comparing.numerical_comparison import (
     is_real,
 )
 from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.comparing.working_domain import WORDS
 from radartrack.derive.checking.reporting.verdict import Counterexample
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
@@ -30,6 +32,7 @@ from radartrack.derive.symbolic import Expr
 MATTERS = 0.01  # a relative difference that nobody overlooks
 DOMAIN_POINTS = 40
 STEP = 0.5
+NEARLY_NOTHING = 0.05  # of its floor: where a scale is less, a difference is not measured against it
 SAME = 1e-6  # relative differences that are one but for rounding
 
 
@@ -65,19 +68,40 @@ class Relative:
         printed, derived: the formulas.
         squared_scale: its square, up to its sign; where that is zero, the printed formula is the scale.
         symbols: of them all.
+        squared_floor: the square of what the scale may not vanish beside, as the entry of a vector does on an axis:
+            there every difference is beyond all measure, and tells nothing.
     """
 
-    def __init__(self, printed: Expr, derived: Expr, squared_scale: Expr, symbols: Sequence[Variable]) -> None:
-        expressions = (printed - derived, printed, squared_scale)
+    def __init__(
+        self,
+        printed: Expr,
+        derived: Expr,
+        squared_scale: Expr,
+        symbols: Sequence[Variable],
+        squared_floor: Expr | None = None,
+    ) -> None:
+        expressions = (
+            printed - derived,
+            printed,
+            squared_scale,
+            squared_scale if squared_floor is None else squared_floor,
+        )
         self._names = [symbol.name for symbol in symbols]
-        self._exact = Evaluator(Tensor((3,), expressions), symbols)
+        self._exact = Evaluator(Tensor((4,), expressions), symbols)
         self._rough = RoughEvaluator(expressions, symbols)
 
-    def at(self, point: Point) -> Worst:
-        """What it is at a point; nothing where a formula has no real value."""
+    def at(self, point: Point, *, anywhere: bool = False) -> Worst:
+        """What it is at a point; nothing where a formula has no real value, or the scale nearly vanishes.
+
+        Args:
+            point: the values of the symbols.
+            anywhere: whether the scale may vanish.
+        """
         try:
-            difference, printed, square = self._exact([point[name] for name in self._names])
+            difference, printed, square, floor = self._exact([point[name] for name in self._names])
         except (ArithmeticError, ValueError):
+            return Worst(0.0, point)
+        if not anywhere and abs(square) < NEARLY_NOTHING**2 * abs(floor):
             return Worst(0.0, point)
         size = mpmath.sqrt(abs(square)) or abs(printed)
         compared = size and all(is_real(value) or _is_nearly_real(value) for value in (difference, printed))
@@ -88,17 +112,28 @@ class Relative:
         values = self._rough([point[name] for name in self._names])
         if values is None:
             return math.inf
-        (difference, error), _, (square, wrong) = values
+        (difference, error), _, (square, wrong), _ = values
         return (abs(difference) + error) / math.sqrt(abs(square) - wrong) if abs(square) > wrong else math.inf
+
+    def at_least(self, point: Point) -> float:
+        """A bound from below; nothing where floating point cannot tell."""
+        values = self._rough([point[name] for name in self._names])
+        if values is None:
+            return 0.0
+        (difference, error), _, (square, wrong), (floor, _) = values
+        if abs(difference) <= 2 * error or abs(square) <= 2 * wrong or abs(square) < NEARLY_NOTHING**2 * abs(floor):
+            return 0.0
+        return (abs(difference) - error) / math.sqrt(abs(square) + wrong)
 
 
 def worst_over_domain(relative: Relative, domain: Domain, start: Point) -> Worst:
-    """The largest relative difference among points of the domain, improved along each symbol."""
-    best = _largest(relative.at(start), domain.spread(DOMAIN_POINTS), relative)
+    """The largest relative difference among points of the domain, and where steps from its corners and zeros lead."""
+    best = _largest(relative.at(start, anywhere=True), domain.spread(DOMAIN_POINTS), relative)
     for symbol in domain.symbols:
         moved = [best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP)]
         best = _largest(best, filter(domain.contains, moved), relative)
-    return best
+    starts = [best.point, *domain.ordinary(DOMAIN_POINTS)]
+    return _largest(best, summits(relative.at_least, domain.limited, domain.contains, starts), relative)
 
 
 def _is_nearly_real(value: Number) -> bool:
@@ -116,7 +151,9 @@ def _largest(best: Worst, points: Iterable[Point], relative: Relative) -> Worst:
     return best
 
 
-def counterexample(values: Values, entry: Index, worst: Worst | None, symbols: Sequence[Variable]) -> Counterexample:
+def counterexample(
+    values: Values, entry: Index, worst: Worst | None, symbols: Sequence[Variable], measured_against: str = ""
+) -> Counterexample:
     """The point and the worst of the domain, where it was looked for, as data."""
     return Counterexample(
         point=values.point,
@@ -125,8 +162,16 @@ def counterexample(values: Values, entry: Index, worst: Worst | None, symbols: S
         derived=float(values.derived),
         relative_difference=values.relative,
         units=_units(symbols),
-        largest_relative_difference=worst.relative if worst else None,
+        largest_relative_difference=max(worst.relative, values.relative) if worst else None,
         largest_at=worst.point if worst else {},
+        measured_against=measured_against,
+    )
+
+
+def measured_against(beside: str) -> str:
+    """What differences are measured against, and where: "the derived value where radars work"."""
+    return f"the derived value {WORDS}" + (
+        f" and it is at least {NEARLY_NOTHING * 100:g} % of {beside}" if beside else ""
     )
 
 

@@ -1,4 +1,4 @@
-"""What the difference of an entry is measured against over the whole domain."""
+"""Beside what an entry may not nearly vanish where its difference is measured against it."""
 
 from __future__ import annotations
 
@@ -8,21 +8,24 @@ from radartrack.derive.language.tensor import Index
 from radartrack.derive.symbolic import Expr
 
 
-def squared_scale(reference: Reference, entry: Index) -> Expr:
-    """A vector's entry counts by the norm of those of its unit, a covariance by its variances, all else alone.
+def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
+    """Beside the entries of its unit for one of a tensor, beside its variances for a covariance, else beside itself.
 
     Returns:
-        The square of that, up to its sign: a root would be lost where rounding makes a variance negative.
+        The square of that, up to its sign: a root would be lost where rounding makes a variance negative. And what it
+        is in words; nothing for an entry itself.
     """
     part = reference.part
     if part is None:
-        return reference.entries[entry] ** 2
-    place = part.places[entry]
+        return reference.entries[entry] ** 2, ""
+    place = part.places[entry if part.shape else ()]
     whole = part.quantity.expression
-    if part.quantity.is_covariance:
+    if part.quantity.is_covariance and len(place) == 2:
         first, second = place
-        return whole[first, first] * whole[second, second]
-    if len(place) != 1:
-        return whole[place] ** 2
+        if first == second:
+            return whole[place] ** 2, ""
+        return whole[first, first] * whole[second, second], "the root of the product of the variances"
     unit = part.quantity.unit(place)
-    return sp.Add(*(one**2 for index, one in whole.items() if part.quantity.unit(index) == unit))
+    beside = [one for index, one in whole.items() if part.quantity.unit(index) == unit]
+    words = "the entries of its unit together" if len(beside) > 1 else ""
+    return sp.Add(*(one**2 for one in beside)), words

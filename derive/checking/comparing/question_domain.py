@@ -9,6 +9,7 @@ from itertools import chain
 
 import mpmath
 
+from radartrack.derive.checking.comparing.working_domain import working, works
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import Point, domain_points, ordinary_points, round_points, scattered_points
 from radartrack.derive.language.tensor import Tensor
@@ -28,37 +29,45 @@ class Domain:
         symbols: those that are free.
         conditions: what others are replaced by. One that is set to a number is where it was put; one that is set to
             a formula has to be inside its limits.
+        works_alone: whether only points count at which a radar works.
     """
 
     symbols: Sequence[Variable]
     conditions: Mapping[Symbol, Expr] = field(default_factory=dict)
+    works_alone: bool = False
+
+    def working(self) -> Domain:
+        """The part of it where radars work."""
+        return Domain(working(self.symbols), self.conditions, works_alone=True)
 
     def round(self) -> Iterator[Point]:
         """Round points, the plainest first."""
-        return filter(self.contains, round_points(self._limited))
+        return filter(self.contains, round_points(self.limited))
 
     def ordinary(self, count: int) -> Iterator[Point]:
         """Points of ordinary size."""
-        return filter(self.contains, ordinary_points(self._limited, count))
+        return filter(self.contains, ordinary_points(self.limited, count))
 
     def spread(self, count: int) -> Iterator[Point]:
         """Points all over the domain."""
-        return filter(self.contains, domain_points(self._limited, count))
+        return filter(self.contains, domain_points(self.limited, count))
 
     def sample(self) -> list[Point]:
         """All of these, each once."""
-        scattered = filter(self.contains, scattered_points(self._limited, SCATTERED))
+        scattered = filter(self.contains, scattered_points(self.limited, SCATTERED))
         points = chain(self.round(), self.ordinary(ORDINARY), self.spread(SPREAD), scattered)
         return list({tuple(point.values()): point for point in points}.values())
 
     def contains(self, point: Point) -> bool:
         """Whether all symbols are inside their limits at values of the free ones."""
         values = _evaluated({symbol: self.conditions[symbol] for symbol in self._moving}, self.symbols, point)
-        limited = (*self._limited, *self._moving)
+        limited = (*self.limited, *self._moving)
+        if self.works_alone and values is not None and not works(self.symbols, values):
+            return False
         return values is not None and all(_is_inside(symbol, values) for symbol in limited)
 
     @cached_property
-    def _limited(self) -> list[Variable]:
+    def limited(self) -> list[Variable]:
         """The free symbols; one that never exceeds another that is set to a number never exceeds that."""
         fixed = {symbol: value for symbol, value in self.conditions.items() if not value.free_symbols}
         known = _evaluated(fixed, (), {}) or {}

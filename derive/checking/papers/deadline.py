@@ -68,6 +68,10 @@ class Decider:
     ) -> None:
         self._end()
 
+    def start(self) -> None:
+        """Let the child load what it needs while the caller does something else."""
+        self._child = self._child or _Child()
+
     def decide(self, claim: Claim, files: Files = ()) -> Record:
         """The record of a claim, with what was found beside the verdict in time; undecided when there is no verdict.
 

@@ -43,9 +43,10 @@ class Counterexample:
         relative_difference: |printed - derived| / |derived|; by the printed value where the derived one is zero; None
             where the printed one is not real, and in a record where it is beyond the numbers of a machine.
         units: of the symbols.
-        largest_relative_difference: the largest found over the domain of the quantity. That of a vector's entry is
-            taken relative to its norm, that of a covariance to the root of the product of the variances.
+        largest_relative_difference: the largest found where radars work, by the same measure; at points where the
+            entry nearly vanishes beside others of its unit it is not looked for.
         largest_at: where that is.
+        measured_against: what the largest is measured against, and where, in words.
     """
 
     point: Mapping[str, float]
@@ -56,6 +57,7 @@ class Counterexample:
     units: Mapping[str, str] = field(default_factory=dict)
     largest_relative_difference: float | None = None
     largest_at: Mapping[str, float] = field(default_factory=dict)
+    measured_against: str = ""
 
 
 @dataclass(frozen=True)

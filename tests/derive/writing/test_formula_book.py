@@ -96,3 +96,8 @@ def test_a_chapter_has_each_symbol_once() -> None:
         Page(q, formula(q, form_of(q)), "exact.") for q in map(catalogue().get, ("polar.map", "polar.jacobian")) if q
     ]
     assert book(pages).count("| `beta` |") == 1
+
+
+def test_the_book_prints_no_guards_of_the_code():
+    book = (Path(__file__).parents[3] / "docs" / "formulas.md").read_text()
+    assert not [guard for guard in ("ratio", "hypot", "expm1") if f"operatorname{{{guard}}}" in book]

@@ -48,3 +48,10 @@ def test_nothing_found_is_said_with_exit_code_one():
     assert result.exit_code == 1
     assert "'nothing.like.this'" in result.stderr
     assert not result.stdout
+
+
+@pytest.mark.parametrize("words", ["Kalman", "converted measurement", "mo", "EMP", "polar covariance"])
+def test_words_of_the_field_are_listed_one_line_a_quantity_where_no_terminal_is(words: str):
+    lines = listed(*words.split(), columns=20).splitlines()
+    assert lines
+    assert [line.split()[0] for line in lines] == names("\n".join(lines))

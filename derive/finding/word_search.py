@@ -1,0 +1,166 @@
+"""Finds quantities by words: of their names, meanings, sources and symbols, and by the field's own words for them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from fnmatch import fnmatchcase
+from functools import cache
+from pathlib import Path
+
+from radartrack.derive.bibliography import WORKS
+from radartrack.derive.language.quantity import Quantity
+
+MOST_WORDS = 12
+MOST_LETTERS = 60  # of a word
+ALIKE = 0.8  # similarity from which a word is one with a slip in it
+LONG = 4  # letters from which a word may have a slip, or be the beginning of another
+# How much it says that a word is the name of a quantity, a word of the field, an author, and so on down.
+NAME, FIELD, SOURCE, SYMBOL, MEANING, PART, SLIP = 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 0.5
+_WORD = re.compile(r"[a-z0-9]+", re.IGNORECASE)
+_EMPTY = frozenset({"a", "an", "and", "by", "for", "from", "in", "of", "on", "the", "to", "with", "al", "et"})
+
+Words = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class FieldWord:
+    """A word of the field.
+
+    Attributes:
+        spellings: all of them, each as its words.
+        patterns: of the names that it means, the best first.
+    """
+
+    spellings: tuple[Words, ...]
+    patterns: tuple[str, ...]
+
+    def meaning(self, name: str) -> float:
+        """How much a quantity is meant, from nothing to one."""
+        places = (place for place, pattern in enumerate(self.patterns) if fnmatchcase(name, pattern))
+        return 1 - 0.1 * next(places, 10)
+
+
+@cache
+def field_words() -> tuple[FieldWord, ...]:
+    """All words of the field."""
+    table = tomllib.loads(Path(__file__).with_name("field_words.toml").read_text(encoding="utf-8"))
+    return tuple(
+        FieldWord(tuple(_words(said) for said in word["said"]), tuple(word["means"])) for word in table["word"]
+    )
+
+
+def by_words(wanted: Sequence[str], quantities: Iterable[Quantity]) -> list[Quantity]:
+    """The quantities that words mean, the best first; all of them for no words.
+
+    A pattern, `polar.*.linear`, selects names as it does files; so does what is part of a name. Several words are all
+    to be met; where nothing meets all, those come that meet the most.
+    """
+    known = list(quantities)
+    text = " ".join(wanted).strip()
+    if any(sign in text for sign in "*?["):
+        return [one for one in known if fnmatchcase(one.name, text)]
+    if held := [one for one in known if text and _holds(one.name, text)]:
+        return held
+    parts = _parts(_words(text)[:MOST_WORDS])
+    if not parts:
+        return [] if text else known
+    scores = [[part.weight(one) for part in parts] for one in known]
+    most = max((sum(map(bool, score)) for score in scores), default=0)
+    found = [pair for pair in zip(scores, known, strict=True) if most and sum(map(bool, pair[0])) == most]
+    return [one for _, one in sorted(found, key=lambda pair: -sum(pair[0]))]
+
+
+def _holds(name: str, text: str) -> bool:
+    """Whether a text is part of a name: whole parts of it, or long enough to be no chance."""
+    text = text.lower()
+    lowered = name.lower()
+    return text in lowered if len(text) >= LONG else text in re.split(r"[._]", lowered) or text == lowered
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A word that is looked for, and the words of the field that it is."""
+
+    word: str
+    field: tuple[FieldWord, ...]
+
+    def weight(self, quantity: Quantity) -> float:
+        """How well it fits a quantity."""
+        by_field = max((FIELD * one.meaning(quantity.name) for one in self.field), default=0.0)
+        if not self.word:
+            return by_field
+        return max(by_field, *(weight * _alike(self.word, words) for weight, words in _said(quantity)))
+
+
+def _parts(words: Words) -> list[_Part]:
+    """The longest spellings of the field among the words, and the words that are left."""
+    found: list[_Part] = []
+    place = 0
+    while place < len(words):
+        length, meant = _field_words_at(words[place:])
+        if length > 1:
+            found.append(_Part("", meant))
+        elif words[place] not in _EMPTY:
+            found.append(_Part(words[place], meant))
+        place += max(length, 1)
+    return found
+
+
+def _field_words_at(words: Words) -> tuple[int, tuple[FieldWord, ...]]:
+    """The longest spelling that the words begin with, and the words of the field that are spelled so."""
+    spelled: list[tuple[float, int, FieldWord]] = []
+    for one in field_words():
+        for spelling in one.spellings:
+            length = len(spelling)
+            likeness = min(map(_similar, words[:length], spelling)) if len(words) >= length else 0.0
+            if likeness:
+                spelled.append((likeness, length, one))
+    length = max((length for _, length, _ in spelled), default=0)
+    longest = [(likeness, one) for likeness, size, one in spelled if size == length]
+    best = max((likeness for likeness, _ in longest), default=0.0)
+    return length, tuple(one for likeness, one in longest if likeness == best)
+
+
+@cache
+def _said(quantity: Quantity) -> tuple[tuple[float, frozenset[str]], ...]:
+    """The words that are said of a quantity, by what they weigh."""
+    titles = " ".join(work.title for work in WORKS.values() if work.doi and work.doi in quantity.source.dois)
+    symbols = " ".join(symbol.name for symbol in quantity.symbols)
+    meanings = " ".join(symbol.meaning for symbol in quantity.symbols)
+    return (
+        (NAME, frozenset(_words(quantity.name))),
+        (SOURCE, frozenset(_words(str(quantity.source)))),
+        (SYMBOL, frozenset((*symbols.lower().split(), *_words(symbols)))),
+        (MEANING, frozenset(_words(quantity.meaning))),
+        (PART, frozenset(_words(f"{titles} {meanings} {quantity.conditioning.value} {quantity.word}"))),
+    )
+
+
+def _alike(word: str, words: Collection[str]) -> float:
+    """One for a word that is there, less for the beginning of one and for a slip."""
+    if word in words:
+        return 1.0
+    return max((_similar(word, other) for other in words), default=0.0)
+
+
+@cache
+def _similar(word: str, other: str) -> float:
+    """From nothing to one."""
+    if word == other:
+        return 1.0
+    if len(word) < LONG or len(other) < LONG or word[0] != other[0]:
+        return 0.0
+    if other.startswith(word) or word.startswith(other):
+        return 0.75
+    matcher = SequenceMatcher(None, word, other)
+    if matcher.real_quick_ratio() < ALIKE or matcher.ratio() < ALIKE:
+        return 0.0
+    return SLIP
+
+
+def _words(text: str) -> Words:
+    return tuple(word[:MOST_LETTERS].lower() for word in _WORD.findall(text))

@@ -1,0 +1,162 @@
+"""A formula of the catalogue is found whatever its letters are, and what is none is not."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
+from radartrack.derive.finding.letters import read_free
+from radartrack.derive.finding.screening_values import row
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import Name, Tree
+from radartrack.derive.language.quantity import Quantity
+
+VALUES = json.loads((Path(__file__).parents[3] / "generated" / "screening.json").read_text())
+QUICK = ("polar.", "observe.polar", "observe.spherical.map", "kinematics.", "motion.constant", "spherical.jacobian")
+ENTRIES = [
+    (quantity, index)
+    for quantity in catalogue().values()
+    if quantity.name.startswith(QUICK) and "semidefinite" not in quantity.name and "validity" not in quantity.name
+    for index, _ in zip(range(1000), VALUES[quantity.name]["values"], strict=False)
+]
+OTHERS = {  # what people write, by what the symbol is called here
+    "r": ("R", "rng", "d", "rho", "range"),
+    "beta": ("theta", "az", "phi", "b", "bearing"),
+    "epsilon": ("el", "elevation", "eps"),
+    "sigma_r": ("s_r", "sigma_R", "std_range", "sr"),
+    "sigma_beta": ("s_theta", "sigma_az", "sigma_phi", "std_b"),
+    "T": ("dt", "Delta_t", "h", "tau"),
+    "x": ("east", "px", "E"),
+    "y": ("north", "py", "N"),
+    "vx": ("v_x", "xdot"),
+    "vy": ("v_y", "ydot"),
+    "q": ("S", "q_c", "Phi"),
+    "k": ("n", "N", "m"),
+}
+
+
+@cache
+def search() -> FormulaSearch:
+    return FormulaSearch(VALUES)
+
+
+def spelled(tree: Tree, letters: dict[str, str]) -> str:
+    return to_text(
+        rebuild(tree, lambda node: Name(letters.get(node.name, node.name)) if isinstance(node, Name) else node)
+    )
+
+
+@settings(max_examples=25)
+@given(st.sampled_from(ENTRIES), st.data())
+def test_every_entry_is_found_in_other_letters(entry: tuple[Quantity, int], data: st.DataObject) -> None:
+    quantity, place = entry
+    expression = quantity.expression.entries[place]
+    if not expression.free_symbols or len(text := to_text(to_tree(expression))) > 400:
+        return
+    names = sorted(symbol.name for symbol in expression.free_symbols)
+    letters = {name: data.draw(st.sampled_from(OTHERS[name])) for name in names if name in OTHERS}
+    letters = {old: new for old, new in letters.items() if new not in names and list(letters.values()).count(new) == 1}
+    tree = read_free(spelled(read_free(text, latex=False), letters), latex=False)
+    found = search().candidates(tree)
+    assert any(VALUES_OF[one.quantity] == VALUES_OF[_name(quantity, place)] for one in found if not one.given), letters
+
+
+def _name(quantity: Quantity, place: int) -> str:
+    index: list[str] = []
+    for size in reversed(quantity.shape):
+        place, last = divmod(place, size)
+        index.insert(0, str(last))
+    return quantity.name + (f"[{','.join(index)}]" if index else "")
+
+
+def _flat() -> dict[str, tuple[float, ...]]:
+    found = {}
+    for name, data in VALUES.items():
+        quantity = catalogue()[name]
+        found[name] = tuple(data["values"][0])
+        found |= {_name(quantity, place): tuple(value) for place, value in enumerate(data["values"])}
+    return found
+
+
+VALUES_OF = _flat()
+
+
+@pytest.mark.parametrize(
+    ("formula", "latex", "quantity", "given"),
+    [
+        ("(rho*s_th*cos(th))^2 + (s_rho*sin(th))^2", False, "polar.covariance.linear[1,1]", {"rho": "0"}),
+        ("[sqrt(e^2+n^2+u^2), atan2(e,n), atan(u/sqrt(e^2+n^2))]", False, "observe.spherical.map", {}),
+        ("[[q*dt^3/3, q*dt^2/2], [q*dt^2/2, q*dt]]", False, "constant_velocity.process_noise", {}),
+        ("[R*cos(theta), R*sin(theta)]", False, "polar.map", {}),
+        (r"\rho\sin\theta", True, "polar.map[1]", {}),
+        ("R*exp(-s_theta^2/2)*cos(theta) - R*cos(theta)", False, "polar.bias.truth[0]", {"rho": "0"}),
+    ],
+)
+def test_formulas_as_people_write_them_are_found(
+    formula: str, latex: bool, quantity: str, given: dict[str, str]
+) -> None:
+    found = search().candidates(read_free(formula, latex=latex))
+    assert any(quantity in one.quantity and one.given == given and not one.convention for one in found)
+
+
+@pytest.mark.parametrize(
+    ("formula", "quantity", "convention"),
+    [
+        ("[r*sin(az), r*cos(az)]", "polar.map", "counted from the other axis"),
+        ("r*cos(pi*az/180)", "polar.map[0]", "in degrees"),
+        ("[[sin(b), r*cos(b)], [cos(b), -r*sin(b)]]", "polar.jacobian", ""),
+    ],
+)
+def test_another_convention_is_said(formula: str, quantity: str, convention: str) -> None:
+    found = search().candidates(read_free(formula, latex=False))
+    assert [one for one in found if one.quantity == quantity and convention in one.convention] or not convention
+
+
+@pytest.mark.parametrize("slip", ["-R*cos(theta)*s_theta^2/3", "-R*cos(theta)*s_theta^2/1.9", "1.1*R*cos(theta)"])
+def test_a_slip_is_near_and_never_found(slip: str) -> None:
+    tree = read_free(slip, latex=False)
+    assert search().candidates(tree) == []
+    near: list[Candidate] = search().near(tree)
+    assert near
+    assert all(0 < one.difference < 0.5 for one in near)
+
+
+@pytest.mark.parametrize(
+    "nothing",
+    [
+        "7",
+        "a*b + c*d + f*g",
+        "9**60*x**60*9**60*9**60*9**60*9**60*9**60",
+        "log(x - x)",
+        "sum(j, j, 1, k)",
+        "[[a], [b]]",
+    ],
+)
+def test_what_is_no_quantity_is_not_found(nothing: str) -> None:
+    assert search().candidates(read_free(nothing, latex=False)) == []
+
+
+@pytest.mark.parametrize("broken", ["r*cos(", "", "[1, [2, 3]]", r"\frac{1}{"])
+def test_what_cannot_be_read_is_refused(broken: str) -> None:
+    with pytest.raises(FormulaError):
+        read_free(broken, latex="\\" in broken)
+
+
+@pytest.mark.parametrize("name", ["polar.covariance.linear", "kinematics.constant_velocity.process_noise"])
+def test_values_are_what_anyone_computes_from_the_formula(name: str) -> None:
+    quantity = catalogue().get(name) or catalogue()[name.replace("kinematics", "motion")]
+    data = row(quantity)
+    for number in range(3):
+        point = {symbol: data["symbols"][symbol.name][number] for symbol in quantity.symbols}
+        for entry, values in zip(quantity.expression, data["values"], strict=True):
+            assert values[number] == pytest.approx(float(entry.subs(point)), rel=1e-9, abs=1e-300)

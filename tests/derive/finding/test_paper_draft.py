@@ -1,0 +1,109 @@
+"""A draft holds every displayed equation of a source, with its number, and is a claims file whatever the source is."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+from radartrack.cli import app
+from radartrack.derive.checking.papers.claims_file import read_claims
+from radartrack.derive.finding.paper_draft import (
+    Drafted,
+    claims,
+    defined,
+    equations,
+    title,
+    understood,
+    with_definitions,
+)
+from radartrack.derive.formula.printing import to_text
+
+PAPER = r"""
+\documentclass{article}\title{On \emph{converted} measurements}
+\begin{document}
+\begin{equation}\label{eq:lambda} \lambda = e^{-\sigma_\theta^2/2} \end{equation}
+\begin{align} x &= \rho\cos\theta, \nonumber \\ y &= \rho\sin\theta. \label{eq:y} \end{align}
+\[ b_x = \rho\lambda\cos\theta - \rho\cos\theta \tag{8b} \]
+% \begin{equation} commented = 1 \end{equation}
+\begin{equation} Q_{11} = \frac{q T^3}{3} \end{equation}
+\begin{equation*} w = \alpha\beta\gamma + \delta^7 \end{equation*}
+$$ A = \begin{bmatrix} 1 & T \\ 0 & 1 \end{bmatrix} $$
+"""
+
+
+def test_equations_have_the_numbers_and_labels_of_print() -> None:
+    found = [(one.number, one.label, one.left) for one in equations(PAPER)]
+    assert found == [
+        ("1", "eq:lambda", r"\lambda"),
+        ("", "", "x"),
+        ("2", "eq:y", "y"),
+        ("8b", "", "b_x"),
+        ("3", "", "Q_{11}"),
+        ("", "", "w"),
+        ("", "", "A"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "display",
+    [
+        r"\[ %s \]",
+        "$$ %s $$",
+        r"\begin{equation} %s \end{equation}",
+        r"\begin{equation*} %s. \end{equation*}",
+        r"\begin{gather} %s, \label{a} \end{gather}",
+        r"\begin{align*} %s \end{align*}",
+        r"\begin{equation}\begin{split} %s \end{split}\end{equation}",
+        r"\begin{eqnarray} %s \nonumber \end{eqnarray}",
+        r"\begin{multline} %s \tag{3} \end{multline}",
+    ],
+)
+def test_a_formula_is_read_out_of_every_display(display: str) -> None:
+    (one,) = understood(equations(display % r"x &= \rho\cos\theta"))
+    assert one.tree is not None
+    assert to_text(one.tree) == "rho*cos(theta)"
+    assert one.name == "x"
+
+
+def test_definitions_are_put_in_and_circles_are_left_alone() -> None:
+    found = understood(equations(r"\[a = b + 1\] \[b = 2 c\] \[d = a^2\] "))
+    known = defined(found)
+    tree = with_definitions(found[2], known)
+    assert tree is not None
+    assert to_text(tree) == "(2*c + 1)**2"
+    assert with_definitions(found[0], {**known, "b": found[2].tree or found[0].tree}) is None
+
+
+@given(st.text(st.sampled_from(list("\\begin{equation}[]$&=xy^_%\n\"'\x00é{}()2 ")), max_size=80), st.text(max_size=20))
+def test_whatever_the_source_is_the_draft_is_a_claims_file(body: str, said: str) -> None:
+    found = understood(equations(f"\\[ {body} = x \\] \\title{{{said}}} \\begin{{equation}} y = 2 \\end{{equation}}"))
+    text = claims(title(f"\\title{{{said}}}"), [Drafted(one) for one in found])
+    data = tomllib.loads(text)
+    assert len(data["claim"]) == len(found)
+    assert len({claim["id"] for claim in data["claim"]}) == len(found)
+
+
+def test_a_paper_is_drafted_into_claims_that_are_equal(tmp_path: Path) -> None:
+    source, out = tmp_path / "paper.tex", tmp_path / "paper.toml"
+    source.write_text(PAPER)
+    result = CliRunner().invoke(app, ["draft", str(source), "--out", str(out)])
+    assert result.exit_code == 0
+    assert "7 equations: 7 read, 5 found in the catalogue, 2 undecided" in result.output
+    by_id = {claim.id: claim for claim in read_claims(out).claims}
+    assert by_id["eq_y"].quantity == "polar.map[1]"
+    assert by_id["eq8b"].let == {"lambda": "e**(-sigma_beta**2/2)"}
+    assert "lambda" in by_id["eq8b"].formula
+    assert CliRunner().invoke(app, ["audit", str(out)]).output.count(" equal ") == 5
+
+
+@pytest.mark.parametrize("text", ["", "no equation", r"\begin{equation} x \end{equation}"])
+def test_a_source_without_equations_is_refused(tmp_path: Path, text: str) -> None:
+    source = tmp_path / "paper.tex"
+    source.write_text(text)
+    assert CliRunner().invoke(app, ["draft", str(source)]).exit_code == 2
+    assert CliRunner().invoke(app, ["draft", str(tmp_path / "missing.tex")]).exit_code == 2
