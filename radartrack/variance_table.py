@@ -30,7 +30,6 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
-from radartrack._conversion.semidefinite import cast
 from radartrack._system.directory_swap import replace_file
 from radartrack.generated import line as formulas
 
@@ -424,7 +423,8 @@ def _turned(local: Floats, azimuth: Floats) -> Floats:
     x = sine * along + cosine * mixed, cosine * across
     y = cosine * along - sine * mixed, -sine * across
     entries = [a[0] * b[0] + a[1] * b[1] for a, b in ((x, x), (x, y), (y, x), (y, y))]
-    return cast(np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2), np.dtype(np.float64))
+    stacked: Floats = np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2).astype(np.float64, copy=False)
+    return stacked
 
 
 def _digest(columns: Columns) -> str:

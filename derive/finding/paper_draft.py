@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive.finding.formula_search import Candidate
@@ -133,10 +133,12 @@ def with_definitions(one: Understood, known: Mapping[str, Tree]) -> Tree | None:
         used = names(tree) & known.keys() - {one.name} if tree is not None else frozenset[str]()
         if tree is None or not used:
             return tree
-        tree = rebuild(
-            tree, lambda node, of=used: known[node.name] if isinstance(node, Name) and node.name in of else node
-        )
+        tree = rebuild(tree, _putting_in({name: known[name] for name in used}))
     return None  # in a circle
+
+
+def _putting_in(known: Mapping[str, Tree]) -> Callable[[Tree], Tree]:
+    return lambda node: known.get(node.name, node) if isinstance(node, Name) else node
 
 
 def by_definitions(one: Understood, known: Mapping[str, Tree], candidate: Candidate) -> Printed | None:

@@ -9,7 +9,9 @@ import math
 import os
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
 
 from radartrack._arrays.validation import RealArray
 
@@ -22,7 +24,7 @@ MOST_THREADS = 8  # each has intermediate results of its own, and all wait for o
 Fill = Callable[..., None]
 
 
-def fill(function: Fill, inputs: Sequence[RealArray], outputs: Sequence[RealArray], block: int = BLOCK) -> None:
+def fill(function: Fill, inputs: Sequence[NDArray[Any]], outputs: Sequence[RealArray], block: int = BLOCK) -> None:
     """Call `function(*inputs, *outputs)` for each block of entries; once where there are none.
 
     Args:

@@ -156,7 +156,8 @@ def chosen_axis(sensor: str, default: AzimuthFrom | None, azimuth_from: AzimuthF
         return default
     if default is None:
         raise ValueError(f"azimuth_from must be None for sensor {sensor!r}; got {azimuth_from!r}")
-    return one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
+    chosen: AzimuthFrom = one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
+    return chosen
 
 
 def _require_in_front(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> None:

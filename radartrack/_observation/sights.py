@@ -92,7 +92,7 @@ class Sight:
             ValueError: a coordinate is out of place.
 
         """
-        values = {}
+        values: dict[str, RealArray] = {}
         for name, symbols in self.site.items():
             array = given[name]
             if len(symbols) > 1:

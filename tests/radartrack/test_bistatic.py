@@ -45,10 +45,11 @@ def position(plot: Plot, path: Any, azimuth: Any) -> Floats:
         np.zeros(np.broadcast(path, azimuth).shape),
         np.broadcast_to(path, np.broadcast(path, azimuth).shape) * 1.0,
     )
+    r = (low + high) / 2
     for _ in range(200):
-        r = (low + high) / 2
         far = r + np.hypot(r * np.cos(azimuth) - plot["baseline"], r * np.sin(azimuth)) > path
         low, high = np.where(far, low, r), np.where(far, r, high)
+        r = (low + high) / 2
     return np.stack([r * np.cos(azimuth), r * np.sin(azimuth)], axis=-1)
 
 
@@ -137,7 +138,7 @@ def test_arrays_and_plain_numbers_and_float32_agree(method: Method) -> None:
     alone = bistatic(method, path=80e3, baseline=9e3, **words)
     np.testing.assert_allclose(got.mean[1, 2], alone.mean, rtol=1e-13)
     assert_covariances_agree(got.covariance[1, 2], alone.covariance, 1e-12)
-    single = {name: np.float32(value) for name, value in PLOT.items()}
+    single: dict[str, Any] = {name: np.float32(value) for name, value in PLOT.items()}
     if method == "decorrelated":
         single["predicted"] = tuple(part.astype(np.float32) for part in prediction(PLOT))
     few = convert.bistatic(**single, method=method)

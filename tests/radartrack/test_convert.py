@@ -187,7 +187,7 @@ def test_the_azimuth_is_counted_as_each_model_does_unless_one_says_otherwise() -
     assert polar(1.0, 0.0, 0.0, 0.0).mean.tolist() == [1, 0]
     assert polar_doppler(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [1, 0, 0]
     assert spherical(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 1, 0]
-    assert spherical_doppler(1.0, *[0.0] * 7).mean.tolist() == [0, 1, 0, 0]
+    assert spherical_doppler(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 1, 0, 0]
     assert ruv(1.0, 0.0, 0.0, 0.0, 0.0, 0.0).mean.tolist() == [0, 0, 1]
 
 

@@ -1,7 +1,7 @@
 """Extended updates: the formulas of the books, angles the short way round, and where nothing has a derivative."""
 
 import math
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import kalman, observe
-from radartrack._observation.sights import SIGHTS
+from radartrack._observation.sights import SIGHTS, SightName
 from radartrack.kalman import Belief
 from tests.examples import share
 from tests.radartrack.plots import Floats
@@ -124,7 +124,7 @@ def test_more_tracks_than_a_block_holds_are_updated_each_with_its_own_plot() -> 
 @share(0.1)
 def test_whole_turns_of_the_azimuth_make_no_difference(sensor: str, order: int, turns: int, seed: int) -> None:
     belief, measured, noise = scene(sensor, seed)
-    turned = measured + 2 * math.pi * turns * (np.array(SIGHTS[sensor].outputs) == "azimuth")  # type: ignore[index]
+    turned = measured + 2 * math.pi * turns * (np.array(SIGHTS[cast("SightName", sensor)].outputs) == "azimuth")
     assert_same(update(sensor, belief, turned, noise, order), update(sensor, belief, measured, noise, order))
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.check import Question
 from radartrack.derive.checking.comparing.counterexample import Relative, counterexample
-from radartrack.derive.checking.comparing.difference_scale import squared_scale
+from radartrack.derive.checking.comparing.difference_scale import squared_floor
 from radartrack.derive.checking.comparing.error_bound import largest_error, proved_within
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.papers.claims_file import BOUND
@@ -43,7 +43,9 @@ def bounded(question: Question, bound: str) -> Verdict:
         except WrongDimensions as error:
             return _verdict(question, Outcome.WRONG_DIMENSIONS, str(error))
         printed, derived = question.printed_entry(entry), question.derived_entry(entry)
-        square = under(question.conditions, squared_scale(question.reference, entry)) if is_relative else sp.Integer(1)
+        square = (
+            under(question.conditions, squared_floor(question.reference, entry)[0]) if is_relative else sp.Integer(1)
+        )
         largest = largest_error(Relative(printed, derived, square, question.symbols), question.domain)
         if largest.relative > most:
             return _too_large(question, entry, largest.relative, largest.point, bound, scale)

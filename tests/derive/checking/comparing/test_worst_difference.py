@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from random import Random
 
 import pytest
@@ -83,10 +84,9 @@ def test_a_search_finds_a_corner_a_zero_and_a_peak_between(low: float) -> None:
     chance = Random(3)
     for _ in range(10):
         peak = {s.name: chance.choice([s.low, s.high, chance.uniform(s.low, s.high)]) for s in symbols}
-        (best, *_) = summits(
-            lambda point, peak=peak: 1 / (0.01 + sum((point[name] - peak[name]) ** 2 for name in peak)),
-            symbols,
-            lambda _: True,
-            [],
-        )
+
+        def height(point: Mapping[str, float], at: Mapping[str, float] = peak) -> float:
+            return 1 / (0.01 + sum((point[name] - at[name]) ** 2 for name in at))
+
+        (best, *_) = summits(height, symbols, lambda _: True, [])
         assert all(abs(best[name] - value) < 0.1 for name, value in peak.items())

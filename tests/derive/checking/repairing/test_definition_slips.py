@@ -95,7 +95,7 @@ def _is_the_same(name: str, printed: str, first: Mapping[str, str], second: Mapp
     """Whether both definitions give the same formula, by SymPy alone."""
     one, other = (names_for(refer(name), dict(let)) for let in (first, second))
     changed = [key for key in first if first[key] != second[key]]
-    return all(sympy.simplify(one.values[key] - other.values[key]) == 0 for key in changed) or key_unused(
+    return all(sympy.simplify(one.numbers[key] - other.numbers[key]) == 0 for key in changed) or key_unused(
         printed, changed
     )
 
