@@ -31,7 +31,7 @@ def diagnose(
         Path | None, typer.Option(help="Values that another language computed at what `radartrack points` wrote.")
     ] = None,
     timeout: Annotated[
-        float, typer.Option(help="Seconds after which the function is stopped.", min=0.1, callback=seconds)
+        float, typer.Option(help="Seconds that a call of the function may take.", min=0.1, callback=seconds)
     ] = 60.0,
     model: ModelFile = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the diagnosis as JSON.")] = False,

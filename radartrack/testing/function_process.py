@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import traceback
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
@@ -20,7 +21,8 @@ from pathlib import Path
 from typing import Any
 
 COMMAND = (sys.executable, "-P", "-m", "radartrack.testing.function_process")
-START = 60.0  # seconds for all but the diagnosis
+START = 120.0  # seconds that all but the function may take
+WATCHED = 0.05  # seconds
 PRINTS = "it prints while it is called"
 
 Request = Mapping[str, Any]
@@ -36,7 +38,7 @@ def diagnosed(request: Request, timeout: float) -> dict[str, Any]:
     Args:
         request: `file`, `function`, and the arguments of `diagnose` but the function; in place of models the data of
             `files` that declare them.
-        timeout: seconds.
+        timeout: seconds that a call of the function may take.
 
     Raises:
         CannotRun: with the reason.
@@ -51,7 +53,7 @@ def diagnosed(request: Request, timeout: float) -> dict[str, Any]:
             timeout=min(timeout + START, threading.TIMEOUT_MAX),
         )
     except subprocess.TimeoutExpired:
-        raise CannotRun(f"{request['function']} was stopped: it was not diagnosed within {timeout:g} s") from None
+        raise CannotRun(f"{request['function']} was not diagnosed within {timeout + START:g} s") from None
     if not done.stdout:
         how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit code {done.returncode}"
         raise CannotRun(f"{request['function']} ended the process that ran it, with {how}")
@@ -125,20 +127,19 @@ def _tell(answers: int, answer: Mapping[str, Any]) -> None:
 
 
 class _Watched:
-    """Notices that a function does not return."""
+    """Notices that a function, or its file, does not come to an end; what the diagnosis takes does not count."""
 
     def __init__(self, name: str, timeout: float, answers: int) -> None:
         self._name, self._timeout, self._answers = name, timeout, answers
-        self._inside = "while it is imported"
-        timer = threading.Timer(min(timeout, threading.TIMEOUT_MAX), self._end)
-        timer.daemon = True
-        timer.start()
+        self._inside, self._since = "while it is imported", time.monotonic()
+        threading.Thread(target=self._watch, daemon=True).start()
 
     def __call__(self, function: Callable[..., Any]) -> Callable[..., Any]:
         """The function, which says where it is."""
         self._inside = ""
 
         def watched(*arguments: Any, **named: Any) -> Any:
+            self._since = time.monotonic()
             self._inside = f"when called with {', '.join(map(repr, (*arguments, *named.values())))}"
             try:
                 return function(*arguments, **named)
@@ -151,9 +152,11 @@ class _Watched:
         watched.__wrapped__ = function  # type: ignore[attr-defined]
         return watched
 
-    def _end(self) -> None:
-        what = f"does not return {self._inside}" if self._inside else "was not diagnosed"
-        _tell(self._answers, {"cannot": f"{self._name} {what} (stopped after {self._timeout:g} s)"})
+    def _watch(self) -> None:
+        while not (inside := self._inside) or time.monotonic() - self._since < self._timeout:
+            time.sleep(WATCHED)
+        what = f"{self._name} does not return {inside} (stopped after {self._timeout:g} s)"
+        _tell(self._answers, {"cannot": what})
 
 
 def loaded(path: Path, name: str) -> Callable[..., Any]:

@@ -73,7 +73,7 @@ def test_each_outcome_has_its_words_and_its_exit_code(source: Path, function: st
 
 
 def test_a_function_that_does_not_return_is_stopped(source: Path) -> None:
-    found = run(f"{source}:hangs", "polar.map", "--timeout", "0.3")
+    found = run(f"{source}:hangs", "polar.map", "--timeout", "2")
     assert found.exit_code == 2
     assert "hangs does not return when called with" in found.output
 

@@ -118,3 +118,24 @@ def hypot_of_c() -> Any:
 def white_noise_velocity(q: float, dt: float) -> Any:
     """The process noise of constant velocity with a fourth power where the third belongs."""
     return q * np.array([[dt**4 / 4, dt**2 / 2], [dt**2 / 2, dt]])
+
+
+def direction_cosines(r: float, u: float, v: float, sr: float, su: float, sv: float, *, product: float = 1.0) -> Any:
+    """The variance of z to second order, of range and direction cosines with independent errors."""
+    w2 = 1 - u * u - v * v
+    linear = w2 * sr**2 + (r * u * su) ** 2 / w2 + (r * v * sv) ** 2 / w2
+    curved = (r * (1 - v * v) * su**2) ** 2 / (2 * w2**3) + (r * (1 - u * u) * sv**2) ** 2 / (2 * w2**3)
+    mixed = (u * sr * su) ** 2 / w2 + (v * sr * sv) ** 2 / w2
+    return linear + curved + mixed + product * (r * u * v * su * sv) ** 2 / w2**3
+
+
+def lost_product(r: float, u: float, v: float, sr: float, su: float, sv: float) -> Any:
+    """Without the product of both variances."""
+    return direction_cosines(r, u, v, sr, su, sv, product=0.0)
+
+
+def other_product(r: float, u: float, v: float, sr: float, su: float, sv: float) -> Any:
+    """With another factor in the place of u²v²/w⁶."""
+    w2 = 1 - u * u - v * v
+    factor = (u * u * v * v / w2**3 - (u * u + v * v) / w2**2 - 1 / w2) / 2
+    return lost_product(r, u, v, sr, su, sv) + (r * su * sv) ** 2 * factor

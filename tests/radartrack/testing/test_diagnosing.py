@@ -62,6 +62,7 @@ def test_mutants_are_never_called_right_and_nearly_always_traced_to_their_slip(n
         (own.whole_number_power, "observe.polar_doppler.jacobian", "entries [2, 0] and [2, 1]: the power 3/2 is 1"),
         (own.lost_power_signs, "observe.spherical.jacobian", "y + 2 for y**2"),
         (own.without_range, "polar.covariance.linear", "the factor r**2 is missing"),
+        (own.lost_product, "ruv.covariance.second_order[2, 2]", "the term r**2*sigma_u**2*sigma_v**2*u**2*v**2"),
         (own.white_noise_velocity, "kinematics.constant_velocity.process_noise", "the power 3 is 4 in T**3"),
     ],
 )  # fmt: skip
