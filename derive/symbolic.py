@@ -241,8 +241,10 @@ class third(Abbreviation):
         return 1 / (12 * self**2 - 3)
 
     def expanded(self) -> Expr:
-        """The cosine itself, of a complex angle where the argument is above one."""
-        return cos(acos(self.args[0]) / 3)
+        """Cardano's cube roots, of a complex number where the argument is below one."""
+        x = self.args[0]
+        root = (x + sqrt(x**2 - 1)) ** Rational(1, 3)
+        return (root + 1 / root) / 2
 
 
 class below(Function):

@@ -31,7 +31,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
 
 
 def series(at: float, order: int) -> mpmath.mpf:
-    with mpmath.workdps(60):
+    with mpmath.workdps(100):
         terms = range(200)
         return mpmath.fsum((-1) ** k * mpmath.mpf(at) ** (2 * k) / mpmath.factorial(order + 2 * k) for k in terms)
 
