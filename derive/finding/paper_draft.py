@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive.finding.formula_search import Candidate
@@ -133,12 +133,12 @@ def with_definitions(one: Understood, known: Mapping[str, Tree]) -> Tree | None:
         used = names(tree) & known.keys() - {one.name} if tree is not None else frozenset[str]()
         if tree is None or not used:
             return tree
-        tree = rebuild(tree, _putting_in({name: known[name] for name in used}))
+        tree = _replaced(tree, {name: known[name] for name in used})
     return None  # in a circle
 
 
-def _putting_in(known: Mapping[str, Tree]) -> Callable[[Tree], Tree]:
-    return lambda node: known.get(node.name, node) if isinstance(node, Name) else node
+def _replaced(tree: Tree, by_name: Mapping[str, Tree]) -> Tree:
+    return rebuild(tree, lambda node: by_name.get(node.name, node) if isinstance(node, Name) else node)
 
 
 def by_definitions(one: Understood, known: Mapping[str, Tree], candidate: Candidate) -> Printed | None:
@@ -154,14 +154,9 @@ def by_definitions(one: Understood, known: Mapping[str, Tree], candidate: Candid
     if one.tree is None or not used or candidate.convention or taken & set(used):
         return None
 
-    def text(tree: Tree) -> str:
-        return to_text(
-            rebuild(
-                tree, lambda node: Name(candidate.read.get(node.name, node.name)) if isinstance(node, Name) else node
-            )
-        )
-
-    return Printed(text(one.tree), {name: text(known[name]) for name in used})
+    symbols_of = {letter: Name(symbol) for letter, symbol in candidate.read.items()}
+    let = {name: to_text(_replaced(known[name], symbols_of)) for name in used}
+    return Printed(to_text(_replaced(one.tree, symbols_of)), let)
 
 
 def _needed(one: Understood, known: Mapping[str, Tree]) -> list[str]:
@@ -291,4 +286,4 @@ def _identifier(equation: Equation, place: int, used: set[str]) -> str:
 
 def _quoted(text: str) -> str:
     """A basic string of TOML, which is one of JSON but for a character."""
-    return json.dumps("".join(sign if sign.isprintable() else " " for sign in text), ensure_ascii=True)
+    return json.dumps("".join(sign if sign.isprintable() else " " for sign in text), ensure_ascii=False)

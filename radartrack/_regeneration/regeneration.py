@@ -213,7 +213,8 @@ def _told(tasks: Sequence[Task], done: Iterable[Done], step: Step) -> dict[Task,
 def written(quantity: Quantity) -> Written:
     """The statements, the typeset formula and the values of one quantity."""
     form = form_of(quantity)
-    return body(quantity, form), formula(quantity, form), screening_values.row(quantity)
+    values = screening_values.row(quantity) if catalogue().get(quantity.name) is quantity else {}
+    return body(quantity, form), formula(quantity, form), values
 
 
 def read_record(directory: Path) -> Record:
@@ -274,7 +275,7 @@ def measure(module: ModuleType, quantity: Quantity) -> float:
 
 
 def texts(derivation: Derivation, record: Record) -> Files:
-    """The files of the generated package, the formula book, and the record of all of them."""
+    """The files of the generated package, the formula book, of the catalogue its values, and the record of them all."""
     rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
     pages = [
         Page(derived.function.quantity, derived.formula, record[derived.function.quantity.name].sentence)
@@ -284,10 +285,11 @@ def texts(derivation: Derivation, record: Record) -> Files:
         "__init__.py": PACKAGE,
         "py.typed": "",
         RECORD: json.dumps(rows, indent=1) + "\n",
-        SCREENING: _screening(derivation.quantities),
         BOOK: book(pages),
         **_modules(derivation.functions, record),
     }
+    if record.keys() == catalogue().keys():
+        files[SCREENING] = _screening(derivation.quantities)
     if derivation.conversions:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
@@ -318,7 +320,8 @@ def names(quantities: Mapping[str, Quantity]) -> set[str]:
     """Of the files that are written for quantities; as in `texts`, before anything is derived."""
     conversions = {"conversions.py", "loops.py"} if conversions_of(quantities) else set()
     modules = {f"{quantity.module}.py" for quantity in quantities.values()}
-    return {"__init__.py", "py.typed", RECORD, SCREENING, BOOK, written_files.RECORD} | modules | conversions
+    screening = {SCREENING} if quantities.keys() == catalogue().keys() else set()
+    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions | screening
 
 
 def in_the_way(directory: Path, wanted: Collection[str]) -> list[str]:

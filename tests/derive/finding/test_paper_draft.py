@@ -76,7 +76,8 @@ def test_definitions_are_put_in_and_circles_are_left_alone() -> None:
     tree = with_definitions(found[2], known)
     assert tree is not None
     assert to_text(tree) == "(2*c + 1)**2"
-    assert with_definitions(found[0], {**known, "b": tree}) is None
+    circle = understood(equations(r"\[b = c + 1\] \[c = b - 1\] \[d = b c\]"))
+    assert with_definitions(circle[2], defined(circle)) is None
 
 
 @given(st.text(st.sampled_from(list("\\begin{equation}[]$&=xy^_%\n\"'\x00é{}()2 ")), max_size=80), st.text(max_size=20))
@@ -84,8 +85,8 @@ def test_whatever_the_source_is_the_draft_is_a_claims_file(body: str, said: str)
     found = understood(equations(f"\\[ {body} = x \\] \\title{{{said}}} \\begin{{equation}} y = 2 \\end{{equation}}"))
     text = claims(title(f"\\title{{{said}}}"), [Drafted(one) for one in found])
     data = tomllib.loads(text)
-    assert len(data["claim"]) == len(found)
-    assert len({claim["id"] for claim in data["claim"]}) == len(found)
+    assert len(data.get("claim", [])) == len(found)
+    assert len({claim["id"] for claim in data.get("claim", [])}) == len(found)
 
 
 def test_a_paper_is_drafted_into_claims_that_are_equal(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from functools import partial
 from random import Random
 
 import pytest
@@ -11,6 +11,7 @@ import pytest
 from radartrack.derive.checking.check import check
 from radartrack.derive.checking.comparing.domain_search import summits
 from radartrack.derive.checking.comparing.working_domain import working, works
+from radartrack.derive.evaluation.points import Point
 from radartrack.derive.language.variable import Variable, deviation, length
 from radartrack.derive.units import ONE
 
@@ -78,15 +79,15 @@ def test_no_radar_measures_a_millimetre_at_a_hundred_thousand_kilometres() -> No
     assert r.low < narrowed.low < narrowed.high < r.high
 
 
+def height(peak: Point, point: Point) -> float:
+    return 1 / (0.01 + sum((point[name] - value) ** 2 for name, value in peak.items()))
+
+
 @pytest.mark.parametrize("low", [-1.0, 0.0, 1e-3])
 def test_a_search_finds_a_corner_a_zero_and_a_peak_between(low: float) -> None:
     symbols = [Variable(name, "a number", ONE, low, 1.0) for name in "abc"]
     chance = Random(3)
     for _ in range(10):
         peak = {s.name: chance.choice([s.low, s.high, chance.uniform(s.low, s.high)]) for s in symbols}
-
-        def height(point: Mapping[str, float], at: Mapping[str, float] = peak) -> float:
-            return 1 / (0.01 + sum((point[name] - at[name]) ** 2 for name in at))
-
-        (best, *_) = summits(height, symbols, lambda _: True, [])
+        (best, *_) = summits(partial(height, peak), symbols, lambda _: True, [])
         assert all(abs(best[name] - value) < 0.1 for name, value in peak.items())
