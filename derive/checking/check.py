@@ -32,7 +32,14 @@ from radartrack.derive.checking.question.compared_quantity import Reference, Unk
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
-from radartrack.derive.checking.question.letters import AS_TYPED, Reading, Typed, ambiguous, as_typed, read_loosely
+from radartrack.derive.checking.question.letters.letter_readings import (
+    AS_TYPED,
+    Reading,
+    Typed,
+    ambiguous,
+    as_typed,
+    read_loosely,
+)
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,

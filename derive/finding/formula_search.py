@@ -10,7 +10,7 @@ from itertools import islice
 from typing import Any
 
 from radartrack.derive.evaluation.tree_values import Program
-from radartrack.derive.finding.letters import assignments
+from radartrack.derive.finding.free_letters import assignments
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (

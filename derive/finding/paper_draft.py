@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive.finding.formula_search import Candidate
-from radartrack.derive.finding.letters import read_free
+from radartrack.derive.finding.free_letters import read_free
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text

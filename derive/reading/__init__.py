@@ -31,8 +31,8 @@ from radartrack.derive.formula.tree import (
     with_children,
 )
 from radartrack.derive.reading.code.source_code import LANGUAGES, read_code
-from radartrack.derive.reading.latex import read_latex
 from radartrack.derive.reading.notation import NOTATIONS, Reading, read_formula
+from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.text import read_text
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, bound_names, names
 from radartrack.derive.reading.code.source_code import LANGUAGES, read_code
-from radartrack.derive.reading.latex import read_latex
 from radartrack.derive.reading.printed_text import is_printed, read_printed_text
+from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.text import read_text
 
 TEXT, LATEX, PRINTED = "text", "latex", "printed"

@@ -18,8 +18,8 @@ from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, with_span
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
-from radartrack.derive.reading.latex import read_latex
-from radartrack.derive.reading.latex_pieces import FUNCTIONS, VERB_WORDS
+from radartrack.derive.reading.tex.latex import read_latex
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS
 from radartrack.derive.reading.text import read_text
 
 _SIGNS = MappingProxyType(

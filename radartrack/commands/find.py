@@ -32,7 +32,7 @@ def find(
     Exit 0 when it is one, 1 when one is only near or none is, 2 when it cannot be read.
     """
     from radartrack.derive.checking.papers.deadline import Decider
-    from radartrack.derive.finding.letters import read_free
+    from radartrack.derive.finding.free_letters import read_free
     from radartrack.derive.formula.error import FormulaError
 
     try:

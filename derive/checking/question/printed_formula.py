@@ -9,7 +9,7 @@ from types import MappingProxyType
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
-from radartrack.derive.checking.question.letters import NO_LETTERS, Letter, Letters
+from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
 from radartrack.derive.checking.question.padding import trimmed

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
-from radartrack.derive.finding.letters import read_free
+from radartrack.derive.finding.free_letters import read_free
 from radartrack.derive.finding.screening_values import row
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
@@ -22,7 +22,7 @@ from radartrack.derive.formula.tree import Name, Tree
 from radartrack.derive.language.quantity import Quantity
 
 VALUES = json.loads((Path(__file__).parents[3] / "generated" / "screening.json").read_text())
-QUICK = ("polar.", "observe.polar", "observe.spherical.map", "kinematics.", "motion.constant", "spherical.jacobian")
+QUICK = ("polar.", "observe.polar", "observe.spherical.map", "motion.turn", "motion.constant", "spherical.jacobian")
 ENTRIES = [
     (quantity, index)
     for quantity in catalogue().values()
@@ -152,9 +152,9 @@ def test_what_cannot_be_read_is_refused(broken: str) -> None:
         read_free(broken, latex="\\" in broken)
 
 
-@pytest.mark.parametrize("name", ["polar.covariance.linear", "kinematics.constant_velocity.process_noise"])
+@pytest.mark.parametrize("name", ["polar.covariance.linear", "motion.constant_velocity.process_noise.continuous"])
 def test_values_are_what_anyone_computes_from_the_formula(name: str) -> None:
-    quantity = catalogue().get(name) or catalogue()[name.replace("kinematics", "motion")]
+    quantity = catalogue()[name]
     data = row(quantity)
     for number in range(3):
         point = {symbol: data["symbols"][symbol.name][number] for symbol in quantity.symbols}

@@ -22,7 +22,7 @@ SAMPLE = (
     "ruv.map",
     "observe.polar_doppler.jacobian",
     "observe.spherical.map",
-    "kinematics.constant_velocity.process_noise",
+    "motion.constant_velocity.process_noise.continuous",
     "finite_sample.degree1.gain",
 )
 LONGEST = 60  # nodes of an entry

@@ -25,7 +25,7 @@ from tests.radartrack.testing.black_boxes import Function, function_of, named, r
 FUNCTIONS = int(os.environ.get("RADARTRACK_FUNCTIONS", "0"))  # mutants of each quantity as functions; 0 for a sample
 SAMPLE = (
     "polar.jacobian", "polar.covariance.truth", "polar.unbiased.estimate", "observe.polar_doppler.jacobian",
-    "kinematics.constant_acceleration.process_noise", "ruv.covariance.linear", "fusion.weights.three",
+    "motion.constant_acceleration.process_noise.continuous", "ruv.covariance.linear", "fusion.weights.three",
 )  # fmt: skip
 RIGHT = ("polar.covariance.averaged", "observe.spherical.jacobian", "fusion.variance.three")
 SHARE = 0.95
@@ -63,7 +63,7 @@ def test_mutants_are_never_called_right_and_nearly_always_traced_to_their_slip(n
         (own.lost_power_signs, "observe.spherical.jacobian", "y + 2 for y**2"),
         (own.without_range, "polar.covariance.linear", "the factor r**2 is missing"),
         (own.lost_product, "ruv.covariance.second_order[2, 2]", "the term r**2*sigma_u**2*sigma_v**2*u**2*v**2"),
-        (own.white_noise_velocity, "kinematics.constant_velocity.process_noise", "the power 3 is 4 in T**3"),
+        (own.white_noise_velocity, "motion.constant_velocity.process_noise.continuous", "the power 3 is 4 in T**3"),
     ],
 )  # fmt: skip
 def test_slips_of_public_code_are_named(function: Function, name: str, words: str) -> None:

@@ -76,7 +76,7 @@ def test_the_same_thing_in_another_model_is_known_in_whatever_letters(monkeypatc
         monkeypatch.setattr(f"radartrack.derive.{module}.catalogue", lambda: known)
     g = ("dt^3/6", "dt^2/2", "dt")
     printed = "[" + ", ".join("[" + ", ".join(f"sigma^2*{a}*{b}" for b in g) + "]" for a in g) + "]"
-    verdict = check("kinematics.constant_acceleration.process_noise", printed)
+    verdict = check("motion.constant_acceleration.process_noise.continuous", printed)
     assert verdict.verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
     (only,) = verdict.suggestions
     assert only.formula == piecewise.name

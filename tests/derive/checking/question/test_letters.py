@@ -8,7 +8,7 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.question.letter_meanings import Role, meanings
+from radartrack.derive.checking.question.letters.letter_meanings import Role, meanings
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.formula.error import FormulaError
@@ -87,7 +87,7 @@ def test_every_formula_is_equal_in_the_letters_of_the_field_and_told_with_what_i
         ("polar.covariance.linear[0,0]", "a^2*b^2*sin(c)^2 + d^2*cos(c)^2"),
         ("observe.spherical.map", "[sqrt(e^2+n^2+u^2), atan2(e,n), atan(u/sqrt(e^2+n^2))]"),
         ("observe.spherical.map", "[sqrt(a^2+b^2+c^2), atan2(a,b), asin(c/sqrt(a^2+b^2+c^2))]"),
-        ("kinematics.constant_velocity.process_noise", "[[w*h^3/3, w*h^2/2], [w*h^2/2, w*h]]"),
+        ("motion.constant_velocity.process_noise.continuous", "[[w*h^3/3, w*h^2/2], [w*h^2/2, w*h]]"),
         ("fusion.weights.two", "[b^2/(a^2 + b^2), a^2/(a^2 + b^2)]"),
     ],
 )
@@ -127,7 +127,7 @@ def test_the_name_of_a_symbol_means_it_unless_no_unit_is_possible_then() -> None
         ("polar.map", "[a*cos(b), -a*sin(b)]", "the sign of a*sin(b)"),
         ("spherical.map[2]", "a*cos(el)", "cos should be sin"),
         ("observe.polar.map[0]", "sqrt(e^2 - n^2)", "the sign of n**2"),
-        ("kinematics.constant_velocity.process_noise[0,0]", "q*dt^3/4", "4 should be 3"),
+        ("motion.constant_velocity.process_noise.continuous[0,0]", "q*dt^3/4", "4 should be 3"),
     ],
 )
 def test_a_wrong_formula_is_read_with_what_leaves_the_least_to_explain(name: str, formula: str, edit: str) -> None:

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import VERBS
 from radartrack.derive.formula.latex_names import ACCENTS, GREEK
-from radartrack.derive.reading.latex_letters import DECORATIONS, SAYS_NOTHING
+from radartrack.derive.reading.tex.latex_letters import DECORATIONS, SAYS_NOTHING
 
 FUNCTIONS = MappingProxyType(
     {

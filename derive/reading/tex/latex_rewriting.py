@@ -13,7 +13,7 @@ from dataclasses import replace
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.latex_names import GREEK
 from radartrack.derive.formula.limits import MAX_DEPTH, check_brackets
-from radartrack.derive.reading.latex_pieces import BOLD, CLOSERS, Piece
+from radartrack.derive.reading.tex.latex_pieces import BOLD, CLOSERS, Piece
 
 _SYMBOLS = frozenset({"letter", "greek", "word"})
 _TAKES_AN_ARGUMENT = frozenset({"raised", "lowered", "accent", "root", "fraction", "function"})

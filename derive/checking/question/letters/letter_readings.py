@@ -15,7 +15,7 @@ from types import MappingProxyType
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_entries import entries_of
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
-from radartrack.derive.checking.question.letter_meanings import Role, meaning_of, meanings, means
+from radartrack.derive.checking.question.letters.letter_meanings import Role, meaning_of, meanings, means
 from radartrack.derive.checking.question.padding import trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.tree import Tree
-from radartrack.derive.reading.latex import read_latex
+from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.text import read_text
 
 MOST_LETTERS = 24

@@ -26,11 +26,11 @@ from radartrack.derive.formula.tree import (
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees, verb
-from radartrack.derive.reading.joined_equations import Definition, combined
-from radartrack.derive.reading.latex_equations import equations
-from radartrack.derive.reading.latex_hints import hint
-from radartrack.derive.reading.latex_letters import Letter, Names
-from radartrack.derive.reading.latex_tokens import WORDS, LatexTokens
+from radartrack.derive.reading.tex.joined_equations import Definition, combined
+from radartrack.derive.reading.tex.latex_equations import equations
+from radartrack.derive.reading.tex.latex_hints import hint
+from radartrack.derive.reading.tex.latex_letters import Letter, Names
+from radartrack.derive.reading.tex.latex_tokens import WORDS, LatexTokens
 
 _OF_ANGLES = frozenset({"acos", "asin", "atan", "cos", "cot", "csc", "sec", "sin", "tan"})
 
@@ -105,7 +105,7 @@ class _LatexBuilder(TreeBuilder):
 
     def _check_power_of_argument(self, applied: Tree, parts: Sequence[Part]) -> None:
         r"""Refuse \sin\theta^2; of \cosh\sigma^2 the square is that of a deviation, which is a variance."""
-        has_brackets = any(isinstance(part, Token) and part.type in {"LPAR", "LBAR", "LBRACE"} for part in parts[1:2])
+        has_brackets = any(isinstance(part, Token) and part.type in {"LPAR", "LBAR", "LBRACE"} for part in parts[1:3])
         if has_brackets or not isinstance(applied, Call) or applied.function not in _OF_ANGLES:
             return
         argument = applied.arguments[-1]

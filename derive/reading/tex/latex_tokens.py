@@ -19,9 +19,9 @@ from radartrack.derive.formula.latex_names import ACCENTS, GREEK
 from radartrack.derive.formula.limits import MAX_PRINTED, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.unknown_names import unknown_function, unknown_name
-from radartrack.derive.reading.latex_letters import DECORATIONS, SAYS_NOTHING, Letter, Names, spelled
-from radartrack.derive.reading.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
-from radartrack.derive.reading.latex_rewriting import partners, rewritten
+from radartrack.derive.reading.tex.latex_letters import DECORATIONS, SAYS_NOTHING, Letter, Names, spelled
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
+from radartrack.derive.reading.tex.latex_rewriting import partners, rewritten
 
 _BRACKET_TOKENS = {
     **dict.fromkeys(("(", "[", "\\{"), "LPAR"),

@@ -1,0 +1,1 @@
+"""What the letters of a paper stand for, where they are not those of the quantity."""
