@@ -76,7 +76,10 @@ def decided(
         typeset: whether the verdicts hold formulas as MathML.
     """
     claims = [claim for paper in papers for claim in paper.claims]
-    worlds = [world for paper in papers for world in [(*paper.declared, *beside)] for _ in paper.claims]
+    worlds: list[Files] = []
+    for paper in papers:
+        declared_for_it = (*paper.declared, *(one for one in beside if one not in paper.declared))
+        worlds += [declared_for_it] * len(paper.claims)
     records, errors = _decided(claims, worlds, timeout, typeset=typeset)
     rest = iter(records)
     audits = [{"paper": p.paper, "file": p.name, "claims": [next(rest) for _ in p.claims]} for p in papers]

@@ -9,6 +9,7 @@ import typer
 
 from radartrack._system import output_files, terminal
 from radartrack.commands.check import pairs
+from radartrack.commands.model_file import ModelFile, declared, own_quantities
 from radartrack.commands.seconds import seconds
 
 RIGHT = {"agrees", "loses_digits"}
@@ -32,6 +33,7 @@ def diagnose(
     timeout: Annotated[
         float, typer.Option(help="Seconds after which the function is stopped.", min=0.1, callback=seconds)
     ] = 60.0,
+    model: ModelFile = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the diagnosis as JSON.")] = False,
 ) -> None:
     """Say whether a function is the derived quantity, how exact it is, or which slip it has.
@@ -45,9 +47,10 @@ def diagnose(
         if table is not None:
             if name is not None:
                 raise typer.BadParameter("with --table there is no function, but the name of a quantity alone")
-            record = _of_table(what, table, known)
+            record = _of_table(what, table, known, model)
         else:
-            record = _of_function(what, name, argument, known, timeout, degrees=degrees, variances=variances)
+            conventions = {"degrees": degrees, "variances": variances}
+            record = _of_function(what, name, argument, known, timeout, model, conventions)
     except CannotRun as error:
         terminal.complain(str(error))
         raise typer.Exit(CANNOT) from None
@@ -60,12 +63,13 @@ def points(
     name: Annotated[str, typer.Argument(help="A quantity, or one entry of it.")],
     out: Annotated[Path, typer.Option(help="The file to write, comma-separated values.")],
     given: Annotated[list[str] | None, typer.Option(help="A symbol that is known: rho=0. May be repeated.")] = None,
+    model: ModelFile = None,
 ) -> None:
     """Write the points at which another language computes a quantity, one a line, for `diagnose --table`."""
     from radartrack.testing.value_tables import points_table
 
     output_files.refuse_unwritable({"--out": out})
-    wanted = _wanted(name, _numbers(given))
+    wanted = _wanted(name, _numbers(given), model)
     output_files.write(out, points_table(wanted))
     entries = len(wanted.places)
     terminal.say(
@@ -80,9 +84,8 @@ def _of_function(
     argument: list[str] | None,
     given: dict[str, float],
     timeout: float,
-    *,
-    degrees: bool,
-    variances: bool,
+    model: Path | None,
+    conventions: dict[str, bool],
 ) -> dict[str, Any]:
     from radartrack.testing.function_process import diagnosed
 
@@ -91,21 +94,21 @@ def _of_function(
         raise typer.BadParameter("say FILE.py:FUNCTION and the name of a quantity, such as tracker.py:to_xy polar.map")
     if not Path(file).is_file():
         raise typer.BadParameter(f"there is no file {file}")
-    _wanted(name, given)
+    _wanted(name, given, model)
     taken = {
         key: value.split(",") if "," in value else value for key, value in pairs(argument or [], "--argument").items()
     }
-    options = {"degrees": degrees, "variances": variances, "given": given}
+    options = {**conventions, "given": given, "files": declared(model)}
     return diagnosed({"file": file, "function": function, "name": name, "arguments": taken, **options}, timeout)
 
 
-def _of_table(name: str, table: Path, given: dict[str, float]) -> dict[str, Any]:
+def _of_table(name: str, table: Path, given: dict[str, float], model: Path | None) -> dict[str, Any]:
     from radartrack.testing.examination import CannotDiagnose, Examination
     from radartrack.testing.function_conventions import AS_ASKED
     from radartrack.testing.function_process import CannotRun
     from radartrack.testing.value_tables import tabulated
 
-    wanted = _wanted(name, given)
+    wanted = _wanted(name, given, model)
     try:
         function = tabulated(wanted, table.read_text(encoding="utf-8"))
         taken = {f"argument {place + 1}": symbol.name for place, symbol in enumerate(wanted.symbols)}
@@ -115,11 +118,12 @@ def _of_table(name: str, table: Path, given: dict[str, float]) -> dict[str, Any]
     return {**found.record, "text": str(found)}
 
 
-def _wanted(name: str, given: dict[str, float]) -> Any:
+def _wanted(name: str, given: dict[str, float], model: Path | None) -> Any:
     from radartrack.testing.wanted import wanted_by
 
+    own = own_quantities(model).values()
     try:
-        return wanted_by(name, given)
+        return wanted_by(name, given, own)
     except (KeyError, ValueError) as error:
         raise typer.BadParameter(str(error)) from None
 

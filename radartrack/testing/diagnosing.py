@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from radartrack.derive.checking.question.declared_world import having_models
+from radartrack.derive.language.model import Model
 from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
 from radartrack.testing.examination import CannotDiagnose, Examination
 from radartrack.testing.function_conventions import (
@@ -29,6 +31,7 @@ def diagnose(
     degrees: Some = False,
     variances: Some = False,
     given: Mapping[str, float] | None = None,
+    models: Iterable[Model] = (),
 ) -> Diagnosis:
     """Compare a function with a derived quantity.
 
@@ -41,13 +44,15 @@ def diagnose(
         degrees: whether angles and their deviations are passed in degrees; or the symbols that are.
         variances: whether variances are passed in place of deviations; or the symbols of the deviations.
         given: symbol → its value, for symbols that the function takes for known: {"rho": 0}.
+        models: of one's own, whose quantities may be named.
 
     Raises:
         CannotDiagnose: the function cannot be called, raises wherever it is, or returns what cannot be compared.
         UnknownQuantity: there is no quantity of that name.
-        ValueError: there is no such entry, symbol or parameter.
+        ValueError: there is no such entry, symbol or parameter, or a model has a name of the catalogue's.
     """
-    wanted = wanted_by(name, {key: float(value) for key, value in (given or {}).items()})
+    own = having_models(models).quantities.values()
+    wanted = wanted_by(name, {key: float(value) for key, value in (given or {}).items()}, own)
     names = [symbol.name for symbol in wanted.quantity.symbols]
     for parameter, stated in (arguments or {}).items():
         for one in (stated,) if isinstance(stated, str) else stated:
@@ -74,6 +79,7 @@ def assert_derived(
     degrees: Some = False,
     variances: Some = False,
     given: Mapping[str, float] | None = None,
+    models: Iterable[Model] = (),
 ) -> None:
     """Assert that a function is a derived quantity, all over its domain.
 
@@ -85,12 +91,14 @@ def assert_derived(
         degrees: what is passed in degrees.
         variances: what is passed as a variance.
         given: symbol → value.
+        models: of one's own.
 
     Raises:
         AssertionError: it is something else, or less accurate; the message is the diagnosis.
         CannotDiagnose, UnknownQuantity, ValueError: as `diagnose`.
     """
-    found = diagnose(function, name, arguments=arguments, degrees=degrees, variances=variances, given=given)
+    conventions = {"degrees": degrees, "variances": variances}
+    found = diagnose(function, name, arguments=arguments, given=given, models=models, **conventions)
     if not found.agrees or found.ulp is None or not found.ulp <= ulp:
         limit = f"\n  {ulp:g} ulp are allowed" if found.agrees else ""
         raise AssertionError(f"{found}{limit}")

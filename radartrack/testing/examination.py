@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.catalogue import family
 from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.units import RADIAN
 from radartrack.testing.argument_bindings import bindings
@@ -209,9 +209,8 @@ class Examination:
         known = {symbol.name for symbol in first.wanted.symbols}
         kin = [
             one
-            for one in catalogue().values()
-            if one.module == own.module
-            and one.shape == own.shape
+            for one in family(own)
+            if one.shape == own.shape
             and one is not own
             and known <= {symbol.name for symbol in one.symbols} <= known | set(first.wanted.given)
         ]

@@ -34,7 +34,8 @@ def diagnosed(request: Request, timeout: float) -> dict[str, Any]:
     """The record of a diagnosis, and its words as `text`.
 
     Args:
-        request: `file`, `function`, and the arguments of `diagnose` but the function.
+        request: `file`, `function`, and the arguments of `diagnose` but the function; in place of models the data of
+            `files` that declare them.
         timeout: seconds.
 
     Raises:
@@ -43,7 +44,7 @@ def diagnosed(request: Request, timeout: float) -> dict[str, Any]:
     try:
         done = subprocess.run(  # noqa: S603 - this interpreter, and a module of this package
             COMMAND,
-            input=json.dumps({**request, "timeout": timeout}),
+            input=json.dumps({**request, "timeout": timeout}, default=str),
             stdout=subprocess.PIPE,
             encoding="utf-8",
             check=False,
@@ -78,11 +79,13 @@ def main() -> None:
 
 
 def _answer(function: Callable[..., Any], request: Request) -> dict[str, Any]:
+    from radartrack.derive.reading.model_table import read_models  # noqa: PLC0415 - after the streams are apart
     from radartrack.testing.diagnosing import CannotDiagnose, diagnose  # noqa: PLC0415 - after the streams are apart
 
     options = {name: request[name] for name in ("arguments", "degrees", "variances", "given")}
     try:
-        found = diagnose(function, request["name"], **options)
+        models = [model for data in request.get("files", ()) for model in read_models(data)]
+        found = diagnose(function, request["name"], models=models, **options)
     except CannotDiagnose as error:
         raise CannotRun(f"{request['function']}: {error}") from None
     except (KeyError, ValueError) as error:

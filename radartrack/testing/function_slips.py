@@ -8,8 +8,7 @@ from contextlib import suppress
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
-from radartrack.derive.checking.question.formula_units import Dimension
-from radartrack.derive.checking.question.printed_formula import Names
+from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
@@ -18,7 +17,7 @@ from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Number, Power, Product, Sum, Tree, replace_at, walk
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.algebra.common_denominator import collected_form
+from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import Slip
@@ -45,10 +44,7 @@ class SlipSearch:
         self._screening, self._found = screening, found
         self._confirming, self._found_there = confirming, found_there
         symbols: Sequence[Variable] = screening.wanted.symbols
-        self._names = Names(
-            {symbol.name: symbol for symbol in symbols},
-            {symbol.name: Dimension.of(symbol.unit) for symbol in symbols},
-        )
+        self._names = Names({symbol.name: symbol for symbol in symbols})
         here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
             for one in (screening, confirming)

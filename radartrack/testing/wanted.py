@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.derive.catalogue import find
 from radartrack.derive.checking.comparing.order_of_difference import is_deviation
+from radartrack.derive.checking.question.world import CATALOGUE
 from radartrack.derive.evaluation.balls import exact_arithmetic
 from radartrack.derive.evaluation.points import ordinary_points, round_points
 from radartrack.derive.language.quantity import Quantity
@@ -33,7 +33,7 @@ class Wanted:
     """A quantity, or one entry of it, with some of its symbols fixed.
 
     Attributes:
-        quantity: of the catalogue.
+        quantity: of the catalogue, or of a model of one's own.
         places: the entries that are wanted, in row-major order.
         shape: of what the function is to return.
         given: values of the symbols that are fixed.
@@ -164,8 +164,13 @@ class Expected:
         return {name: float(values[place]) for name, values in self.points.items()}
 
 
-def wanted_by(name: str, given: Mapping[str, float]) -> Wanted:
+def wanted_by(name: str, given: Mapping[str, float], own: Iterable[Quantity] = ()) -> Wanted:
     """What a name asks for: `polar.map`, or one entry, `polar.map[0]`.
+
+    Args:
+        name: of a quantity of the catalogue, or of those of one's own.
+        given: values of the symbols that are fixed.
+        own: quantities beside the catalogue's.
 
     Raises:
         UnknownQuantity: there is no quantity of that name.
@@ -174,7 +179,7 @@ def wanted_by(name: str, given: Mapping[str, float]) -> Wanted:
     match = NAME.fullmatch(name.strip())
     if match is None:
         raise ValueError(f"name must be that of a quantity, polar.map, or of an entry, polar.map[0]; given {name!r}")
-    quantity = find(match["name"])
+    quantity = CATALOGUE.having(own).find(match["name"])
     unknown = sorted(set(given) - {symbol.name for symbol in quantity.symbols})
     if unknown:
         allowed = ", ".join(symbol.name for symbol in quantity.symbols)

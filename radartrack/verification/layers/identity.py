@@ -21,6 +21,7 @@ from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Tensor, indices
+from radartrack.derive.sensors import models
 from radartrack.derive.symbolic import Symbol
 from radartrack.verification.domain_points import coarse
 from radartrack.verification.outcome import Function, Outcome
@@ -30,7 +31,7 @@ from radartrack.verification.second_derivations.elementary_quantities import ELE
 from radartrack.verification.second_derivations.exact_least_squares import least_squares
 from radartrack.verification.second_derivations.moment_generating_function import GeneratingFunction
 from radartrack.verification.second_derivations.power_series import jets
-from radartrack.verification.subject import model_of, row_of
+from radartrack.verification.subject import model_of, quantity_of, row_of
 
 NAME = "identity"
 DIGITS = 60
@@ -96,20 +97,21 @@ def _second(model: Model, row: str) -> Tensor[ExponentialPolynomial]:
 
 def _method(quantity: Quantity) -> str:
     """How the second derivation goes, in words."""
-    row = row_of(quantity)
     if quantity.name in ELEMENTARY:
         return ELEMENTARY[quantity.name].method
     if quantity.module == "finite_sample":
         return "exact least squares over fractions"
     if quantity.module == "observe":
-        _, _, kind = row.rpartition(".")
-        return "the conversion undoes it" if kind == "map" else "power series of the map"
+        return "the conversion undoes it" if _is_undone(quantity) else "power series of the map"
     return f"observe.{quantity.module}.map undoes it" if _is_undone(quantity) else "direct power series of the map"
 
 
 def _is_undone(quantity: Quantity) -> bool:
-    """Whether it is a map that another one takes back."""
-    return row_of(quantity) == "map" and f"observe.{quantity.module}.map" in catalogue()
+    """Whether it is a map that another one takes back: a conversion, or what is observed of a position."""
+    name, _, kind = row_of(quantity).rpartition(".")
+    if quantity.module == "observe":
+        return kind == "map" and name in models()
+    return row_of(quantity) == "map" and models().get(quantity.module) is model_of(quantity) is not None
 
 
 def _largest_difference(quantity: Quantity, seed: int) -> float:
@@ -162,47 +164,49 @@ def _complete(model: Model, at: Mapping[Symbol, Number]) -> dict[Symbol, Number]
 def _observed(quantity: Quantity, at: Mapping[Symbol, Number]) -> Tensor[Number]:
     name, _, kind = row_of(quantity).rpartition(".")
     symbols = quantity.symbols
-    if kind == "map":
-        position = [at[symbol] for symbol in symbols]
+    if _is_undone(quantity):
+        state = {symbol.name: at[symbol] for symbol in symbols}
         if name == "ruv":  # an array sees what is in front of it: its direction cosines do not tell behind
-            position[2] = abs(position[2])
-        return Tensor((len(position),), tuple(position))
-    order = {"jacobian": 1, "hessian": 2}[kind]
+            state["z"] = abs(state["z"])
+        return Tensor((len(state),), tuple(state.values()))
+    order = {"map": 0, "jacobian": 1, "hessian": 2}[kind]
+    inputs = symbols[: quantity.shape[-1]] if order else ()  # the state; where receivers stand comes after it
     observed = catalogue()[f"observe.{name}.map"].expression
-    return derivatives(jets(list(observed), at, symbols, order), order, len(symbols))
+    return derivatives(jets(list(observed), at, inputs, order), order, len(inputs))
 
 
 def _composed(quantity: Quantity, point: Mapping[str, float], found: Tensor[Number]) -> Tensor[Number]:
     """What a map gives, taken back by the map that undoes it; anything else as it is."""
-    model, row = model_of(quantity), row_of(quantity)
-    name, _, kind = row.rpartition(".")
-    if quantity.module == "observe" and kind == "map":
-        return _position(name, found, point)
-    if model is not None and _is_undone(quantity):
-        return _measured(model, found, point)
-    return found
+    if not _is_undone(quantity):
+        return found
+    model = model_of(quantity)
+    return _state(quantity, found, point) if model is None else _measured(model, found, point)
 
 
 def _measured(model: Model, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
     """The measured quantities from coordinates; a range rate from the pseudo-measurement and the range."""
     observe = catalogue()[f"observe.{model.name}.map"]
-    state = [*found.entries[:2], mpmath.mpf(0), mpmath.mpf(0)] if "eta" in model.outputs else list(found.entries)
-    seen = list(_values(observe, state))
-    if "eta" in model.outputs:
-        seen[2] = found.entries[2] / mpmath.mpf(point["r"])
+    coordinates = dict(zip(model.outputs, found, strict=True))
+    known = {name: mpmath.mpf(value) for name, value in point.items()} | coordinates
+    seen = list(_values(observe, [known.get(symbol.name, mpmath.mpf(0)) for symbol in observe.symbols]))
+    if "eta" in coordinates:
+        names = [variable.name for variable in model.measured]
+        seen[names.index("rdot")] = coordinates["eta"] / known["r"]
     return Tensor((len(seen),), tuple(seen))
 
 
-def _position(name: str, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
+def _state(quantity: Quantity, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
     """The state from what is observed; the velocity as it was, if its radial part is right."""
-    model_map = catalogue()[f"{name}.map"]
-    position = list(_values(model_map, list(found.entries)))
-    if "vx" not in point:
-        return Tensor((len(position),), tuple(position))
-    x, y, eta = position
-    given = [mpmath.mpf(point[axis]) for axis in ("x", "y", "vx", "vy")]
-    radial = given[0] * given[2] + given[1] * given[3]
-    return Tensor((4,), (x, y, given[2] * eta / radial, given[3] * eta / radial))
+    model = models()[row_of(quantity).rpartition(".")[0]]
+    given = {name: mpmath.mpf(value) for name, value in point.items()}
+    parameters = [given[symbol.name] for symbol in model.parameters]
+    coordinates = dict(zip(model.outputs, _values(quantity_of(model, "map"), [*found, *parameters]), strict=True))
+    if "eta" in coordinates:
+        speeds = {f"v{axis}": given[f"v{axis}"] for axis in coordinates if axis != "eta"}
+        radial = sum((given[name.removeprefix("v")] * speed for name, speed in speeds.items()), mpmath.mpf(0))
+        coordinates |= {name: speed * coordinates["eta"] / radial for name, speed in speeds.items()}
+    state = [coordinates.get(symbol.name, given[symbol.name]) for symbol in quantity.symbols]
+    return Tensor((len(state),), tuple(state))
 
 
 def _values(quantity: Quantity, numbers: list[Number]) -> tuple[Number, ...]:

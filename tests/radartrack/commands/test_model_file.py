@@ -113,7 +113,7 @@ def test_audit_takes_models_beside_the_papers(run: Callable[..., Result], files:
 def test_a_claims_file_declares_models_of_its_own(run: Callable[..., Result]):
     head, _, claims = CLAIMS.partition("[[claim]]")
     Path("claims.toml").write_text(head + own_models.TOML + "[[claim]]" + claims)
-    result = run("audit", "claims.toml", "--json", "out.json")
+    result = run("audit", "claims.toml", "--model", "claims.toml", "--json", "out.json")  # to say it twice does no harm
     assert result.exit_code == 0, result.output
     (paper,) = json.loads(Path("out.json").read_text())["papers"]
     assert [claim["verdict"] for claim in paper["claims"]] == ["equal", "differs", "equal", "equal"]
@@ -165,7 +165,29 @@ def test_verify_looks_at_the_model_s_code(run: Callable[..., Result], files: dic
     assert passed == {"dimensions", "identity", "ulp", "quadrature", "Monte Carlo"}
 
 
-@pytest.mark.parametrize("command", ["check", "show", "list", "audit", "verify", "regenerate"])
+FUNCTIONS = """
+from math import cos, sin
+
+def right(rate, period, range):
+    return [range*cos(rate*period), range*sin(rate*period)]
+
+def wrong(rate, period, range):
+    return [range*cos(rate*period), range*cos(rate*period)]
+"""
+
+
+@pytest.mark.parametrize(("kind", "function", "code"), [("toml", "right", 0), ("py", "wrong", 1)])
+def test_diagnose_says_whether_a_function_is_the_model_s(
+    run: Callable[..., Result], files: dict[str, Path], kind: str, function: str, code: int
+):
+    Path("mine.py").write_text(FUNCTIONS)
+    arguments = [part for pair in ("rate=w", "period=T", "range=r") for part in ("--argument", pair)]
+    result = run("diagnose", f"mine.py:{function}", "rotor.map", *arguments, "--model", files[kind])
+    assert result.exit_code == code, result.output
+    assert run("points", "rotor.map", "--out", "points.csv", "--model", files[kind]).exit_code == 0
+
+
+@pytest.mark.parametrize("command", ["check", "show", "list", "audit", "verify", "regenerate", "diagnose", "points"])
 @pytest.mark.parametrize(
     ("name", "text"),
     [
@@ -185,7 +207,9 @@ def test_a_file_without_a_model_is_refused_in_one_line(
 ):
     if text is not None:
         Path(name).write_text(text)
+    Path("mine.py").write_text(FUNCTIONS)
     asked = {"check": ["polar.map[0]", "r"], "show": ["polar.map"], "regenerate": ["--out", "out"]}
+    asked |= {"diagnose": ["mine.py:right", "polar.map"], "points": ["polar.map", "--out", "out"]}
     result = run(command, *asked.get(command, []), "--model", name)
     assert (result.exit_code, len(result.stderr.splitlines())) == (2, 1), result.output
     assert name in result.stderr or "polar" in result.stderr
