@@ -96,7 +96,7 @@ def test_a_letter_of_the_same_unit_is_the_symbol_of_the_quantity_where_the_paper
     assert check("polar.map[0]", "r*sqrt(cos(beta)^2)").verdict is Outcome.DIFFERS
 
 
-@pytest.mark.parametrize("zero", ["0", "0*t", "[0, 0][1]", "trace([0, 1; 1, 0])"])
+@pytest.mark.parametrize("zero", ["0", "1 - 1", "n - n", "0*t", "[0, 0][1]", "trace([0, 1; 1, 0])"])
 def test_zero_has_every_unit(zero: str):
     own = world(let={"b": zero, "d": "sqrt((x - b)^2 + y^2)"})
     assert verdict("d", "sqrt(x^2 + y^2)", own).is_equal
