@@ -169,9 +169,10 @@ def _degrees(asked: Asked) -> Iterator[Convention]:
         if chosen and (chosen is not directions or deviations) and (chosen is not deviations or directions):
             words = f"{' and '.join(map(str, chosen))} in degrees"
             changes: dict[Symbol, Expr] = {one: IN_DEGREES * one for one in chosen}
-            factors = by_angle if any(one.is_angle for one in chosen) else {}
             inverse: dict[Symbol, Expr] = {one: one / IN_DEGREES for one in chosen}
-            yield Convention((words,), (), changes, inverse, (), factors, {}, 1.2)
+            if by_angle and any(one.is_angle for one in chosen):
+                yield Convention((f"{words}, derivatives by them too",), (), changes, inverse, (), by_angle, {}, 1.3)
+            yield Convention((words,), (), changes, inverse, cost=1.2)
     if returned:
         yield Convention(("what is returned in degrees",), factors=returned, cost=1.2)
 

@@ -33,7 +33,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.symbolic import Expr, Symbol
 
-SECONDS = 1.0  # spent on deriving other quantities to compare with
+SECONDS = 2.0  # of one core, spent on deriving other quantities to compare with
 RIVALS = 6  # quantities of other models that a formula is read again for
 PREDICTED = "predicted_"
 TRIALS = 8  # conventions in which the print is compared with them
@@ -85,10 +85,10 @@ def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
 
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
-    deadline = time.monotonic() + SECONDS
+    deadline = time.thread_time() + SECONDS
     for quantity in _candidates(part.quantity):
         for places, name in _slices(part, quantity):
-            if time.monotonic() > deadline:
+            if time.thread_time() > deadline:
                 return
             if asked.may_be(quantity, places):
                 yield from (f"{sign}{name}{words}" for sign, words in _equalities(trials, quantity, places))

@@ -137,7 +137,7 @@ class Print:
         direct -= self.names.definitions.keys()
         trees = [*self.trees, *self.names.definitions.values()]
         count = sum(isinstance(node, Name) and node.name in direct for tree in trees for _, node in walk(tree))
-        return count <= 1 and (len(self.trees.entries) == 1 or bool(self.names.definitions))
+        return count <= 1 and (len(self.trees.entries) == 1 or bool(changed and self.names.definitions))
 
     def _edited(self, one: Explanation | None, wrong: tuple[Index, ...]) -> Account:
         """The edits of the wrong entries, in our convention or another."""
@@ -147,14 +147,15 @@ class Print:
         left = set(self._different(wrong))
         suggestions: list[Suggestion] = []
         at_once = sum(edits[0].cost if edits else UNEXPLAINED for edits in found.values())
-        if mended and mended[0].cost < at_once:
+        if mended and mended[0].cost <= at_once:
             suggestions += [edit.suggestion(words) for edit in mended]
+        if mended and mended[0].cost < at_once:
             cost += mended[0].cost
             left -= set(mended[0].mends)
         for index, edits in found.items():
             if index in left:
                 suggestions += [edit.suggestion(words, index) for edit in edits]
-        if mended and mended[0].cost >= at_once:
+        if mended and mended[0].cost > at_once:
             suggestions += [edit.suggestion(words) for edit in mended]
         distinct = {edits[0].words: edits[0].cost for index, edits in found.items() if edits and index in left}
         unexplained = sum(1 for index in left if index in found and not found[index])
