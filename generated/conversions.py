@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation 28b0fdf324ce721e; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 9c81036e1e5fd7d4; not to be edited.
 """
 
 import numpy as np
@@ -25,52 +25,64 @@ def bistatic_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
+    term_1 = 1.0 / path
+    baseline_per_path = baseline * term_1
     cos_beta = np.cos(beta)
-    divisor_1 = 2.0 * path - 2.0 * baseline * cos_beta
-    term_1 = 1.0 / divisor_1
-    sum_1 = baseline + path
-    sum_2 = baseline - path
+    divisor_1 = 2.0 - 2.0 * baseline_per_path * cos_beta
+    sigma_path_per_path = sigma_path * term_1
+    sum_1 = 1.0 - baseline_per_path
+    term_2 = 1.0 / divisor_1
+    sum_2 = 1.0 + baseline_per_path
     sin_beta = np.sin(beta)
-    term_2 = 1.0 / (divisor_1**2)**2
-    sum_3 = baseline - 2.0 * cos_beta * path
-    path_squared = path**2
-    sum_4 = path_squared + baseline * sum_3
+    sum_3 = baseline_per_path - 2.0 * cos_beta
+    sum_4 = 1.0 + baseline_per_path * sum_3
     sum_4_squared = sum_4**2
-    sigma_path_squared = sigma_path**2
-    sum_5 = 4.0 * path * sigma_beta * sin_beta * sum_1 * sum_2 + 8.0 * cos_beta * rho * sigma_path * sum_4
+    sigma_path_per_path_squared = sigma_path_per_path**2
+    term_3 = (baseline_per_path - 1.0)**2
+    sum_5 = (
+        4.0 * sigma_beta * sin_beta * sum_2 * term_3
+        - 8.0 * cos_beta * rho * sigma_path_per_path * sum_1 * sum_4
+    )
+    term_4 = 1.0 / (divisor_1**2)**2
+    path_squared = path**2
     sum_6 = (
-        4.0 * cos_beta**2 * sigma_path_squared * sum_4_squared
-        + path * sigma_beta * sin_beta * sum_1 * sum_2 * sum_5
+        4.0 * cos_beta**2 * sigma_path_per_path_squared * sum_4_squared
+        + sigma_beta * sin_beta * sum_2 * sum_5
     )
-    sum_7 = baseline - cos_beta * path
+    sum_7 = baseline_per_path - cos_beta
     sum_8 = (
-        4.0 * path * sigma_beta * sin_beta * sum_1 * sum_2 * sum_7
-        + 4.0 * (cos_beta * sum_3 + path) * rho * sigma_path * sum_4
+        4.0 * sigma_beta * sin_beta * sum_2 * sum_7 * term_3
+        - 4.0 * (1.0 + cos_beta * sum_3) * rho * sigma_path_per_path * sum_1 * sum_4
     )
+    del term_1, divisor_1, sum_5, sum_3
     sum_9 = (
-        4.0 * cos_beta * sigma_path_squared * sin_beta * sum_4_squared
-        + sigma_beta * sum_1 * sum_2 * sum_8
+        4.0 * cos_beta * sigma_path_per_path_squared * sin_beta * sum_4_squared
+        + sigma_beta * sum_2 * sum_8
     )
-    del divisor_1, sum_5, sum_3, sum_4_squared, sum_8
     sin_beta_squared = sin_beta**2
-    sum_10 = 4.0 * baseline * cos_beta - (6.0 - 4.0 * sin_beta_squared) * path
-    sum_11 = (baseline**2 - path * sum_10) * baseline - 4.0 * cos_beta * path * path_squared
-    sum_12 = path_squared**2 + baseline * sum_11
-    sum_13 = 4.0 * sigma_beta * sum_1 * sum_2 * sum_7 + 8.0 * rho * sigma_path * sin_beta * sum_4
-    del sum_10, path_squared, sum_11, sum_4
+    sum_10 = baseline_per_path - 4.0 * cos_beta
+    sum_11 = 6.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_10
+    sum_12 = baseline_per_path * sum_11 - 4.0 * cos_beta
+    del sum_4_squared, sum_8, sum_10, sum_11
+    sum_13 = 1.0 + baseline_per_path * sum_12
     sum_14 = (
-        4.0 * sigma_path_squared * sin_beta_squared * sum_12
-        + sigma_beta * sum_1 * sum_13 * sum_2 * sum_7
+        4.0 * sigma_beta * sum_2 * sum_7 * term_3
+        - 8.0 * rho * sigma_path_per_path * sin_beta * sum_1 * sum_4
     )
-    del sigma_path_squared, sin_beta_squared, sum_12, sum_13, sum_7
-    mean[..., 0] = -cos_beta * sum_1 * sum_2 * term_1
-    mean[..., 1] = -sin_beta * sum_1 * sum_2 * term_1
-    del cos_beta, sin_beta, sum_1, sum_2, term_1
-    covariance[..., 0, 0] = sum_6 * term_2
-    covariance[..., 0, 1] = sum_9 * term_2
+    del baseline_per_path, sum_12, sigma_path_per_path, sum_4, term_3
+    sum_15 = (
+        4.0 * sigma_path_per_path_squared * sin_beta_squared * sum_13
+        + sigma_beta * sum_14 * sum_2 * sum_7
+    )
+    del sigma_path_per_path_squared, sin_beta_squared, sum_13, sum_14, sum_7
+    mean[..., 0] = cos_beta * path * sum_1 * sum_2 * term_2
+    mean[..., 1] = path * sin_beta * sum_1 * sum_2 * term_2
+    del cos_beta, sin_beta, sum_1, sum_2, term_2
+    covariance[..., 0, 0] = path_squared * sum_6 * term_4
+    covariance[..., 0, 1] = path_squared * sum_9 * term_4
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sum_14 * term_2
-    del sum_6, sum_9, sum_14, term_2
+    covariance[..., 1, 1] = path_squared * sum_15 * term_4
+    del sum_6, sum_9, path_squared, sum_15, term_4
 
 
 def bistatic_second_order(
@@ -88,199 +100,195 @@ def bistatic_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
+    term_1 = 1.0 / path
+    baseline_per_path = baseline * term_1
     cos_beta = np.cos(beta)
-    divisor_1 = 2.0 * path - 2.0 * baseline * cos_beta
-    product_1 = baseline * cos_beta
-    divisor_1_2 = product_1 - path
+    divisor_1 = 2.0 - 2.0 * baseline_per_path * cos_beta
+    sigma_path_per_path = sigma_path * term_1
+    product_1 = baseline_per_path * cos_beta
+    divisor_1_2 = product_1 - 1.0
     divisor_2 = divisor_1_2
-    term_1 = 1.0 / divisor_1
-    sum_1 = baseline + path
-    sum_2 = baseline - path
-    baseline_squared = baseline**2
-    sigma_path_squared = sigma_path**2
+    sum_1 = 1.0 - baseline_per_path
+    term_2 = 1.0 / divisor_1
+    sum_2 = 1.0 + baseline_per_path
+    sum_3 = baseline_per_path * (1.0 + product_1) - 3.0 * cos_beta
+    sum_4 = 1.0 + baseline_per_path * sum_3
     sin_beta = np.sin(beta)
-    sin_beta_squared = sin_beta**2
-    product_2 = -cos_beta * path
     cos_beta_squared = cos_beta**2
-    sum_3 = 2.0 - cos_beta_squared
-    product_3 = baseline * sum_3
-    sum_4 = product_2 + product_3
+    sum_5 = 2.0 - cos_beta_squared
+    product_2 = baseline_per_path * sum_5
+    sum_6 = product_2 - cos_beta
+    sum_7 = 0.25 * sigma_beta * sum_1 * sum_2 * sum_6 - 0.5 * rho * sigma_path_per_path * sin_beta * sum_4
+    baseline_per_path_squared = baseline_per_path**2
+    sigma_path_per_path_squared = sigma_path_per_path**2
+    sin_beta_squared = sin_beta**2
+    term_3 = 1.0 / (divisor_1_2 * divisor_1_2**2)
+    sum_8 = (
+        0.5 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
+        - sigma_beta * sum_7
+    )
+    del term_1, product_1, sum_3, sum_7
+    sum_9 = cos_beta * sum_1 * sum_2 * term_2 - sum_8 * term_3
+    sum_10 = 2.0 * baseline_per_path - cos_beta
+    sum_11 = 1.0 - baseline_per_path * sum_10
+    sum_12 = 3.0 * cos_beta_squared + (product_2 - 3.0 * cos_beta) * baseline_per_path
+    sum_13 = baseline_per_path * sum_12 - cos_beta
+    sum_14 = 0.5 * rho * sigma_path_per_path * sum_13 + 0.25 * sigma_beta * sin_beta * sum_1 * sum_11 * sum_2
+    sum_15 = (
+        0.5 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared
+        + sigma_beta * sum_14
+    )
+    del sum_8, sum_10, product_2, sum_14
+    sum_16 = sin_beta * sum_1 * sum_2 * term_2 - sum_15 * term_3
+    term_4 = 1.0 / (divisor_1**2)**2
+    del sum_15, term_2, term_3, divisor_1
+    term_5 = 1.0 / divisor_2**2
     path_squared = path**2
-    sum_5 = baseline * (path + product_1) - 3.0 * cos_beta * path_squared
-    product_4 = path * path_squared
-    sum_6 = product_4 + baseline * sum_5
-    sum_7 = 0.5 * rho * sigma_path * sin_beta * sum_6 + 0.25 * path * sigma_beta * sum_1 * sum_2 * sum_4
-    term_2 = 1.0 / (divisor_1_2 * divisor_1_2**2)
-    sum_8 = 0.5 * baseline_squared * cos_beta * sigma_path_squared * sin_beta_squared + sigma_beta * sum_7
-    product_5 = -cos_beta * product_4
-    product_6 = -3.0 * cos_beta * path
-    sum_9 = 3.0 * cos_beta_squared * path_squared + baseline * (product_3 + product_6)
-    del product_1, sum_5, sum_7, product_3
-    sum_10 = product_5 + baseline * sum_9
-    sum_11 = baseline * (2.0 * baseline + product_2) - path_squared
-    sum_12 = 0.25 * sigma_beta * sin_beta * sum_1 * sum_11 * sum_2 + 0.5 * rho * sigma_path * sum_10
-    sum_13 = 0.5 * baseline_squared * sigma_path_squared * sin_beta * sin_beta_squared + sigma_beta * sum_12
-    term_3 = 1.0 / (divisor_1**2)**2
-    term_4 = 1.0 / divisor_2**2
-    sum_1_squared = sum_1**2
-    sum_2_squared = sum_2**2
-    product_7 = -2.0 * cos_beta * path
-    sum_14 = 1.0 - sin_beta_squared
-    product_8 = baseline * sum_14
-    sum_15 = baseline * (product_7 + product_8) + path_squared
-    product_9 = path * path_squared**2
-    product_10 = -6.0 * cos_beta * product_9
-    sum_16 = 2.0 * cos_beta * path + product_8
-    sum_17 = baseline * sum_16 - (5.0 - 6.0 * sin_beta_squared) * path_squared
-    del sum_12, divisor_1, divisor_2, sum_16
-    sum_18 = baseline * sum_17 - 4.0 * cos_beta * product_4
-    path_squared_squared = path_squared**2
-    sum_19 = (11.0 - 9.0 * sin_beta_squared) * path_squared_squared + baseline * sum_18
-    path_squared_cubed = path_squared * path_squared**2
-    sum_20 = baseline * (product_10 + baseline * sum_19) + path_squared_cubed
-    sum_21 = divisor_1_2
-    del sum_17, sum_18, sum_19, divisor_1_2
-    sum_21_squared = sum_21**2
-    sum_22 = baseline + product_7
-    sum_23 = path_squared + baseline * sum_22
-    sigma_beta_squared = sigma_beta**2
-    sum_24 = 8.0 * cos_beta * sum_21_squared * sum_23 + 8.0 * sigma_beta_squared * sum_4 * sum_6
-    sum_25 = 3.0 - 3.0 * sin_beta_squared
-    product_11 = cos_beta * path
-    sum_26 = baseline * (product_11 + product_8) - path_squared * sum_25
-    product_12 = cos_beta * product_4
-    sum_27 = (4.0 + 2.0 * sin_beta_squared) * cos_beta * path + product_8
-    sum_28 = baseline * sum_27 - (7.0 - 8.0 * sin_beta_squared) * path_squared
-    del sum_21, sum_4, product_8, sum_27
-    sum_29 = baseline * sum_28 - (6.0 + 2.0 * sin_beta_squared) * cos_beta * product_4
-    sum_30 = (13.0 - 11.0 * sin_beta_squared) * path_squared_squared + baseline * sum_29
-    sum_31 = baseline * (product_10 + baseline * sum_30) + path_squared_cubed
-    sum_32 = (
-        16.0 * baseline_squared * (product_12 + baseline * sum_26) * sigma_path * sin_beta
-        + 4.0 * rho * sigma_beta * sum_31
-    )
-    del sum_28, sum_29, sum_30, sum_26, sum_31
-    sum_33 = sigma_path * sin_beta * sum_32 + path * sum_1 * sum_2 * sum_24
-    sum_34 = 4.0 * sigma_beta * sigma_path * sin_beta * sum_20 + rho * sum_33
-    del sum_24, sum_32, sum_20, sum_33
-    sum_35 = (
-        4.0 * path_squared * sigma_beta * sin_beta * sum_15 * sum_1_squared * sum_2_squared
-        + sigma_path * sum_34
-    )
-    sum_36 = (
-        2.0 * (product_11 - baseline * sum_3)**2 * path_squared * sigma_beta * sigma_beta_squared * sum_1_squared * sum_2_squared
-        + sin_beta * sum_35
-    )
-    del sum_15, sum_34, product_11, sum_3, sum_35
+    sum_17 = 1.0 - sin_beta_squared
+    product_3 = baseline_per_path * sum_17
+    sum_18 = 5.0 - 6.0 * sin_beta_squared - (2.0 * cos_beta + product_3) * baseline_per_path
+    sum_19 = 4.0 * cos_beta + baseline_per_path * sum_18
+    sum_20 = 11.0 - 9.0 * sin_beta_squared - baseline_per_path * sum_19
+    sum_21 = baseline_per_path * sum_20 - 6.0 * cos_beta
+    del divisor_2, sum_18, sum_19, sum_20
+    sum_22 = 1.0 + baseline_per_path * sum_21
+    sum_23 = divisor_1_2
     sum_23_squared = sum_23**2
-    baseline_squared_squared = baseline_squared**2
+    sum_24 = baseline_per_path - 2.0 * cos_beta
+    sum_25 = 1.0 + baseline_per_path * sum_24
+    sigma_beta_squared = sigma_beta**2
+    sum_26 = 8.0 * cos_beta * sum_23_squared * sum_25 + 8.0 * sigma_beta_squared * sum_4 * sum_6
+    del sum_21, divisor_1_2, sum_23, sum_6
+    sum_27 = (4.0 + 2.0 * sin_beta_squared) * cos_beta + product_3
+    sum_28 = 7.0 - 8.0 * sin_beta_squared - baseline_per_path * sum_27
+    sum_29 = baseline_per_path * sum_28 + (6.0 + 2.0 * sin_beta_squared) * cos_beta
+    sum_30 = 13.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_29
+    sum_31 = baseline_per_path * sum_30 - 6.0 * cos_beta
+    del sum_27, sum_28, sum_29, sum_30
+    sum_32 = 1.0 + baseline_per_path * sum_31
+    sum_33 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * (cos_beta + product_3)
+    sum_34 = baseline_per_path * sum_33 - cos_beta
+    sum_35 = (
+        16.0 * baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_34
+        - 4.0 * rho * sigma_beta * sum_32
+    )
+    del sum_31, sum_33, sum_32, sum_34
+    sum_36 = sigma_path_per_path * sin_beta * sum_35 + sum_1 * sum_2 * sum_26
+    sum_37 = rho * sum_36 - 4.0 * sigma_beta * sigma_path_per_path * sin_beta * sum_22
+    del sum_26, sum_35, sum_22, sum_36
+    sum_2_squared = sum_2**2
+    term_6 = (baseline_per_path - 1.0)**2
+    sum_38 = 1.0 + (product_3 - 2.0 * cos_beta) * baseline_per_path
+    sum_39 = 4.0 * sigma_beta * sin_beta * sum_2_squared * sum_38 * term_6 - sigma_path_per_path * sum_37
+    sum_40 = (
+        2.0 * (cos_beta - baseline_per_path * sum_5)**2 * sigma_beta * sigma_beta_squared * sum_2_squared * term_6
+        + sin_beta * sum_39
+    )
+    del product_3, sum_37, sum_38, sum_39, sum_5
+    sum_25_squared = sum_25**2
+    baseline_per_path_squared_squared = baseline_per_path_squared**2
     sin_beta_squared_squared = sin_beta_squared**2
-    sum_37 = (
-        4.0 * cos_beta_squared * sum_21_squared * sum_23_squared
-        + 8.0 * (1.0 - sin_beta) * baseline_squared_squared * sigma_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
+    sum_41 = (
+        4.0 * cos_beta_squared * sum_23_squared * sum_25_squared
+        + 8.0 * (1.0 - sin_beta) * baseline_per_path_squared_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
     )
-    sum_38 = sigma_path_squared * sum_37 + sigma_beta * sum_36
-    sum_39 = 1.0 - 2.0 * sin_beta_squared
-    sum_40 = (1.0 + 2.0 * sin_beta_squared) * baseline * cos_beta - (3.0 - 4.0 * sin_beta_squared) * path
-    sum_41 = (3.0 - 6.0 * sin_beta_squared) * cos_beta * path_squared + baseline * sum_40
-    sum_42 = baseline * sum_41 - product_4 * sum_39
-    del sum_36, sum_37, sum_40, sum_41
-    sum_43 = (
-        4.0 * (cos_beta * sum_22 + path) * sum_1 * sum_2 * sum_21_squared * sum_23
-        + 8.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_42
+    sum_42 = sigma_path_per_path_squared * sum_41 + sigma_beta * sum_40
+    sum_43 = 3.0 - 4.0 * sin_beta_squared - (1.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
+    sum_44 = (3.0 - 6.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_43
+    sum_45 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_44
+    del sum_40, sum_41, sum_43, sum_44
+    sum_46 = (
+        4.0 * (1.0 + cos_beta * sum_24) * sum_1 * sum_2 * sum_23_squared * sum_25
+        + 8.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_45
     )
-    sum_44 = 3.0 + sin_beta_squared
-    sum_45 = (2.0 + 2.0 * sin_beta_squared) * baseline - cos_beta * path * sum_44
-    sum_46 = baseline * sum_45 - 2.0 * path_squared * sin_beta_squared
-    sum_47 = baseline + product_2
-    del sum_22, sum_42, sum_45, product_2
-    sum_48 = 2.0 * (product_12 + baseline * sum_46) * sigma_beta_squared + 4.0 * sum_21_squared * sum_47
-    sum_49 = 8.0 * path + cos_beta * (3.0 * baseline + product_7)
-    sum_50 = cos_beta * sum_49 - 4.0 * baseline
-    sum_51 = (13.0 - 10.0 * cos_beta_squared) * path_squared + baseline * sum_50
-    sum_52 = baseline * sum_51 - (14.0 - 2.0 * cos_beta_squared) * cos_beta * product_4
-    del sum_46, sum_49, sum_50, sum_51
-    sum_53 = 2.0 + 11.0 * cos_beta_squared
-    sum_54 = path_squared_squared * sum_53 + baseline * sum_52
-    sum_55 = cos_beta * sum_54 - 4.0 * baseline * baseline_squared * path
-    sum_56 = baseline * sum_55 - 6.0 * cos_beta_squared * product_9
+    sum_47 = cos_beta * (3.0 + sin_beta_squared) - (2.0 + 2.0 * sin_beta_squared) * baseline_per_path
+    sum_48 = 2.0 * sin_beta_squared + baseline_per_path * sum_47
+    sum_49 = baseline_per_path * sum_48 - cos_beta
+    del sum_24, sum_45, sum_47, sum_48
+    sum_50 = baseline_per_path - cos_beta
+    sum_51 = 4.0 * sum_23_squared * sum_50 - 2.0 * sigma_beta_squared * sum_49
+    sum_52 = 3.0 * baseline_per_path - 2.0 * cos_beta
+    sum_53 = cos_beta * (8.0 + cos_beta * sum_52) - 4.0 * baseline_per_path
+    sum_54 = 13.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_53
+    sum_55 = (14.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_54
+    del sum_49, sum_52, sum_53, sum_54
+    sum_56 = 2.0 - baseline_per_path * sum_55 + 11.0 * cos_beta_squared
+    sum_57 = cos_beta * sum_56 - 4.0 * baseline_per_path * baseline_per_path_squared
+    sum_58 = baseline_per_path * sum_57 - 6.0 * cos_beta_squared
     rho_squared = rho**2
-    sum_57 = cos_beta * path_squared_cubed + baseline * sum_56
-    del sum_52, sum_54, sum_55, sum_56
-    sum_58 = 4.0 * sum_10 * sum_6 - 4.0 * rho_squared * sum_57
-    sum_59 = sigma_path_squared * sum_58 + path * sum_1_squared * sum_2_squared * sum_48
-    del sum_57, sum_6, sum_1_squared, sum_2_squared, sum_48, sum_58
-    sum_60 = 1.0 + (3.0 + 2.0 * sin_beta_squared) * sin_beta_squared
-    sum_61 = baseline * sum_60 - (4.0 + 12.0 * sin_beta_squared) * cos_beta * path
-    sum_62 = 6.0 + (1.0 - 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_63 = path_squared * sum_62 + baseline * sum_61
-    sum_64 = baseline * sum_63 - (4.0 - 4.0 * sin_beta_squared) * cos_beta * product_4
-    del sum_60, sum_61, sum_62, sum_63
-    sum_65 = path_squared_squared * sum_39 + baseline * sum_64
-    sum_66 = 2.0 * baseline * baseline_squared**2 * cos_beta * sin_beta_squared + path * sum_65
-    sum_67 = 4.0 * rho * sigma_beta * sigma_path * sum_1 * sum_2 * sum_66 + sin_beta * sum_59
-    del sum_39, sum_64, sum_65, sum_59, sum_66
-    sum_68 = rho * sigma_path * sum_43 + sigma_beta * sum_67
-    product_13 = 8.0 * baseline_squared_squared * sigma_path_squared * sin_beta_squared_squared
-    del sum_43, sum_67, baseline_squared_squared, sin_beta_squared_squared
-    sum_69 = 4.0 * sum_21_squared * sum_23_squared + product_13
-    sum_70 = cos_beta * sigma_path_squared * sin_beta * sum_69 + sigma_beta * sum_68
-    sum_71 = baseline * (1.0 + sin_beta_squared) + product_6
-    del sum_23_squared, sum_68, sum_69, product_6
-    sum_72 = path_squared * sum_25 + baseline * sum_71
-    sum_73 = (
-        16.0 * baseline_squared * (product_5 + baseline * sum_72) * sigma_path_squared * sin_beta_squared
-        + 8.0 * sum_1 * sum_2 * sum_21_squared * sum_23 * sum_47
+    sum_59 = baseline_per_path * sum_58 + cos_beta
+    del sum_55, sum_56, sum_57, sum_58
+    sum_60 = 4.0 * sum_13 * sum_4 - 4.0 * rho_squared * sum_59
+    sum_61 = sigma_path_per_path_squared * sum_60 + sum_2_squared * sum_51 * term_6
+    del sum_4, sum_59, sum_2_squared, sum_51, sum_60
+    sum_62 = 3.0 + 2.0 * baseline_per_path * cos_beta + 2.0 * sin_beta_squared
+    sum_63 = 1.0 + sin_beta_squared * sum_62
+    sum_64 = (4.0 + 12.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_63
+    sum_65 = 6.0 - baseline_per_path * sum_64 + (1.0 - 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_66 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_65
+    del sum_62, sum_63, sum_64, sum_65
+    sum_67 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_66
+    sum_68 = sin_beta * sum_61 - 4.0 * rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_67
+    sum_69 = sigma_beta * sum_68 - rho * sigma_path_per_path * sum_46
+    del sum_66, sum_61, sum_67, sum_46, sum_68
+    product_4 = 8.0 * baseline_per_path_squared_squared * sigma_path_per_path_squared * sin_beta_squared_squared
+    sum_70 = 4.0 * sum_23_squared * sum_25_squared + product_4
+    sum_71 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_70 + sigma_beta * sum_69
+    del baseline_per_path_squared_squared, sin_beta_squared_squared, sum_25_squared, sum_69, sum_70
+    sum_72 = baseline_per_path * (1.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_73 = 3.0 - 3.0 * sin_beta_squared + baseline_per_path * sum_72
+    sum_74 = baseline_per_path * sum_73 - cos_beta
+    sum_75 = (
+        8.0 * sum_1 * sum_2 * sum_23_squared * sum_25 * sum_50
+        - 16.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_74
     )
-    del sum_25, sum_71, product_5, sum_23, sum_72
-    sum_74 = 4.0 * baseline * cos_beta + path * sum_44
-    sum_75 = 4.0 * baseline_squared - path * sum_74
-    sum_76 = 2.0 * cos_beta * product_4 + baseline * sum_75
-    sum_77 = path_squared_squared + baseline * sum_76
-    del sum_44, sum_74, sum_75, sum_76
-    sum_78 = 2.0 * sigma_beta_squared * sin_beta_squared * sum_77 + 4.0 * sum_21_squared * sum_47**2
-    del sigma_beta_squared, sum_21_squared, sum_47, sum_77
-    sum_79 = 8.0 * rho * sigma_beta * sigma_path * sin_beta * sum_10 * sum_11 + sum_1 * sum_2 * sum_78
-    sum_80 = 10.0 * path + cos_beta * (5.0 * baseline + product_7)
-    del sum_10, sum_11, sum_78, product_7
-    sum_81 = cos_beta * sum_80 - 12.0 * baseline
-    sum_82 = (33.0 - 12.0 * cos_beta_squared) * path_squared + baseline * sum_81
-    sum_83 = baseline * sum_82 - (20.0 - 2.0 * cos_beta_squared) * cos_beta * product_4
-    sum_84 = 14.0 * baseline_squared + 2.0 * path_squared
-    sum_85 = cos_beta * sum_83 - path * sum_84
-    del sum_80, sum_81, sum_82, sum_83, sum_84
-    sum_86 = 8.0 * baseline_squared - 6.0 * path_squared
-    sum_87 = cos_beta * sum_85 + baseline * sum_86
-    sum_88 = 2.0 + cos_beta_squared * sum_53
-    del path_squared, sum_85, sum_86, sum_53
-    sum_89 = path_squared_squared * sum_88 + baseline * sum_87
-    sum_90 = baseline * sum_89 - 6.0 * cos_beta * cos_beta_squared * product_9
-    del sum_87, sum_88, product_9, sum_89
-    sum_91 = cos_beta_squared * path_squared_cubed + baseline * sum_90
-    sum_92 = 4.0 * (product_12 - baseline * sum_9)**2 + 4.0 * rho_squared * sum_91
-    del cos_beta_squared, sum_90, product_12, rho_squared, sum_9, sum_91
-    sum_93 = sigma_path_squared * sum_92 + sum_1 * sum_2 * sum_79
-    sum_94 = rho * sigma_path * sin_beta * sum_73 + sigma_beta * sum_93
-    del sum_79, sum_92, sum_73, sum_93
-    sum_95 = 15.0 - (18.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_96 = (6.0 - 4.0 * sin_beta_squared) * baseline * cos_beta - path * sum_95
-    sum_97 = baseline_squared * sum_14 - path * sum_96
-    del sum_95, baseline_squared, sum_14, sum_96
-    sum_98 = baseline * sum_97 - (20.0 - 12.0 * sin_beta_squared) * cos_beta * product_4
-    sum_99 = (15.0 - 13.0 * sin_beta_squared) * path_squared_squared + baseline * sum_98
-    del product_4, sum_97, path_squared_squared, sum_98
-    sum_100 = 4.0 * baseline * (product_10 + baseline * sum_99) + 4.0 * path_squared_cubed + product_13
-    del path_squared_cubed, product_10, product_13, sum_99
-    sum_101 = sigma_path_squared * sin_beta_squared * sum_100 + sigma_beta * sum_94
-    del sigma_path_squared, sin_beta_squared, sum_100, sum_94
-    mean[..., 0] = -cos_beta * sum_1 * sum_2 * term_1 - sum_8 * term_2
-    mean[..., 1] = -sin_beta * sum_1 * sum_2 * term_1 - sum_13 * term_2
-    del cos_beta, sum_8, sin_beta, sum_1, sum_13, sum_2, term_1, term_2
-    covariance[..., 0, 0] = sum_38 * term_3 * term_4
-    covariance[..., 0, 1] = sum_70 * term_3 * term_4
+    del sum_72, sum_73, sum_25, sum_74
+    sum_76 = 4.0 * baseline_per_path - 4.0 * cos_beta
+    sum_77 = 3.0 - baseline_per_path * sum_76 + sin_beta_squared
+    sum_78 = baseline_per_path * sum_77 - 2.0 * cos_beta
+    sum_79 = 1.0 - baseline_per_path * sum_78
+    sum_80 = 2.0 * sigma_beta_squared * sin_beta_squared * sum_79 + 4.0 * sum_23_squared * sum_50**2
+    del sum_76, sum_77, sum_78, sigma_beta_squared, sum_23_squared, sum_50, sum_79
+    sum_81 = (
+        8.0 * rho * sigma_beta * sigma_path_per_path * sin_beta * sum_1 * sum_11 * sum_13
+        + sum_2 * sum_80 * term_6
+    )
+    del sum_1, sum_11, sum_13, sum_80, term_6
+    sum_82 = 5.0 * baseline_per_path - 2.0 * cos_beta
+    sum_83 = cos_beta * (10.0 + cos_beta * sum_82) - 12.0 * baseline_per_path
+    sum_84 = 33.0 - 12.0 * cos_beta_squared + baseline_per_path * sum_83
+    sum_85 = (20.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_84
+    sum_86 = 2.0 + 14.0 * baseline_per_path_squared + cos_beta * sum_85
+    del sum_82, sum_83, sum_84, sum_85
+    sum_87 = 6.0 - 8.0 * baseline_per_path_squared
+    sum_88 = baseline_per_path * sum_87 + cos_beta * sum_86
+    sum_89 = 2.0 - baseline_per_path * sum_88 + (2.0 + 11.0 * cos_beta_squared) * cos_beta_squared
+    del baseline_per_path_squared, sum_86, sum_87, sum_88
+    sum_90 = baseline_per_path * sum_89 - 6.0 * cos_beta * cos_beta_squared
+    sum_91 = baseline_per_path * sum_90 + cos_beta_squared
+    sum_92 = 4.0 * (cos_beta - baseline_per_path * sum_12)**2 + 4.0 * rho_squared * sum_91
+    del sum_89, cos_beta_squared, sum_90, rho_squared, sum_12, sum_91
+    sum_93 = sigma_path_per_path_squared * sum_92 + sum_2 * sum_81
+    sum_94 = sigma_beta * sum_93 - rho * sigma_path_per_path * sin_beta * sum_75
+    del sum_2, sum_81, sum_92, sigma_path_per_path, sin_beta, sum_75, sum_93
+    sum_95 = (6.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_17
+    sum_96 = 15.0 - baseline_per_path * sum_95 - (18.0 - 4.0 * sin_beta_squared) * sin_beta_squared
+    sum_97 = (20.0 - 12.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_96
+    sum_98 = 15.0 - 13.0 * sin_beta_squared - baseline_per_path * sum_97
+    del sum_17, sum_95, sum_96, sum_97
+    sum_99 = baseline_per_path * sum_98 - 6.0 * cos_beta
+    sum_100 = 4.0 + 4.0 * baseline_per_path * sum_99 + product_4
+    del cos_beta, sum_98, baseline_per_path, product_4, sum_99
+    sum_101 = sigma_path_per_path_squared * sin_beta_squared * sum_100 + sigma_beta * sum_94
+    del sigma_path_per_path_squared, sin_beta_squared, sum_100, sum_94
+    mean[..., 0] = path * sum_9
+    mean[..., 1] = path * sum_16
+    covariance[..., 0, 0] = path_squared * sum_42 * term_4 * term_5
+    covariance[..., 0, 1] = path_squared * sum_71 * term_4 * term_5
+    del sum_9, sum_16, sum_42, sum_71
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sum_101 * term_3 * term_4
-    del sum_38, sum_70, sum_101, term_3, term_4
+    covariance[..., 1, 1] = path_squared * sum_101 * term_4 * term_5
+    del path_squared, sum_101, term_4, term_5
 
 
 def bistatic_averaged(
@@ -299,719 +307,652 @@ def bistatic_averaged(
     the truth, to fourth order. Covariance: covariance of the plain conversion, averaged over the truth, to
     fourth order, completed to a sum of squares.
     """
+    term_1 = 1.0 / path
+    baseline_per_path = baseline * term_1
     cos_beta = np.cos(beta)
-    product_1 = -2.0 * baseline * cos_beta
-    divisor_1 = 2.0 * path + product_1
-    sum_1 = baseline + path
-    sum_2 = baseline - path
-    sigma_path_squared = sigma_path**2
+    product_1 = -2.0 * baseline_per_path * cos_beta
+    divisor_1 = 2.0 + product_1
+    sigma_path_per_path = sigma_path * term_1
+    sum_1 = 1.0 - baseline_per_path
+    sum_2 = 1.0 + baseline_per_path
+    sigma_path_per_path_squared = sigma_path_per_path**2
     sin_beta = np.sin(beta)
     sin_beta_squared = sin_beta**2
-    sum_3 = 2.0 - 2.0 * sin_beta_squared
-    sum_4 = 1.0 - sin_beta_squared
-    sum_5 = baseline * cos_beta * sum_4 - path * sum_3
-    path_squared = path**2
-    baseline_squared = baseline**2
-    sum_6 = 144.0 * cos_beta * sigma_path_squared + 16.0 * cos_beta * path_squared + 16.0 * baseline * sum_5
-    product_2 = -3.0 * cos_beta * path
+    sum_3 = 1.0 - sin_beta_squared
+    sum_4 = 2.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_3
+    baseline_per_path_squared = baseline_per_path**2
+    sum_5 = (
+        16.0 * baseline_per_path * sum_4
+        - 144.0 * cos_beta * sigma_path_per_path_squared
+        - 16.0 * cos_beta
+    )
     cos_beta_squared = cos_beta**2
-    product_3 = (3.0 - cos_beta_squared) * baseline
-    sum_7 = cos_beta * (product_2 + product_3) + path
-    product_4 = baseline * cos_beta
-    sum_8 = product_4 - path
-    sum_8_squared = sum_8**2
-    sum_9 = baseline * (path + product_4) - 3.0 * cos_beta * path_squared
-    product_5 = path * path_squared
+    product_2 = (3.0 - cos_beta_squared) * baseline_per_path
+    sum_6 = 1.0 + (product_2 - 3.0 * cos_beta) * cos_beta
+    product_3 = baseline_per_path * cos_beta
+    sum_7 = product_3 - 1.0
+    sum_7_squared = sum_7**2
+    sum_8 = baseline_per_path * (1.0 + product_3) - 3.0 * cos_beta
+    del term_1, sum_4, sum_7, product_3
+    sum_9 = 1.0 + baseline_per_path * sum_8
     sum_10 = (
-        144.0 * baseline_squared * sigma_path_squared * sum_7
-        + 16.0 * (product_5 + baseline * sum_9) * sum_8_squared
+        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sum_6
+        + 16.0 * sum_7_squared * sum_9
     )
-    del sum_5, sum_8, product_4, sum_7, sum_9
-    product_6 = path * path_squared**2
-    path_squared_squared = path_squared**2
-    product_7 = -11.0 * cos_beta * path
-    product_8 = (6.0 - cos_beta_squared) * baseline
-    sum_11 = baseline * (product_7 + product_8) - (29.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_12 = 18.0 * baseline * path + cos_beta * sum_11
-    sum_13 = baseline * sum_12 - (7.0 - 17.0 * cos_beta_squared) * product_5
-    sum_14 = 5.0 * cos_beta * path_squared_squared + baseline * sum_13
-    sum_15 = 13.0 * path + cos_beta * (4.0 * baseline + product_2)
-    sum_16 = cos_beta * sum_15 - 6.0 * baseline
-    del sum_11, sum_12, sum_13, sum_15
-    sum_17 = (7.0 - 9.0 * cos_beta_squared) * path_squared + baseline * sum_16
-    rho_squared = rho**2
-    sum_18 = cos_beta * sum_17 - 6.0 * baseline * path
-    sum_19 = (
-        (24.0 + 48.0 * rho_squared) * baseline_squared * sigma_path * sum_18
-        - 24.0 * (baseline * sum_14 - product_6) * rho * sigma_beta * sin_beta
-    )
-    del sum_16, sum_17, sum_14, sum_18
-    product_9 = -cos_beta * product_5
-    product_10 = (20.0 - cos_beta_squared) * baseline
-    sum_20 = 20.0 * path + cos_beta * (product_10 + product_7)
-    sum_21 = cos_beta * sum_20 - 24.0 * baseline
-    sum_22 = (8.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_21
+    product_4 = (20.0 - cos_beta_squared) * baseline_per_path
+    sum_11 = 20.0 + (product_4 - 11.0 * cos_beta) * cos_beta
+    sum_12 = cos_beta * sum_11 - 24.0 * baseline_per_path
+    del sum_8, sum_6, sum_9, sum_11
+    sum_13 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_12
     sigma_beta_squared = sigma_beta**2
-    product_11 = -cos_beta * path
-    product_12 = (2.0 - cos_beta_squared) * baseline
-    sum_23 = (
-        8.0 * (product_11 + product_12) * sum_8_squared
-        - 6.0 * (product_9 + baseline * sum_22) * sigma_beta_squared
+    sum_14 = baseline_per_path * sum_13 - cos_beta
+    product_5 = (2.0 - cos_beta_squared) * baseline_per_path
+    sum_15 = 8.0 * (product_5 - cos_beta) * sum_7_squared - 6.0 * sigma_beta_squared * sum_14
+    product_6 = (6.0 - cos_beta_squared) * baseline_per_path
+    sum_16 = 29.0 - 3.0 * cos_beta_squared - (product_6 - 11.0 * cos_beta) * baseline_per_path
+    sum_17 = cos_beta * sum_16 - 18.0 * baseline_per_path
+    del sum_12, sum_13, sum_14, sum_16
+    sum_18 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_17
+    sum_19 = baseline_per_path * sum_18 - 5.0 * cos_beta
+    sum_20 = 1.0 + baseline_per_path * sum_19
+    sum_21 = 4.0 * baseline_per_path - 3.0 * cos_beta
+    sum_22 = cos_beta * (13.0 + cos_beta * sum_21) - 6.0 * baseline_per_path
+    del sum_17, sum_18, sum_19, sum_21
+    sum_23 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_22
+    rho_squared = rho**2
+    sum_24 = cos_beta * sum_23 - 6.0 * baseline_per_path
+    sum_25 = (
+        24.0 * rho * sigma_beta * sin_beta * sum_20
+        + (24.0 + 48.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_24
     )
-    del product_7, sum_20, sum_21, sum_22
-    sum_24 = path * sum_1 * sum_2 * sum_23 - sigma_path * sum_19
-    sum_25 = rho * sigma_path * sin_beta * sum_10 + sigma_beta * sum_24
-    del sum_19, sum_23, sum_10, sum_24
-    term_1 = 1.0 / (divisor_1**2)**2
-    sum_26 = baseline_squared * sigma_path_squared * sin_beta_squared * sum_6 + sigma_beta * sum_25
-    term_2 = 1.0 / divisor_1
-    sum_27 = cos_beta * sum_1 * sum_2 - sum_26 * term_1
-    product_13 = -2.0 * cos_beta * path
+    del sum_22, sum_23, sum_20, sum_24
+    sum_26 = sigma_path_per_path * sum_25 + sum_1 * sum_15 * sum_2
+    sum_27 = sigma_beta * sum_26 - rho * sigma_path_per_path * sin_beta * sum_10
+    del sum_15, sum_25, sum_10, sum_26
+    term_2 = 1.0 / (divisor_1**2)**2
     sum_28 = (
-        144.0 * sigma_path_squared
-        + 16.0 * baseline * (product_13 + baseline * sum_4)
-        + 16.0 * path_squared
+        baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_5
+        + sigma_beta * sum_27
     )
-    del sum_25, sum_6, sum_26, sum_4
-    sum_29 = baseline * (3.0 + sin_beta_squared) + product_2
-    sum_30 = 3.0 * cos_beta_squared * path_squared + baseline * (product_12 + product_2)
-    sum_31 = (
-        144.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_29
-        + 16.0 * (product_9 + baseline * sum_30) * sum_8_squared
-    )
-    sum_32 = 20.0 * path + cos_beta * (8.0 * baseline + product_11)
-    sum_33 = cos_beta * sum_32 - 24.0 * baseline
-    sum_34 = (20.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_33
-    del sum_29, sum_30, sum_32, sum_33
-    sum_35 = baseline * sum_34 - 11.0 * cos_beta * product_5
-    sum_36 = baseline * sum_35 - path_squared_squared
-    sum_37 = 2.0 * baseline + product_11
-    sum_38 = baseline * sum_37 - path_squared
-    sum_39 = 8.0 * sum_38 * sum_8_squared - 6.0 * sigma_beta_squared * sum_36
-    del sum_34, sum_35, sum_36, sum_38
-    sum_40 = cos_beta * (5.0 * path + cos_beta * sum_37) - 4.0 * baseline
-    sum_41 = 1.0 - 3.0 * cos_beta_squared
-    sum_42 = path_squared * sum_41 + baseline * sum_40
-    sum_43 = (
+    term_3 = 1.0 / divisor_1
+    sum_29 = cos_beta * sum_1 * sum_2 - sum_28 * term_2
+    sum_30 = baseline_per_path * sum_3 - 2.0 * cos_beta
+    del sum_27, sum_5, sum_28, sum_3
+    sum_31 = 16.0 + 144.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_30
+    sum_32 = 8.0 * baseline_per_path - cos_beta
+    sum_33 = cos_beta * (20.0 + cos_beta * sum_32) - 24.0 * baseline_per_path
+    sum_34 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_33
+    sum_35 = baseline_per_path * sum_34 - 11.0 * cos_beta
+    del sum_30, sum_32, sum_33, sum_34
+    sum_36 = 1.0 - baseline_per_path * sum_35
+    sum_37 = 2.0 * baseline_per_path - cos_beta
+    sum_38 = 1.0 - baseline_per_path * sum_37
+    sum_39 = 8.0 * sum_38 * sum_7_squared - 6.0 * sigma_beta_squared * sum_36
+    sum_40 = cos_beta * (5.0 + cos_beta * sum_37) - 4.0 * baseline_per_path
+    del sum_35, sum_36, sum_38, sum_37
+    sum_41 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_40
+    sum_42 = (
         sum_1 * sum_2 * sum_39
-        - (72.0 + 144.0 * rho_squared) * baseline_squared * sigma_path_squared * sum_42
+        - (72.0 + 144.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path_squared * sum_41
     )
-    del sum_37, sum_40, sum_39, sum_42
-    sum_44 = product_10 - 19.0 * cos_beta * path
-    sum_45 = baseline * sum_44 - (31.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_46 = 32.0 * baseline * path + cos_beta * sum_45
-    sum_47 = 20.0 * path_squared - 24.0 * baseline_squared + cos_beta * sum_46
-    del product_10, sum_44, sum_45, sum_46
-    sum_48 = baseline * sum_47 - (21.0 - 17.0 * cos_beta_squared) * cos_beta * product_5
-    sum_49 = 5.0 * cos_beta_squared * path_squared_squared + baseline * sum_48
-    sum_50 = baseline * sum_49 - cos_beta * product_6
-    sum_51 = sin_beta * sum_43 - 24.0 * rho * sigma_beta * sigma_path * sum_50
-    del sum_47, sum_48, sum_49, sum_43, sum_50
-    sum_52 = rho * sigma_path * sum_31 + sigma_beta * sum_51
+    sum_43 = 31.0 - 3.0 * cos_beta_squared - (product_4 - 19.0 * cos_beta) * baseline_per_path
+    del sum_40, sum_39, sum_41, product_4
+    sum_44 = cos_beta * sum_43 - 32.0 * baseline_per_path
+    sum_45 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_44
+    sum_46 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_45
+    sum_47 = baseline_per_path * sum_46 - 5.0 * cos_beta_squared
+    del sum_43, sum_44, sum_45, sum_46
+    sum_48 = baseline_per_path * sum_47 + cos_beta
+    sum_49 = 24.0 * rho * sigma_beta * sigma_path_per_path * sum_48 + sin_beta * sum_42
+    sum_50 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_51 = 3.0 * cos_beta_squared + (product_5 - 3.0 * cos_beta) * baseline_per_path
+    sum_52 = baseline_per_path * sum_51 - cos_beta
+    del sum_47, sum_42, sum_48, sum_51
     sum_53 = (
-        baseline_squared * sigma_path_squared * sin_beta * sin_beta_squared * sum_28
-        + sigma_beta * sum_52
+        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_50
+        + 16.0 * sum_52 * sum_7_squared
     )
-    del sum_31, sum_51, sum_28, sum_52
-    sum_54 = sin_beta * sum_1 * sum_2 - sum_53 * term_1
-    term_3 = 1.0 / ((divisor_1**2)**2)**2
-    sum_8_squared_squared = sum_8_squared**2
-    sum_55 = baseline + product_13
-    sum_56 = path_squared + baseline * sum_55
-    sum_57 = baseline * sum_3 - (2.0 - 3.0 * sin_beta_squared) * cos_beta * path
-    del sum_53, term_1, divisor_1, sum_3
-    product_14 = -9.0 * cos_beta * path
-    sum_58 = baseline * (product_14 + product_3) - (3.0 - 9.0 * cos_beta_squared) * path_squared
-    sum_59 = 3.0 * baseline * path + cos_beta * sum_58
-    sum_60 = product_5 * sum_41 + baseline * sum_59
+    sum_54 = rho * sigma_path_per_path * sum_53 + sigma_beta * sum_49
+    del sum_50, sum_52, sum_49, sum_53
+    sum_55 = (
+        baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared * sum_31
+        + sigma_beta * sum_54
+    )
+    sum_56 = sin_beta * sum_1 * sum_2 + sum_55 * term_2
+    del sum_31, sum_54, sum_55, term_2
+    term_4 = 1.0 / ((divisor_1**2)**2)**2
+    path_squared = path**2
+    sum_57 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
+    sum_58 = 3.0 - 9.0 * cos_beta_squared - (product_2 - 9.0 * cos_beta) * baseline_per_path
+    sum_59 = cos_beta * sum_58 - 3.0 * baseline_per_path
+    sum_60 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_59
     sum_61 = (
-        4608.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_57
-        + 768.0 * cos_beta * sum_60 * sum_8_squared
+        768.0 * cos_beta * sum_60 * sum_7_squared
+        - 4608.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_57
     )
-    del sum_58, sum_41, sum_59, sum_57, sum_60
-    sum_62 = (
-        128.0 * cos_beta * path * sum_1 * sum_2 * sum_56 * sum_8_squared_squared
-        + baseline_squared * sigma_path_squared * sum_61
+    del divisor_1, sum_58, sum_59, sum_57, sum_60
+    sum_7_squared_squared = sum_7_squared**2
+    sum_62 = baseline_per_path - 2.0 * cos_beta
+    sum_63 = 1.0 + baseline_per_path * sum_62
+    sum_64 = (
+        128.0 * cos_beta * sum_1 * sum_2 * sum_63 * sum_7_squared_squared
+        - baseline_per_path_squared * sigma_path_per_path_squared * sum_61
     )
-    product_15 = -cos_beta * path_squared_squared
-    product_16 = -4.0 * cos_beta * path
-    sum_63 = baseline * (product_12 + product_16) - (7.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_64 = 4.0 * baseline * path + cos_beta * sum_63
-    sum_65 = 4.0 * cos_beta_squared * product_5 + baseline * sum_64
-    del sum_61, product_12, sum_63, sum_64
-    sum_66 = product_15 + baseline * sum_65
-    sum_67 = baseline * (product_16 + product_8) - path_squared
-    sum_68 = 34.0 * path + cos_beta * (7.0 * baseline + product_13)
-    sum_69 = cos_beta * sum_68 - 18.0 * baseline
-    sum_70 = (37.0 - 25.0 * cos_beta_squared) * path_squared + baseline * sum_69
-    sum_71 = cos_beta * sum_70 - 18.0 * baseline * path
-    del sum_65, sum_68, sum_69, sum_70
-    sum_72 = baseline * sum_71 - (6.0 + 16.0 * cos_beta_squared) * product_5
-    sum_73 = 7.0 * cos_beta * path_squared_squared + baseline * sum_72
-    sum_74 = 128.0 * sum_73 * sum_8_squared - 384.0 * sigma_beta_squared * sum_66 * sum_67
-    product_17 = -(3.0 - 3.0 * sin_beta_squared) * path_squared_squared
-    sum_75 = 8.0 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_76 = 4.0 + 3.0 * sin_beta_squared
-    sum_77 = 7.0 - sin_beta_squared * sum_76
-    sum_78 = baseline * sum_77 - (8.0 - 24.0 * sin_beta_squared) * cos_beta * path
-    del sum_71, sum_72, sum_73, sum_77
-    sum_79 = baseline * sum_78 - path_squared * sum_75
-    product_18 = (12.0 - 12.0 * sin_beta_squared) * cos_beta * product_5
-    sum_80 = baseline * (product_18 + baseline * sum_79) + product_17
-    path_squared_cubed = path_squared * path_squared**2
-    product_19 = cos_beta * (5.0 * baseline + product_16)
-    sum_81 = cos_beta * (30.0 * path + product_19) - 7.0 * baseline
-    sum_82 = (63.0 - 50.0 * cos_beta_squared) * path_squared + baseline * sum_81
-    del sum_75, sum_78, sum_79, sum_81
-    sum_83 = baseline * sum_82 - (48.0 - 12.0 * cos_beta_squared) * cos_beta * product_5
-    sum_84 = 22.0 * baseline_squared - 12.0 * path_squared
-    sum_85 = cos_beta * sum_83 - path * sum_84
-    sum_86 = baseline * sum_85 - (21.0 - 49.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    del sum_82, sum_83, sum_84, sum_85
-    sum_87 = 2.0 * path_squared + 7.0 * baseline_squared
-    sum_88 = cos_beta * sum_86 - path_squared * sum_87
-    sum_89 = (18.0 - 30.0 * cos_beta_squared) * cos_beta * product_6 + baseline * sum_88
-    sum_90 = baseline * sum_89 - (3.0 - 5.0 * cos_beta_squared) * path_squared_cubed
-    del sum_86, sum_87, sum_88, sum_89
-    term_4 = (path_squared**2)**2
-    product_20 = -cos_beta_squared * term_4
-    product_21 = path * path_squared * path_squared**2
-    product_22 = 8.0 * cos_beta * cos_beta_squared * product_21
-    sum_91 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared
-    sum_92 = 120.0 - 72.0 * cos_beta_squared
-    sum_93 = 16.0 - cos_beta_squared * sum_92
-    sum_94 = 204.0 - 21.0 * cos_beta_squared
-    sum_95 = 225.0 - cos_beta_squared * sum_94
-    sum_96 = 224.0 - 88.0 * cos_beta_squared
-    sum_97 = 162.0 - 18.0 * cos_beta_squared
-    product_23 = (4.0 - cos_beta_squared) * baseline
-    sum_98 = product_23 - 16.0 * cos_beta * path
-    sum_99 = baseline * sum_98 - path_squared * sum_97
-    del sum_92, sum_94, sum_97, sum_98
-    sum_100 = 80.0 * baseline * path + cos_beta * sum_99
-    sum_101 = 192.0 * path_squared - 4.0 * baseline_squared + cos_beta * sum_100
-    sum_102 = baseline * sum_101 - cos_beta * product_5 * sum_96
-    del sum_99, sum_100, sum_101, sum_96
-    sum_103 = baseline * sum_102 - path_squared_squared * sum_95
-    sum_104 = 64.0 * baseline_squared - 128.0 * path_squared
-    sum_105 = cos_beta * sum_103 - baseline * path * sum_104
-    del sum_102, sum_95, sum_103, sum_104
-    sum_106 = baseline * sum_105 - product_6 * sum_93
-    sum_107 = 40.0 * baseline_squared - 28.0 * path_squared
-    sum_108 = cos_beta * sum_106 - baseline * path_squared * sum_107
-    del sum_105, sum_93, sum_106, sum_107
-    sum_109 = baseline * sum_108 - path_squared_cubed * sum_91
-    sum_110 = product_22 + baseline * sum_109
-    sum_111 = product_20 + baseline * sum_110
-    del sum_108, sum_91, sum_109, sum_110
-    sum_112 = 48.0 * path + cos_beta * (5.0 * baseline + product_14)
-    sum_113 = cos_beta * sum_112 - 10.0 * baseline
-    sum_114 = (81.0 - 51.0 * cos_beta_squared) * path_squared + baseline * sum_113
-    sum_115 = baseline * sum_114 - (92.0 - 24.0 * cos_beta_squared) * cos_beta * product_5
-    del product_14, sum_112, sum_113, sum_114
-    sum_116 = 34.0 * baseline_squared - 28.0 * path_squared
-    sum_117 = cos_beta * sum_115 - path * sum_116
-    sum_118 = baseline * sum_117 - (11.0 - 36.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_119 = (1.0 - 6.0 * cos_beta_squared) * product_6 + baseline * sum_118
-    del sum_115, sum_116, sum_117, sum_118
-    product_24 = baseline * baseline_squared
-    sum_120 = cos_beta * sum_119 - 10.0 * path_squared * product_24
-    sum_121 = cos_beta * (2.0 * baseline + product_2) + path
-    sum_122 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
-    sum_123 = baseline * sum_122 - (32.0 - 60.0 * sin_beta_squared) * cos_beta * path
-    sum_124 = 4.0 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
-    sum_125 = path_squared * sum_124 + baseline * sum_123
-    del sum_119, product_2, sum_122, sum_123, sum_124
-    sum_126 = product_18 + baseline * sum_125
-    sum_127 = product_17 + baseline * sum_126
-    del product_18, sum_125, product_17, sum_126
-    sum_128 = 1024.0 * rho * sigma_beta * sum_121 * sum_66 + 512.0 * sigma_path * sin_beta * sum_127
-    sum_129 = 1.0 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
-    sum_130 = 105.0 - 12.0 * cos_beta_squared
-    sum_131 = 114.0 - cos_beta_squared * sum_130
-    del sum_121, sum_127, sum_66, sum_130
-    sum_132 = 128.0 - 46.0 * cos_beta_squared
-    sum_133 = product_23 - 10.0 * cos_beta * path
-    sum_134 = baseline * sum_133 - (72.0 - 9.0 * cos_beta_squared) * path_squared
-    sum_135 = 38.0 * baseline * path + cos_beta * sum_134
-    sum_136 = 93.0 * path_squared - 4.0 * baseline_squared + cos_beta * sum_135
-    del product_23, sum_133, sum_134, sum_135
-    sum_137 = baseline * sum_136 - cos_beta * product_5 * sum_132
-    sum_138 = baseline * sum_137 - path_squared_squared * sum_131
-    del sum_132, sum_136, sum_131, sum_137
-    sum_139 = 28.0 * baseline_squared - 74.0 * path_squared
-    sum_140 = cos_beta * sum_138 - baseline * path * sum_139
-    sum_141 = 2.0 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
-    sum_142 = product_6 * sum_141 + baseline * sum_140
-    del sum_138, sum_139, sum_140, sum_141
-    sum_143 = 22.0 * baseline_squared - 7.0 * path_squared
-    sum_144 = cos_beta * sum_142 - baseline * path_squared * sum_143
-    sum_145 = baseline * sum_144 - path_squared_cubed * sum_129
-    del sum_142, sum_143, sum_129, sum_144
-    sum_146 = product_22 + baseline * sum_145
-    sum_147 = product_20 + baseline * sum_146
-    del product_22, sum_145, product_20, sum_146
-    sum_148 = 3.0 - 7.0 * cos_beta_squared
-    sum_149 = 102.0 - 30.0 * cos_beta_squared
-    product_25 = -14.0 * cos_beta * path
-    sum_150 = 72.0 * path + cos_beta * (7.0 * baseline + product_25)
-    sum_151 = cos_beta * sum_150 - 11.0 * baseline
-    sum_152 = 111.0 - 88.0 * cos_beta_squared
-    sum_153 = path_squared * sum_152 + baseline * sum_151
-    sum_154 = baseline * sum_153 - cos_beta * product_5 * sum_149
-    del sum_150, sum_151, sum_152, sum_149, sum_153
-    sum_155 = 50.0 * baseline_squared - 24.0 * path_squared
-    sum_156 = cos_beta * sum_154 - path * sum_155
-    sum_157 = baseline * sum_156 - (27.0 - 77.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_158 = 11.0 * baseline_squared - 2.0 * path_squared
-    sum_159 = cos_beta * sum_157 - path_squared * sum_158
-    del sum_154, sum_155, sum_156, sum_157, sum_158
-    sum_160 = (18.0 - 42.0 * cos_beta_squared) * cos_beta * product_6 + baseline * sum_159
-    sum_161 = baseline * sum_160 - path_squared_cubed * sum_148
-    sum_162 = (
-        512.0 * sigma_beta_squared * sum_147
-        - baseline_squared * sigma_path * sin_beta * sum_128
-        + 64.0 * sum_161 * sum_8_squared
-    )
-    del sum_159, sum_160, sum_128, sum_147, sum_161
-    sum_163 = 512.0 * baseline_squared * sigma_beta * sigma_path * sin_beta * sum_120 + rho * sum_162
-    sum_164 = (
-        64.0 * sigma_beta_squared * sum_111
-        - 256.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_80
-        + 64.0 * sum_8_squared * sum_90
-        + rho * sum_163
-    )
-    del sum_120, sum_162, sum_111, sum_163, sum_80, sum_90
-    sum_165 = path * rho * sigma_beta * sin_beta * sum_1 * sum_2 * sum_74 + sigma_path * sum_164
-    sum_1_squared = sum_1**2
     sum_2_squared = sum_2**2
-    sum_166 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
-    sum_167 = baseline * sum_166 - (40.0 + 8.0 * sin_beta_squared) * cos_beta * path
-    sum_168 = (6.0 - 18.0 * sin_beta_squared) * path_squared + baseline * sum_167
-    del sum_164, sum_74, sum_166, sum_167
-    sum_169 = 8.0 * cos_beta * product_5 + baseline * sum_168
-    sum_170 = path_squared_squared + baseline * sum_169
-    sum_171 = (40.0 - 7.0 * cos_beta_squared) * baseline - 22.0 * cos_beta * path
-    sum_172 = 28.0 * path + cos_beta * sum_171
-    sum_173 = cos_beta * sum_172 - 36.0 * baseline
-    del sum_168, sum_169, sum_171, sum_172
-    sum_174 = 4.0 - 7.0 * cos_beta_squared
-    sum_175 = path_squared * sum_174 + baseline * sum_173
-    sum_176 = 32.0 * sum_175 * sum_8_squared - 64.0 * sigma_beta_squared * sin_beta_squared * sum_170
-    sum_177 = 4.0 - 4.0 * sin_beta_squared
-    sum_178 = 1.0 - (2.0 - sin_beta_squared) * sin_beta_squared
-    sum_179 = baseline * sum_178 - cos_beta * path * sum_177
-    sum_180 = (6.0 - 6.0 * sin_beta_squared) * path_squared + baseline * sum_179
-    del sum_173, sum_170, sum_175, sum_179
-    sum_181 = baseline * sum_180 - 4.0 * cos_beta * product_5
-    sum_182 = path_squared_squared + baseline * sum_181
-    sum_183 = 64.0 * sin_beta_squared * sum_182 - sigma_beta_squared * sum_176
-    del sum_180, sum_181, sum_176, sum_182
-    sum_184 = path_squared * sum_183 * sum_1_squared * sum_2_squared - sigma_path * sum_165
-    sum_185 = rho * sigma_path * sin_beta * sum_62 + sigma_beta * sum_184
-    del sum_165, sum_183, sum_184, sum_62
-    sum_56_squared = sum_56**2
-    sum_186 = 2.0 * path_squared + baseline * (product_16 + product_3)
-    sum_187 = (
-        2304.0 * (1.0 - sin_beta) * baseline_squared * sigma_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
-        + 384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_186 * sum_8_squared
+    term_5 = (baseline_per_path - 1.0)**2
+    sum_65 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
+    sum_66 = (40.0 + 8.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_65
+    sum_67 = 6.0 - 18.0 * sin_beta_squared - baseline_per_path * sum_66
+    sum_68 = 8.0 * cos_beta + baseline_per_path * sum_67
+    del sum_61, sum_65, sum_66, sum_67
+    sum_69 = 1.0 + baseline_per_path * sum_68
+    sum_70 = (40.0 - 7.0 * cos_beta_squared) * baseline_per_path - 22.0 * cos_beta
+    sum_71 = cos_beta * (28.0 + cos_beta * sum_70) - 36.0 * baseline_per_path
+    sum_72 = 4.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_71
+    sum_73 = 32.0 * sum_72 * sum_7_squared - 64.0 * sigma_beta_squared * sin_beta_squared * sum_69
+    del sum_68, sum_70, sum_71, sum_69, sum_72
+    sum_74 = 2.0 - sin_beta_squared
+    sum_75 = 1.0 - sin_beta_squared * sum_74
+    sum_76 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_75
+    sum_77 = 6.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_76
+    sum_78 = baseline_per_path * sum_77 - 4.0 * cos_beta
+    sum_79 = 1.0 + baseline_per_path * sum_78
+    del sum_75, sum_76, sum_77, sum_78
+    sum_80 = 64.0 * sin_beta_squared * sum_79 - sigma_beta_squared * sum_73
+    product_7 = (12.0 - 12.0 * sin_beta_squared) * cos_beta
+    sum_81 = 4.0 + 3.0 * sin_beta_squared
+    sum_82 = 7.0 - sin_beta_squared * sum_81
+    sum_83 = (8.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_82
+    sum_84 = 8.0 + baseline_per_path * sum_83 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
+    del sum_73, sum_79, sum_82, sum_83
+    sum_85 = product_7 - baseline_per_path * sum_84
+    sum_86 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_85
+    sum_87 = 2.0 * baseline_per_path - 3.0 * cos_beta
+    sum_88 = 7.0 - 3.0 * cos_beta_squared - (product_5 - 4.0 * cos_beta) * baseline_per_path
+    sum_89 = cos_beta * sum_88 - 4.0 * baseline_per_path
+    del sum_84, sum_85, product_5, sum_88
+    sum_90 = baseline_per_path * sum_89 - 4.0 * cos_beta_squared
+    sum_91 = baseline_per_path * sum_90 + cos_beta
+    sum_92 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
+    sum_93 = (32.0 - 60.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_92
+    sum_94 = 4.0 - baseline_per_path * sum_93 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
+    del sum_89, sum_90, sum_92, sum_93
+    sum_95 = baseline_per_path * sum_94 + product_7
+    sum_96 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_95
+    sum_97 = (
+        1024.0 * (1.0 + cos_beta * sum_87) * rho * sigma_beta * sum_91
+        + 512.0 * sigma_path_per_path * sin_beta * sum_96
     )
-    sum_188 = (
-        64.0 * cos_beta_squared * sum_56_squared * sum_8_squared_squared
-        + baseline_squared * sigma_path_squared * sum_187
+    del product_7, sum_94, sum_95, sum_87, sum_96
+    sum_98 = 105.0 - 12.0 * cos_beta_squared
+    sum_99 = 128.0 - 46.0 * cos_beta_squared
+    product_8 = (4.0 - cos_beta_squared) * baseline_per_path
+    sum_100 = 72.0 - 9.0 * cos_beta_squared - (product_8 - 10.0 * cos_beta) * baseline_per_path
+    sum_101 = cos_beta * sum_100 - 38.0 * baseline_per_path
+    sum_102 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_101
+    sum_103 = cos_beta * sum_99 - baseline_per_path * sum_102
+    del sum_100, sum_101, sum_102, sum_99
+    sum_104 = 114.0 - cos_beta_squared * sum_98 + baseline_per_path * sum_103
+    sum_105 = 74.0 - 28.0 * baseline_per_path_squared
+    sum_106 = cos_beta * sum_104 - baseline_per_path * sum_105
+    del sum_103, sum_98, sum_104, sum_105
+    sum_107 = 2.0 - baseline_per_path * sum_106 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
+    sum_108 = 7.0 - 22.0 * baseline_per_path_squared
+    sum_109 = baseline_per_path * sum_108 + cos_beta * sum_107
+    sum_110 = 1.0 - baseline_per_path * sum_109 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    del sum_106, sum_107, sum_108, sum_109
+    sum_111 = baseline_per_path * sum_110 - 8.0 * cos_beta * cos_beta_squared
+    sum_112 = baseline_per_path * sum_111 + cos_beta_squared
+    sum_113 = 102.0 - 30.0 * cos_beta_squared
+    sum_114 = 7.0 * baseline_per_path - 14.0 * cos_beta
+    sum_115 = cos_beta * (72.0 + cos_beta * sum_114) - 11.0 * baseline_per_path
+    sum_116 = 111.0 - 88.0 * cos_beta_squared + baseline_per_path * sum_115
+    del sum_110, sum_111, sum_114, sum_115
+    sum_117 = cos_beta * sum_113 - baseline_per_path * sum_116
+    sum_118 = 24.0 - 50.0 * baseline_per_path_squared - cos_beta * sum_117
+    sum_119 = (27.0 - 77.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_118
+    del sum_113, sum_116, sum_117, sum_118
+    sum_120 = 2.0 - 11.0 * baseline_per_path_squared - cos_beta * sum_119
+    sum_121 = baseline_per_path * sum_120 + (18.0 - 42.0 * cos_beta_squared) * cos_beta
+    sum_122 = 3.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_121
+    sum_123 = (
+        512.0 * sigma_beta_squared * sum_112
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_97
+        + 64.0 * sum_122 * sum_7_squared
     )
-    sum_189 = sigma_path_squared * sum_188 + sigma_beta * sum_185
-    del product_3, sum_186, sum_187, sum_185, sum_188
-    sum_190 = 5.0 - 6.0 * sin_beta_squared
-    sum_191 = 5.0 * baseline * cos_beta - path * sum_190
-    sum_192 = 62.0 - (77.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_193 = (5.0 + 2.0 * sin_beta_squared) * baseline * cos_beta - (51.0 - 18.0 * sin_beta_squared) * path
-    sum_194 = 33.0 * path - 7.0 * baseline * cos_beta + sin_beta_squared * sum_193
-    sum_195 = baseline * sum_194 - cos_beta * path_squared * sum_192
-    sum_196 = 103.0 - 42.0 * sin_beta_squared
-    sum_197 = 58.0 - sin_beta_squared * sum_196
-    del sum_193, sum_192, sum_194, sum_196
-    sum_198 = product_5 * sum_197 + baseline * sum_195
-    sum_199 = baseline * sum_198 - (27.0 - 30.0 * sin_beta_squared) * cos_beta * path_squared_squared
-    sum_200 = (
-        384.0 * product_6 * sum_190
-        - 2304.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_191
-        + 384.0 * baseline * sum_199
+    del sum_119, sum_120, sum_121, sum_112, sum_122, sum_97
+    sum_124 = 5.0 * baseline_per_path - 9.0 * cos_beta
+    sum_125 = cos_beta * (48.0 + cos_beta * sum_124) - 10.0 * baseline_per_path
+    sum_126 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_125
+    sum_127 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
+    sum_128 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_127
+    del sum_124, sum_125, sum_126, sum_127
+    sum_129 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_128
+    sum_130 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_129
+    sum_131 = cos_beta * sum_130 - 10.0 * baseline_per_path * baseline_per_path_squared
+    sum_132 = (
+        512.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_131
+        - rho * sum_123
     )
-    del sum_195, sum_197, sum_198, sum_191, sum_199
-    sum_201 = (
-        64.0 * (cos_beta * sum_55 + path) * sum_1 * sum_2 * sum_56 * sum_8_squared_squared
-        - baseline_squared * sigma_path_squared * sin_beta_squared * sum_200
+    del sum_128, sum_129, sum_130, sum_123, sum_131
+    sum_133 = 5.0 * baseline_per_path - 4.0 * cos_beta
+    product_9 = cos_beta * sum_133
+    sum_134 = cos_beta * (30.0 + product_9) - 7.0 * baseline_per_path
+    sum_135 = 63.0 - 50.0 * cos_beta_squared + baseline_per_path * sum_134
+    sum_136 = (48.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_135
+    sum_137 = 12.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_136
+    del sum_133, sum_134, sum_135, sum_136
+    sum_138 = (21.0 - 49.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_137
+    sum_139 = 2.0 + 7.0 * baseline_per_path_squared + cos_beta * sum_138
+    sum_140 = (18.0 - 30.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_139
+    sum_141 = 3.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_140
+    del sum_137, sum_138, sum_139, sum_140
+    sum_142 = 120.0 - 72.0 * cos_beta_squared
+    sum_143 = 204.0 - 21.0 * cos_beta_squared
+    sum_144 = 224.0 - 88.0 * cos_beta_squared
+    sum_145 = 162.0 - 18.0 * cos_beta_squared - (product_8 - 16.0 * cos_beta) * baseline_per_path
+    sum_146 = cos_beta * sum_145 - 80.0 * baseline_per_path
+    sum_147 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_146
+    sum_148 = cos_beta * sum_144 - baseline_per_path * sum_147
+    del product_8, sum_145, sum_146, sum_144, sum_147
+    sum_149 = 225.0 - cos_beta_squared * sum_143 + baseline_per_path * sum_148
+    sum_150 = 128.0 - 64.0 * baseline_per_path_squared
+    sum_151 = cos_beta * sum_149 - baseline_per_path * sum_150
+    del sum_143, sum_148, sum_149, sum_150
+    sum_152 = 16.0 - cos_beta_squared * sum_142 + baseline_per_path * sum_151
+    sum_153 = 28.0 - 40.0 * baseline_per_path_squared
+    sum_154 = cos_beta * sum_152 - baseline_per_path * sum_153
+    del sum_142, sum_151, sum_152, sum_153
+    sum_155 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_154
+    sum_156 = baseline_per_path * sum_155 - 8.0 * cos_beta * cos_beta_squared
+    sum_157 = baseline_per_path * sum_156 + cos_beta_squared
+    sum_158 = (
+        64.0 * sigma_beta_squared * sum_157
+        - 256.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_86
+        - rho * sum_132
+        + 64.0 * sum_141 * sum_7_squared
     )
-    sum_202 = 8.0 - 11.0 * sin_beta_squared
-    sum_203 = 5.0 + sin_beta_squared
-    sum_204 = baseline * cos_beta * sum_203 - path * sum_202
-    sum_205 = baseline * sum_204 - 6.0 * cos_beta * path_squared * sin_beta_squared
-    product_26 = product_5 * sum_177
-    del sum_200, sum_55, sum_204, sum_177
-    sum_206 = product_26 + baseline * sum_205
-    sum_207 = product_15 + baseline * sum_206
-    sum_208 = baseline * cos_beta * (11.0 + sin_beta_squared) - (20.0 - 26.0 * sin_beta_squared) * path
-    sum_209 = (6.0 - 15.0 * sin_beta_squared) * cos_beta * path_squared + baseline * sum_208
-    sum_210 = product_26 + baseline * sum_209
-    del sum_205, sum_206, sum_208, product_26, sum_209
-    sum_211 = product_15 + baseline * sum_210
-    sum_212 = 25.0 - 24.0 * sin_beta_squared
-    sum_213 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_214 = 29.0 - (41.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_215 = baseline * sum_214 - (4.0 - 51.0 * sin_beta_squared) * cos_beta * path
-    sum_216 = baseline * sum_215 - path_squared * sum_213
-    del product_15, sum_210, sum_214, sum_213, sum_215
-    sum_217 = (13.0 + 5.0 * sin_beta_squared) * cos_beta * product_24 - path * sum_216
-    sum_218 = baseline * sum_217 - cos_beta * path_squared_squared * sum_212
-    sum_219 = product_6 * sum_190 + baseline * sum_218
-    del sum_216, sum_217, sum_190, sum_218
-    sum_220 = 1536.0 * sigma_path * sin_beta * sum_211 + 512.0 * rho * sigma_beta * sum_219
-    sum_221 = 212.0 - 24.0 * cos_beta_squared
-    sum_222 = 104.0 - cos_beta_squared * sum_221
-    sum_223 = 308.0 - 129.0 * cos_beta_squared
-    sum_224 = 194.0 - 18.0 * cos_beta_squared
-    sum_225 = (24.0 - 2.0 * cos_beta_squared) * baseline - 41.0 * cos_beta * path
-    sum_226 = baseline * sum_225 - path_squared * sum_224
-    del sum_211, sum_219, sum_221, sum_224, sum_225
-    sum_227 = 139.0 * baseline * path + cos_beta * sum_226
-    sum_228 = 214.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_227
-    sum_229 = baseline * sum_228 - cos_beta * product_5 * sum_223
-    del sum_226, sum_227, sum_223, sum_228
-    sum_230 = baseline * sum_229 - path_squared_squared * sum_222
-    sum_231 = 72.0 * baseline_squared - 55.0 * path_squared
-    sum_232 = cos_beta * sum_230 - baseline * path * sum_231
-    del sum_222, sum_229, sum_230, sum_231
-    sum_233 = 1.0 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_234 = product_6 * sum_233 + baseline * sum_232
-    sum_235 = baseline * sum_234 - (16.0 + 26.0 * cos_beta_squared) * cos_beta * path_squared_cubed
-    sum_236 = 16.0 * cos_beta_squared * product_21 + baseline * sum_235
-    del sum_232, sum_233, sum_234, sum_235
-    sum_237 = baseline * sum_236 - 2.0 * cos_beta * term_4
-    sum_238 = 106.0 - 30.0 * cos_beta_squared
-    sum_239 = 112.0 * path + cos_beta * (13.0 * baseline + product_25)
-    sum_240 = cos_beta * sum_239 - 36.0 * baseline
-    sum_241 = 83.0 - 110.0 * cos_beta_squared
-    sum_242 = path_squared * sum_241 + baseline * sum_240
-    del sum_236, sum_239, sum_240, sum_241
-    sum_243 = baseline * sum_242 - cos_beta * product_5 * sum_238
-    sum_244 = 36.0 * baseline_squared - 8.0 * path_squared
-    sum_245 = cos_beta * sum_243 - path * sum_244
-    del sum_238, sum_242, sum_243, sum_244
-    sum_246 = (14.0 + 77.0 * cos_beta_squared) * cos_beta * path_squared_squared + baseline * sum_245
-    sum_247 = baseline * sum_246 - 42.0 * cos_beta_squared * product_6
-    sum_248 = 7.0 * cos_beta * path_squared_cubed + baseline * sum_247
-    sum_249 = (
-        256.0 * sigma_beta_squared * sum_237
-        - baseline_squared * sigma_path * sin_beta * sum_220
-        + 64.0 * sum_248 * sum_8_squared
+    del sum_154, sum_155, sum_156, sum_132, sum_141, sum_157, sum_86
+    sum_159 = 7.0 * baseline_per_path - 2.0 * cos_beta
+    sum_160 = cos_beta * (34.0 + cos_beta * sum_159) - 18.0 * baseline_per_path
+    sum_161 = 37.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_160
+    sum_162 = cos_beta * sum_161 - 18.0 * baseline_per_path
+    sum_163 = 6.0 - baseline_per_path * sum_162 + 16.0 * cos_beta_squared
+    del sum_159, sum_160, sum_161, sum_162
+    sum_164 = baseline_per_path * sum_163 - 7.0 * cos_beta
+    sum_165 = 1.0 - (product_6 - 4.0 * cos_beta) * baseline_per_path
+    sum_166 = 128.0 * sum_164 * sum_7_squared + 384.0 * sigma_beta_squared * sum_165 * sum_91
+    sum_167 = rho * sigma_beta * sin_beta * sum_1 * sum_166 * sum_2 - sigma_path_per_path * sum_158
+    del sum_163, sum_164, sum_91, sum_158, sum_166
+    sum_168 = sum_2_squared * sum_80 * term_5 - sigma_path_per_path * sum_167
+    sum_169 = sigma_beta * sum_168 - rho * sigma_path_per_path * sin_beta * sum_64
+    del sum_167, sum_80, sum_168, sum_64
+    sum_63_squared = sum_63**2
+    sum_170 = 2.0 + (product_2 - 4.0 * cos_beta) * baseline_per_path
+    sum_171 = (
+        2304.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
+        + 384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_170 * sum_7_squared
     )
-    del sum_245, sum_246, sum_247, sum_220, sum_237, sum_248
-    sum_250 = 125.0 - 144.0 * sin_beta_squared
-    sum_251 = 112.0 + 96.0 * sin_beta_squared
-    sum_252 = 172.0 - sin_beta_squared * sum_251
-    sum_253 = 14.0 - 291.0 * sin_beta_squared
-    sum_254 = 226.0 + 36.0 * sin_beta_squared
-    sum_255 = 154.0 - sin_beta_squared * sum_254
-    sum_256 = baseline * sum_255 - cos_beta * path * sum_253
-    del sum_251, sum_254, sum_253, sum_255
-    sum_257 = baseline * sum_256 - path_squared * sum_252
-    sum_258 = (71.0 + 37.0 * sin_beta_squared) * cos_beta * product_24 - path * sum_257
-    sum_259 = baseline * sum_258 - cos_beta * path_squared_squared * sum_250
-    del sum_252, sum_256, sum_257, sum_250, sum_258
-    sum_260 = (22.0 - 24.0 * sin_beta_squared) * product_6 + baseline * sum_259
-    sum_261 = 128.0 * baseline_squared * sigma_beta * sigma_path * sin_beta * sum_260 - rho * sum_249
-    sum_262 = cos_beta * (56.0 * path + product_19) - 18.0 * baseline
-    sum_263 = (49.0 - 58.0 * cos_beta_squared) * path_squared + baseline * sum_262
-    del sum_259, sum_249, sum_260, sum_262
-    sum_264 = baseline * sum_263 - (62.0 - 12.0 * cos_beta_squared) * cos_beta * product_5
-    sum_265 = 18.0 * baseline_squared + 2.0 * path_squared
-    sum_266 = cos_beta * sum_264 - path * sum_265
-    sum_267 = (16.0 + 49.0 * cos_beta_squared) * cos_beta * path_squared_squared + baseline * sum_266
-    del sum_263, sum_264, sum_265, sum_266
-    sum_268 = baseline * sum_267 - 30.0 * cos_beta_squared * product_6
-    sum_269 = 5.0 * cos_beta * path_squared_cubed + baseline * sum_268
-    sum_270 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_271 = 196.0 - 21.0 * cos_beta_squared
-    sum_272 = 121.0 - cos_beta_squared * sum_271
-    sum_273 = 280.0 - 126.0 * cos_beta_squared
-    sum_274 = 190.0 - 18.0 * cos_beta_squared
-    sum_275 = (24.0 - cos_beta_squared) * baseline - 46.0 * cos_beta * path
-    sum_276 = baseline * sum_275 - path_squared * sum_274
-    del sum_267, sum_268, sum_271, sum_274, sum_275
-    sum_277 = 146.0 * baseline * path + cos_beta * sum_276
-    sum_278 = 188.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_277
-    sum_279 = baseline * sum_278 - cos_beta * product_5 * sum_273
-    del sum_276, sum_277, sum_273, sum_278
-    sum_280 = baseline * sum_279 - path_squared_squared * sum_272
-    sum_281 = 72.0 * baseline_squared - 74.0 * path_squared
-    sum_282 = cos_beta * sum_280 - baseline * path * sum_281
-    del sum_272, sum_279, sum_280, sum_281
-    sum_283 = baseline * sum_282 - product_6 * sum_270
-    sum_284 = baseline * sum_283 - (2.0 + 22.0 * cos_beta_squared) * cos_beta * path_squared_cubed
-    sum_285 = 8.0 * cos_beta_squared * product_21 + baseline * sum_284
-    del sum_270, sum_282, sum_283, sum_284
-    sum_286 = baseline * sum_285 - cos_beta * term_4
-    sum_287 = (
-        64.0 * sigma_beta_squared * sum_286
-        - 768.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_207
-        - rho * sum_261
-        + 64.0 * sum_269 * sum_8_squared
+    sum_172 = (
+        64.0 * cos_beta_squared * sum_63_squared * sum_7_squared_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sum_171
     )
-    del sum_285, sum_207, sum_261, sum_269, sum_286
-    product_27 = -7.0 * cos_beta * path
-    sum_288 = 40.0 * path + cos_beta * (16.0 * baseline + product_27)
-    sum_289 = cos_beta * sum_288 - 36.0 * baseline
-    sum_290 = (16.0 - 22.0 * cos_beta_squared) * path_squared + baseline * sum_289
-    sum_291 = baseline * sum_290 - 7.0 * cos_beta * product_5
-    sum_292 = baseline + product_11
-    sum_293 = 64.0 * sum_292 * sum_8_squared - 32.0 * sigma_beta_squared * sum_291
-    del sum_288, sum_289, sum_290, sum_291
-    sum_294 = 4.0 * path + cos_beta * (4.0 * baseline + product_11)
-    sum_295 = cos_beta * sum_294 - 6.0 * baseline
-    sum_296 = (4.0 - 4.0 * cos_beta_squared) * path_squared + baseline * sum_295
-    sum_297 = product_9 + baseline * sum_296
-    del product_11, sum_294, sum_295, product_9, sum_296
+    sum_173 = sigma_path_per_path_squared * sum_172 + sigma_beta * sum_169
+    del product_2, sum_170, sum_171, sum_169, sum_172
+    sum_174 = 103.0 - 42.0 * sin_beta_squared
+    sum_175 = 62.0 - (77.0 - 18.0 * sin_beta_squared) * sin_beta_squared
+    sum_176 = 51.0 - 18.0 * sin_beta_squared - (5.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
+    sum_177 = 33.0 - 7.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_176
+    sum_178 = cos_beta * sum_175 - baseline_per_path * sum_177
+    sum_179 = 58.0 - baseline_per_path * sum_178 - sin_beta_squared * sum_174
+    del sum_176, sum_175, sum_177, sum_174, sum_178
+    sum_180 = (27.0 - 30.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_179
+    sum_181 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    sum_182 = (
+        1920.0
+        - 2304.0 * sin_beta_squared
+        - 384.0 * baseline_per_path * sum_180
+        + 2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_181
+    )
+    sum_183 = (
+        64.0 * (1.0 + cos_beta * sum_62) * sum_1 * sum_2 * sum_63 * sum_7_squared_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_182
+    )
+    del sum_179, sum_180, sum_181, sum_182, sum_62
+    sum_184 = 16.0 * baseline_per_path - 7.0 * cos_beta
+    sum_185 = cos_beta * (40.0 + cos_beta * sum_184) - 36.0 * baseline_per_path
+    sum_186 = 16.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_185
+    sum_187 = baseline_per_path * sum_186 - 7.0 * cos_beta
+    sum_188 = baseline_per_path - cos_beta
+    sum_189 = 64.0 * sum_188 * sum_7_squared - 32.0 * sigma_beta_squared * sum_187
+    del sum_184, sum_185, sum_186, sum_187
+    sum_190 = 4.0 * baseline_per_path - cos_beta
+    sum_191 = cos_beta * (4.0 + cos_beta * sum_190) - 6.0 * baseline_per_path
+    sum_192 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_191
+    sum_193 = baseline_per_path * sum_192 - cos_beta
     sigma_beta_squared_squared = sigma_beta_squared**2
-    sum_298 = sum_293 * sum_8_squared - 64.0 * sigma_beta_squared_squared * sum_297 * sum_67
-    sum_299 = path * sum_1_squared * sum_298 * sum_2_squared - sigma_path_squared * sum_287
-    del sum_293, sum_67, sum_287, sum_298
-    sum_300 = 1.0 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
-    sum_301 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_302 = 2.0 + (6.0 + 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_303 = 32.0 + (29.0 + 2.0 * sin_beta_squared) * sin_beta_squared
-    sum_304 = baseline * sum_303 - (98.0 + 32.0 * sin_beta_squared) * cos_beta * path
-    sum_305 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_306 = path_squared * sum_305 + baseline * sum_304
-    sum_307 = 3.0 * baseline + 8.0 * cos_beta * path
-    sum_308 = 21.0 * path_squared - baseline * sum_307 + sin_beta_squared * sum_306
-    del sum_303, sum_304, sum_305, sum_306, sum_307
-    sum_309 = cos_beta * product_24 * sum_302 + path * sum_308
-    sum_310 = baseline * sum_309 - cos_beta * path_squared_squared * sum_301
-    del product_24, sum_302, sum_308, sum_301, sum_309
-    sum_311 = baseline * sum_310 - product_6 * sum_300
-    sum_312 = 4.0 * cos_beta * path_squared_cubed + baseline * sum_311
-    sum_313 = baseline * sum_312 - (1.0 - 2.0 * sin_beta_squared) * product_21
-    del sum_300, sum_310, sum_311, sum_312
-    sum_314 = 107.0 * path + cos_beta * (22.0 * baseline + product_16)
-    sum_315 = 13.0 * baseline_squared - path * sum_314
-    sum_316 = 83.0 * baseline * path + cos_beta * sum_315
-    sum_317 = 119.0 * path_squared - 18.0 * baseline_squared + cos_beta * sum_316
-    del product_16, sum_314, sum_315, sum_316
-    sum_318 = baseline * sum_317 - (91.0 - 50.0 * cos_beta_squared) * cos_beta * product_5
-    sum_319 = 54.0 * baseline_squared - path_squared
-    sum_320 = cos_beta * sum_318 - path * sum_319
-    sum_321 = baseline * sum_320 - (3.0 - 32.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    del sum_317, sum_318, sum_319, sum_320
-    sum_322 = (7.0 - 14.0 * cos_beta_squared) * product_6 + baseline * sum_321
-    sum_323 = 64.0 * sum_322 * sum_8_squared - 192.0 * sigma_beta_squared * sum_313
-    sum_324 = sin_beta * sum_299 - rho * sigma_beta * sigma_path * sum_1 * sum_2 * sum_323
-    del sum_321, sum_313, sum_322, sum_299, sum_323
-    sum_325 = rho * sigma_path * sum_201 + sigma_beta * sum_324
-    sum_326 = 12.0 - 9.0 * sin_beta_squared
-    sum_327 = 1.0 + sin_beta_squared
-    sum_328 = baseline * cos_beta * sum_327 - (10.0 - 2.0 * sin_beta_squared) * path
-    sum_329 = 8.0 * path + product_1 + sin_beta_squared * sum_328
-    del sum_201, sum_324, product_1, sum_328
-    sum_330 = baseline * sum_329 - cos_beta * path_squared * sum_326
-    sum_331 = (8.0 - 8.0 * sin_beta_squared) * product_5 + baseline * sum_330
-    sum_332 = (
-        384.0 * baseline * sum_331
-        - 2304.0 * baseline_squared * cos_beta * sigma_path_squared * sin_beta_squared
-        - 768.0 * cos_beta * path_squared_squared
+    sum_194 = 64.0 * sigma_beta_squared_squared * sum_165 * sum_193 + sum_189 * sum_7_squared
+    del sum_190, sum_191, sum_192, sum_165, sum_189
+    sum_195 = 196.0 - 21.0 * cos_beta_squared
+    sum_196 = 280.0 - 126.0 * cos_beta_squared
+    sum_197 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
+    sum_198 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_197
+    sum_199 = cos_beta * sum_198 - 146.0 * baseline_per_path
+    sum_200 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_199
+    sum_201 = cos_beta * sum_196 - baseline_per_path * sum_200
+    del sum_197, sum_198, sum_199, sum_196, sum_200
+    sum_202 = 121.0 - cos_beta_squared * sum_195 + baseline_per_path * sum_201
+    sum_203 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_204 = cos_beta * sum_202 - baseline_per_path * sum_203
+    del sum_195, sum_201, sum_202, sum_203
+    sum_205 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_204
+    sum_206 = baseline_per_path * sum_205 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
+    sum_207 = baseline_per_path * sum_206 - 8.0 * cos_beta_squared
+    sum_208 = baseline_per_path * sum_207 + cos_beta
+    del sum_204, sum_205, sum_206, sum_207
+    sum_209 = 5.0 + sin_beta_squared
+    sum_210 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_209
+    sum_211 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_210
+    sum_212 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_211
+    sum_213 = baseline_per_path * sum_212 - cos_beta
+    sum_214 = 212.0 - 24.0 * cos_beta_squared
+    sum_215 = 308.0 - 129.0 * cos_beta_squared
+    sum_216 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
+    sum_217 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_216
+    del sum_210, sum_211, sum_212, sum_216
+    sum_218 = cos_beta * sum_217 - 139.0 * baseline_per_path
+    sum_219 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_218
+    sum_220 = cos_beta * sum_215 - baseline_per_path * sum_219
+    del sum_217, sum_218, sum_215, sum_219
+    sum_221 = 104.0 - cos_beta_squared * sum_214 + baseline_per_path * sum_220
+    sum_222 = 55.0 - 72.0 * baseline_per_path_squared
+    sum_223 = cos_beta * sum_221 - baseline_per_path * sum_222
+    del sum_214, sum_220, sum_221, sum_222
+    sum_224 = 1.0 - baseline_per_path * sum_223 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
+    sum_225 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_224
+    sum_226 = baseline_per_path * sum_225 - 16.0 * cos_beta_squared
+    sum_227 = 2.0 * cos_beta + baseline_per_path * sum_226
+    del sum_223, sum_224, sum_225, sum_226
+    sum_228 = 20.0 - 26.0 * sin_beta_squared - baseline_per_path * cos_beta * (11.0 + sin_beta_squared)
+    sum_229 = (6.0 - 15.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_228
+    sum_230 = 4.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_229
+    sum_231 = baseline_per_path * sum_230 - cos_beta
+    sum_232 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
+    sum_233 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_232
+    del sum_228, sum_229, sum_230, sum_232
+    sum_234 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_233
+    sum_235 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_234
+    sum_236 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_235
+    sum_237 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_236
+    del sum_233, sum_234, sum_235, sum_236
+    sum_238 = 1536.0 * sigma_path_per_path * sin_beta * sum_231 + 512.0 * rho * sigma_beta * sum_237
+    sum_239 = 106.0 - 30.0 * cos_beta_squared
+    sum_240 = 13.0 * baseline_per_path - 14.0 * cos_beta
+    sum_241 = cos_beta * (112.0 + cos_beta * sum_240) - 36.0 * baseline_per_path
+    sum_242 = 83.0 - 110.0 * cos_beta_squared + baseline_per_path * sum_241
+    del sum_231, sum_237, sum_240, sum_241
+    sum_243 = cos_beta * sum_239 - baseline_per_path * sum_242
+    sum_244 = 8.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_243
+    sum_245 = baseline_per_path * sum_244 + (14.0 + 77.0 * cos_beta_squared) * cos_beta
+    del sum_239, sum_242, sum_243, sum_244
+    sum_246 = baseline_per_path * sum_245 - 42.0 * cos_beta_squared
+    sum_247 = 7.0 * cos_beta + baseline_per_path * sum_246
+    sum_248 = (
+        64.0 * sum_247 * sum_7_squared
+        - 256.0 * sigma_beta_squared * sum_227
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_238
     )
-    sum_333 = (
-        64.0 * cos_beta * sum_56_squared * sum_8_squared_squared
-        - baseline_squared * sigma_path_squared * sin_beta_squared * sum_332
+    del sum_245, sum_246, sum_227, sum_238, sum_247
+    sum_249 = 125.0 - 144.0 * sin_beta_squared
+    sum_250 = 112.0 + 96.0 * sin_beta_squared
+    sum_251 = 14.0 - 291.0 * sin_beta_squared
+    sum_252 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
+    sum_253 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_252
+    sum_254 = cos_beta * sum_251 - baseline_per_path * sum_253
+    sum_255 = 172.0 - sin_beta_squared * sum_250 + baseline_per_path * sum_254
+    del sum_252, sum_251, sum_253, sum_250, sum_254
+    sum_256 = cos_beta * sum_249 - baseline_per_path * sum_255
+    sum_257 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_256
+    sum_258 = (
+        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_257
+        - rho * sum_248
     )
-    del sum_329, sum_330, sum_331, sum_332, sum_56_squared
-    sum_334 = sigma_path_squared * sin_beta * sum_333 + sigma_beta * sum_325
-    sum_335 = 5.0 - sin_beta_squared * (4.0 + sin_beta_squared)
-    sum_336 = baseline * sum_335 - (23.0 - 11.0 * sin_beta_squared) * cos_beta * path
-    sum_337 = 42.0 - (45.0 - 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_338 = path_squared * sum_337 + baseline * sum_336
-    del sum_325, sum_333, sum_335, sum_336, sum_337
-    sum_339 = baseline * sum_338 - (38.0 - 21.0 * sin_beta_squared) * cos_beta * product_5
-    sum_340 = (17.0 - 15.0 * sin_beta_squared) * path_squared_squared + baseline * sum_339
-    sum_341 = (
-        13824.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_292
-        - 2304.0 * cos_beta * product_6
-        + 768.0 * baseline * sum_340
+    del sum_249, sum_255, sum_256, sum_248, sum_257
+    sum_259 = cos_beta * (56.0 + product_9) - 18.0 * baseline_per_path
+    sum_260 = 49.0 - 58.0 * cos_beta_squared + baseline_per_path * sum_259
+    sum_261 = (62.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_260
+    sum_262 = 2.0 + 18.0 * baseline_per_path_squared + cos_beta * sum_261
+    sum_263 = (16.0 + 49.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_262
+    del sum_259, sum_260, sum_261, sum_262
+    sum_264 = baseline_per_path * sum_263 - 30.0 * cos_beta_squared
+    sum_265 = 5.0 * cos_beta + baseline_per_path * sum_264
+    sum_266 = (
+        64.0 * sum_265 * sum_7_squared
+        - 64.0 * sigma_beta_squared * sum_208
+        - 768.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_213
+        - rho * sum_258
     )
-    sum_342 = (
-        128.0 * sum_1 * sum_2 * sum_292 * sum_56 * sum_8_squared_squared
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_341
+    del sum_263, sum_264, sum_208, sum_213, sum_258, sum_265
+    sum_267 = sum_194 * sum_2_squared * term_5 - sigma_path_per_path_squared * sum_266
+    sum_268 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_269 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_270 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_271 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
+    sum_272 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_271
+    sum_273 = 3.0 - sin_beta_squared * sum_272 + product_1
+    del sum_194, sum_266, sum_271, sum_272
+    sum_274 = baseline_per_path * sum_273 + cos_beta * sum_270
+    sum_275 = 21.0 - baseline_per_path * sum_274 + sin_beta_squared * sum_269
+    del sum_270, sum_273, sum_269, sum_274
+    sum_276 = cos_beta * sum_268 - baseline_per_path * sum_275
+    sum_277 = 1.0 + baseline_per_path * sum_276 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
+    sum_278 = baseline_per_path * sum_277 - 4.0 * cos_beta
+    del sum_268, sum_275, sum_276, sum_277
+    sum_279 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_278
+    sum_280 = 13.0 * baseline_per_path - 22.0 * cos_beta
+    sum_281 = 107.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_280
+    sum_282 = cos_beta * sum_281 - 83.0 * baseline_per_path
+    sum_283 = 119.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_282
+    del sum_278, sum_280, sum_281, sum_282
+    sum_284 = (91.0 - 50.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_283
+    sum_285 = 1.0 - 54.0 * baseline_per_path_squared - cos_beta * sum_284
+    sum_286 = (3.0 - 32.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_285
+    sum_287 = 7.0 - 14.0 * cos_beta_squared - baseline_per_path * sum_286
+    del sum_283, sum_284, sum_285, sum_286
+    sum_288 = 192.0 * sigma_beta_squared * sum_279 + 64.0 * sum_287 * sum_7_squared
+    sum_289 = rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_288 + sin_beta * sum_267
+    del sum_279, sum_287, sum_267, sum_288
+    sum_290 = sigma_beta * sum_289 - rho * sigma_path_per_path * sum_183
+    sum_291 = 1.0 + sin_beta_squared
+    sum_292 = 10.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_291
+    sum_293 = 8.0 - sin_beta_squared * sum_292 + product_1
+    del sum_183, sum_289, product_1, sum_292
+    sum_294 = (12.0 - 9.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_293
+    sum_295 = 8.0 - 8.0 * sin_beta_squared - baseline_per_path * sum_294
+    sum_296 = (
+        384.0 * baseline_per_path * sum_295
+        - 2304.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
+        - 768.0 * cos_beta
     )
-    del sum_338, sum_339, sum_340, sum_341, sum_56, sum_8_squared_squared
-    sum_343 = 47.0 * path + cos_beta * (32.0 * baseline + product_27)
-    sum_344 = 28.0 * baseline_squared - path * sum_343
-    sum_345 = 52.0 * baseline * path + cos_beta * sum_344
-    sum_346 = 28.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_345
-    del product_27, sum_343, sum_344, sum_345
-    sum_347 = baseline * sum_346 - (26.0 - 22.0 * cos_beta_squared) * cos_beta * product_5
-    sum_348 = baseline * sum_347 - path_squared_squared * sum_148
-    sum_349 = 64.0 * sum_292**2 * sum_8_squared - 32.0 * sigma_beta_squared * sum_348
-    del sum_346, sum_148, sum_347, sum_348
-    sum_350 = 64.0 * sigma_beta_squared_squared * sum_297**2 + sum_349 * sum_8_squared
-    product_28 = 4.0 * cos_beta * product_5
-    sum_351 = baseline * (8.0 + sin_beta_squared) + product_25
-    sum_352 = (3.0 - 6.0 * sin_beta_squared) * path_squared + baseline * sum_351
-    sum_353 = product_28 + baseline * sum_352
-    del sigma_beta_squared_squared, sum_349, sum_351, sum_352
-    sum_354 = baseline * sum_353 - path_squared_squared
-    sum_355 = (27.0 + 9.0 * sin_beta_squared) * baseline - (68.0 + 6.0 * sin_beta_squared) * cos_beta * path
-    sum_356 = (38.0 - 63.0 * sin_beta_squared) * path_squared + baseline * sum_355
-    sum_357 = (24.0 + 16.0 * sin_beta_squared) * cos_beta * product_5 + baseline * sum_356
-    sum_358 = baseline * sum_357 - path_squared_squared * sum_212
-    del sum_353, sum_355, sum_356, sum_212, sum_357
-    sum_359 = 4.0 * cos_beta * product_6 + baseline * sum_358
-    sum_360 = baseline * (17.0 + sin_beta_squared) - 32.0 * cos_beta * path
-    sum_361 = (12.0 - 15.0 * sin_beta_squared) * path_squared + baseline * sum_360
-    sum_362 = product_28 + baseline * sum_361
-    sum_363 = baseline * sum_362 - path_squared_squared
-    del sum_358, sum_360, sum_361, sum_362
-    sum_364 = baseline * sum_203 - cos_beta * path * (13.0 + sin_beta_squared)
-    sum_365 = path_squared * sum_202 + baseline * sum_364
-    sum_366 = cos_beta * product_5 * sum_76 + baseline * sum_365
-    del sum_203, sum_202, sum_364, sum_365, sum_76
-    sum_367 = baseline * sum_366 - (5.0 - 4.0 * sin_beta_squared) * path_squared_squared
-    sum_368 = cos_beta * product_6 + baseline * sum_367
-    sum_369 = 1536.0 * sigma_path * sin_beta * sum_363 + 3072.0 * rho * sigma_beta * sum_368
-    del sum_366, sum_367, sum_363, sum_368
-    sum_370 = 768.0 * sigma_beta * sum_359 + rho * sum_369
-    sum_371 = 768.0 * sigma_path * sin_beta * sum_354 + rho * sum_370
-    del sum_359, sum_369, sum_354, sum_370
-    product_29 = -8.0 * cos_beta * product_21
-    sum_372 = 86.0 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    sum_373 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
-    sum_374 = baseline * sum_373 - (95.0 + 31.0 * sin_beta_squared) * cos_beta * path
-    sum_375 = 67.0 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_376 = path_squared * sum_375 + baseline * sum_374
-    del product_21, sum_373, sum_374, sum_375
-    sum_377 = (58.0 + 83.0 * sin_beta_squared) * cos_beta * product_5 + baseline * sum_376
-    sum_378 = baseline * sum_377 - path_squared_squared * sum_372
-    sum_379 = (13.0 - 36.0 * sin_beta_squared) * cos_beta * product_6 + baseline * sum_378
-    del sum_376, sum_372, sum_377, sum_378
-    sum_380 = (19.0 - 13.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_379
-    sum_381 = product_29 + baseline * sum_380
-    sum_382 = 146.0 + 21.0 * sin_beta_squared
-    sum_383 = 122.0 - sin_beta_squared * sum_382
-    sum_384 = 140.0 + 76.0 * sin_beta_squared
-    sum_385 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
-    sum_386 = baseline * sum_385 - cos_beta * path * sum_384
-    del sum_379, sum_380, sum_382, sum_384, sum_385
-    sum_387 = 214.0 + 18.0 * sin_beta_squared
-    sum_388 = 76.0 - sin_beta_squared * sum_387
-    sum_389 = path_squared * sum_388 + baseline * sum_386
-    sum_390 = 112.0 + 164.0 * sin_beta_squared
-    sum_391 = cos_beta * product_5 * sum_390 + baseline * sum_389
-    del sum_387, sum_386, sum_388, sum_389, sum_390
-    sum_392 = baseline * sum_391 - path_squared_squared * sum_383
-    sum_393 = (4.0 - 72.0 * sin_beta_squared) * cos_beta * product_6 + baseline * sum_392
-    sum_394 = (28.0 - 22.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_393
-    del sum_383, sum_391, sum_392, sum_393
-    sum_395 = product_29 + baseline * sum_394
-    sum_396 = 512.0 * rho_squared * (baseline * sum_381 + term_4) + 64.0 * baseline * sum_395 + 64.0 * term_4
-    sum_397 = baseline_squared * sigma_path * sin_beta * sum_371 + sigma_beta_squared * sum_396
-    del sum_394, sum_381, sum_395, sum_371, sum_396
-    sum_398 = 8.0 - (4.0 + 49.0 * cos_beta_squared) * cos_beta_squared
-    sum_399 = cos_beta * (86.0 * path + product_19) - 38.0 * baseline
-    sum_400 = 117.0 - 66.0 * cos_beta_squared
-    sum_401 = path_squared * sum_400 + baseline * sum_399
-    sum_402 = baseline * sum_401 - (88.0 - 12.0 * cos_beta_squared) * cos_beta * product_5
-    del product_19, sum_399, sum_400, sum_401
-    sum_403 = 100.0 * baseline_squared - 16.0 * path_squared
-    sum_404 = cos_beta * sum_402 - path * sum_403
-    sum_405 = 36.0 * baseline_squared - 6.0 * path_squared
-    sum_406 = cos_beta * sum_404 + baseline * sum_405
-    del sum_402, sum_403, sum_404, sum_405
-    sum_407 = baseline * sum_406 - path_squared_squared * sum_398
-    sum_408 = (12.0 - 30.0 * cos_beta_squared) * cos_beta * product_6 + baseline * sum_407
-    sum_409 = 10.0 + (22.0 - 77.0 * cos_beta_squared) * cos_beta_squared
-    sum_410 = 140.0 - 30.0 * cos_beta_squared
-    sum_411 = 166.0 * path + cos_beta * (19.0 * baseline + product_25)
-    del sum_398, sum_406, sum_407, product_25
-    sum_412 = cos_beta * sum_411 - 88.0 * baseline
-    sum_413 = 207.0 - 132.0 * cos_beta_squared
-    sum_414 = path_squared * sum_413 + baseline * sum_412
-    sum_415 = baseline * sum_414 - cos_beta * product_5 * sum_410
-    del sum_411, sum_412, sum_413, sum_410, sum_414
-    sum_416 = 170.0 * baseline_squared - 50.0 * path_squared
-    sum_417 = cos_beta * sum_415 - path * sum_416
-    sum_418 = 72.0 * baseline_squared - 30.0 * path_squared
-    sum_419 = cos_beta * sum_417 + baseline * sum_418
-    del sum_415, sum_416, sum_417, sum_418
-    sum_420 = baseline * sum_419 - path_squared_squared * sum_409
-    sum_421 = (24.0 - 42.0 * cos_beta_squared) * cos_beta * product_6 + baseline * sum_420
-    sum_422 = baseline * sum_421 - path_squared_cubed * sum_174
-    del sum_409, sum_419, sum_420, sum_174, sum_421
-    sum_423 = (
-        64.0 * rho_squared * sum_422
-        - 64.0 * (2.0 - 5.0 * cos_beta_squared) * path_squared_cubed
-        + 64.0 * baseline * sum_408
+    sum_297 = (
+        64.0 * cos_beta * sum_63_squared * sum_7_squared_squared
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_296
     )
-    sum_424 = sin_beta_squared * sum_397 + sum_423 * sum_8_squared
-    del rho_squared, sum_408, sum_422, sum_397, sum_423
-    sum_425 = 46.0 * path + cos_beta * (13.0 * baseline + product_13)
-    sum_426 = cos_beta * sum_425 - 36.0 * baseline
-    sum_427 = (13.0 - 25.0 * cos_beta_squared) * path_squared + baseline * sum_426
-    sum_428 = baseline * sum_427 - 16.0 * cos_beta * product_5
-    del product_13, sum_425, sum_426, sum_427
-    sum_429 = 7.0 * path_squared_squared + baseline * sum_428
-    sum_430 = product_8 - 8.0 * cos_beta * path
-    sum_431 = baseline * sum_430 - (3.0 - 3.0 * cos_beta_squared) * path_squared
-    del sum_428, product_8, cos_beta_squared, sum_430
-    sum_432 = product_28 + baseline * sum_431
-    sum_433 = baseline * sum_432 - path_squared_squared
-    sum_434 = 128.0 * sum_292 * sum_429 * sum_8_squared + 384.0 * sigma_beta_squared * sum_297 * sum_433
-    del product_28, sum_431, sum_432, sigma_beta_squared, sum_292, sum_297, sum_429, sum_433, sum_8_squared
-    sum_435 = rho * sigma_beta * sin_beta * sum_1 * sum_2 * sum_434 - sigma_path * sum_424
-    del sum_1, sum_2, sum_424, sum_434
-    sum_436 = sum_1_squared * sum_2_squared * sum_350 - sigma_path * sum_435
-    del sum_1_squared, sum_2_squared, sum_350, sum_435
-    sum_437 = rho * sigma_path * sin_beta * sum_342 + sigma_beta * sum_436
-    sum_438 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
-    sum_439 = 54.0 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_440 = (12.0 - 4.0 * sin_beta_squared) * baseline * cos_beta - path * sum_439
-    del sin_beta, sum_342, sum_436, sum_439
-    sum_441 = 28.0 * path - 8.0 * baseline * cos_beta + sin_beta_squared * sum_440
-    sum_442 = baseline_squared * sum_178 + path * sum_441
-    sum_443 = baseline * sum_442 - cos_beta * product_5 * sum_438
-    del sum_440, sum_178, sum_441, sum_438, sum_442
-    sum_444 = 110.0 - 41.0 * sin_beta_squared
-    sum_445 = 70.0 - sin_beta_squared * sum_444
-    sum_446 = path_squared_squared * sum_445 + baseline * sum_443
-    sum_447 = baseline * sum_446 - (56.0 - 44.0 * sin_beta_squared) * cos_beta * product_6
-    del sum_444, sum_443, sum_445, product_6, sum_446
-    sum_448 = (28.0 - 26.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_447
-    sum_449 = product_29 + baseline * sum_448
-    del path_squared_cubed, sum_447, product_29, sum_448
-    sum_450 = 2.0 - sin_beta_squared * sum_327
-    sum_451 = baseline * sum_450 - (8.0 - 2.0 * sin_beta_squared) * cos_beta * path
-    sum_452 = path_squared * sum_326 + baseline * sum_451
-    del sum_327, sum_450, path_squared, sum_326, sum_451
-    sum_453 = baseline * sum_452 - 8.0 * cos_beta * product_5
-    sum_454 = (
-        2304.0 * baseline_squared * sigma_path_squared * sin_beta_squared
-        + 384.0 * baseline * sum_453
-        + 768.0 * path_squared_squared
+    del sum_293, sum_294, sum_295, sum_296, sum_63_squared
+    sum_298 = sigma_path_per_path_squared * sin_beta * sum_297 + sigma_beta * sum_290
+    sum_299 = 5.0 - sin_beta_squared * (4.0 + sin_beta_squared)
+    sum_300 = (23.0 - 11.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_299
+    sum_301 = 42.0 - baseline_per_path * sum_300 - (45.0 - 9.0 * sin_beta_squared) * sin_beta_squared
+    del sum_290, sum_297, sum_299, sum_300
+    sum_302 = (38.0 - 21.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_301
+    sum_303 = 17.0 - 15.0 * sin_beta_squared - baseline_per_path * sum_302
+    sum_304 = (
+        13824.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_188
+        - 2304.0 * cos_beta
+        + 768.0 * baseline_per_path * sum_303
     )
-    del cos_beta, product_5, sum_452, path_squared_squared, sum_453
-    sum_455 = (
-        64.0 * baseline * sum_449
-        + 64.0 * term_4
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_454
+    sum_305 = (
+        128.0 * sum_1 * sum_188 * sum_2 * sum_63 * sum_7_squared_squared
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_304
     )
-    del baseline_squared, sum_449, sum_454, term_4
-    sum_456 = sigma_path_squared * sin_beta_squared * sum_455 + sigma_beta * sum_437
-    del sigma_path_squared, sin_beta_squared, sum_437, sum_455
-    mean[..., 0] = -sum_27 * term_2
-    mean[..., 1] = -sum_54 * term_2
-    covariance[..., 0, 0] = sum_189 * term_3
-    del sum_27, sum_54, term_2, sum_189
-    covariance[..., 0, 1] = sum_334 * term_3
+    del sum_301, sum_302, sum_303, sum_304, sum_63, sum_7_squared_squared
+    sum_306 = 28.0 * baseline_per_path - 32.0 * cos_beta
+    sum_307 = 47.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_306
+    sum_308 = cos_beta * sum_307 - 52.0 * baseline_per_path
+    sum_309 = 28.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_308
+    sum_310 = (26.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_309
+    del sum_306, sum_307, sum_308, sum_309
+    sum_311 = 3.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_310
+    sum_312 = 32.0 * sigma_beta_squared * sum_311 + 64.0 * sum_188**2 * sum_7_squared
+    sum_313 = 64.0 * sigma_beta_squared_squared * sum_193**2 + sum_312 * sum_7_squared
+    del sum_310, sum_311, sigma_beta_squared_squared, sum_312
+    sum_314 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
+    sum_315 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_314
+    sum_316 = 67.0 - baseline_per_path * sum_315 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
+    sum_317 = baseline_per_path * sum_316 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
+    sum_318 = 86.0 - baseline_per_path * sum_317 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    del sum_314, sum_315, sum_316, sum_317
+    sum_319 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_318
+    sum_320 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_319
+    sum_321 = baseline_per_path * sum_320 - 8.0 * cos_beta
+    sum_322 = 1.0 + baseline_per_path * sum_321
+    del sum_318, sum_319, sum_320, sum_321
+    sum_323 = 146.0 + 21.0 * sin_beta_squared
+    sum_324 = 112.0 + 164.0 * sin_beta_squared
+    sum_325 = 214.0 + 18.0 * sin_beta_squared
+    sum_326 = 140.0 + 76.0 * sin_beta_squared
+    sum_327 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
+    sum_328 = cos_beta * sum_326 - baseline_per_path * sum_327
+    sum_329 = 76.0 - baseline_per_path * sum_328 - sin_beta_squared * sum_325
+    del sum_326, sum_327, sum_325, sum_328
+    sum_330 = baseline_per_path * sum_329 + cos_beta * sum_324
+    sum_331 = 122.0 - baseline_per_path * sum_330 - sin_beta_squared * sum_323
+    del sum_324, sum_329, sum_323, sum_330
+    sum_332 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_331
+    sum_333 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_332
+    sum_334 = baseline_per_path * sum_333 - 8.0 * cos_beta
+    sum_335 = 64.0 + 512.0 * rho_squared * sum_322 + 64.0 * baseline_per_path * sum_334
+    del sum_331, sum_332, sum_333, sum_322, sum_334
+    sum_336 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
+    sum_337 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_336
+    sum_338 = 4.0 * cos_beta + baseline_per_path * sum_337
+    sum_339 = 1.0 - baseline_per_path * sum_338
+    sum_340 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
+    sum_341 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_340
+    del sum_336, sum_337, sum_338, sum_340
+    sum_342 = baseline_per_path * sum_341 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    sum_343 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_342
+    sum_344 = baseline_per_path * sum_343 - 4.0 * cos_beta
+    sum_345 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
+    sum_346 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_345
+    del sum_341, sum_342, sum_343, sum_345
+    sum_347 = 4.0 * cos_beta + baseline_per_path * sum_346
+    sum_348 = 1.0 - baseline_per_path * sum_347
+    sum_349 = cos_beta * (13.0 + sin_beta_squared) - baseline_per_path * sum_209
+    sum_350 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_349
+    del sum_346, sum_347, sum_209, sum_349
+    sum_351 = baseline_per_path * sum_350 + cos_beta * sum_81
+    sum_352 = 5.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_351
+    sum_353 = baseline_per_path * sum_352 - cos_beta
+    del sum_350, sum_81, sum_351, sum_352
+    sum_354 = 1536.0 * sigma_path_per_path * sin_beta * sum_348 + 3072.0 * rho * sigma_beta * sum_353
+    sum_355 = 768.0 * sigma_beta * sum_344 + rho * sum_354
+    del sum_348, sum_353, sum_344, sum_354
+    sum_356 = 768.0 * sigma_path_per_path * sin_beta * sum_339 + rho * sum_355
+    sum_357 = (
+        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_356
+        - sigma_beta_squared * sum_335
+    )
+    del sum_339, sum_355, sum_335, sum_356
+    sum_358 = cos_beta * (86.0 + product_9) - 38.0 * baseline_per_path
+    sum_359 = 117.0 - 66.0 * cos_beta_squared + baseline_per_path * sum_358
+    sum_360 = (88.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_359
+    sum_361 = 16.0 - 100.0 * baseline_per_path_squared - cos_beta * sum_360
+    del product_9, sum_358, sum_359, sum_360
+    sum_362 = 6.0 - 36.0 * baseline_per_path_squared
+    sum_363 = cos_beta * sum_361 - baseline_per_path * sum_362
+    sum_364 = 8.0 - baseline_per_path * sum_363 - (4.0 + 49.0 * cos_beta_squared) * cos_beta_squared
+    sum_365 = (12.0 - 30.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_364
+    del sum_361, sum_362, sum_363, sum_364
+    sum_366 = 140.0 - 30.0 * cos_beta_squared
+    sum_367 = 19.0 * baseline_per_path - 14.0 * cos_beta
+    sum_368 = cos_beta * (166.0 + cos_beta * sum_367) - 88.0 * baseline_per_path
+    sum_369 = 207.0 - 132.0 * cos_beta_squared + baseline_per_path * sum_368
+    sum_370 = cos_beta * sum_366 - baseline_per_path * sum_369
+    del sum_367, sum_368, sum_366, sum_369
+    sum_371 = 50.0 - 170.0 * baseline_per_path_squared - cos_beta * sum_370
+    sum_372 = 30.0 - 72.0 * baseline_per_path_squared
+    sum_373 = cos_beta * sum_371 - baseline_per_path * sum_372
+    sum_374 = 10.0 - baseline_per_path * sum_373 + (22.0 - 77.0 * cos_beta_squared) * cos_beta_squared
+    del sum_370, sum_371, sum_372, sum_373
+    sum_375 = (24.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_374
+    sum_376 = 4.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_375
+    sum_377 = (
+        128.0
+        - 320.0 * cos_beta_squared
+        - 64.0 * baseline_per_path * sum_365
+        + 64.0 * rho_squared * sum_376
+    )
+    del sum_374, sum_375, rho_squared, sum_365, sum_376
+    sum_378 = sin_beta_squared * sum_357 + sum_377 * sum_7_squared
+    sum_379 = 3.0 - 3.0 * cos_beta_squared - (product_6 - 8.0 * cos_beta) * baseline_per_path
+    sum_380 = baseline_per_path * sum_379 - 4.0 * cos_beta
+    del sum_357, sum_377, product_6, sum_379
+    sum_381 = 1.0 + baseline_per_path * sum_380
+    sum_382 = 13.0 * baseline_per_path - 2.0 * cos_beta
+    sum_383 = cos_beta * (46.0 + cos_beta * sum_382) - 36.0 * baseline_per_path
+    sum_384 = 13.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_383
+    del sum_380, sum_382, cos_beta_squared, sum_383
+    sum_385 = baseline_per_path * sum_384 - 16.0 * cos_beta
+    sum_386 = 7.0 + baseline_per_path * sum_385
+    sum_387 = 128.0 * sum_188 * sum_386 * sum_7_squared - 384.0 * sigma_beta_squared * sum_193 * sum_381
+    del sum_384, sum_385, sigma_beta_squared, sum_188, sum_193, sum_381, sum_386, sum_7_squared
+    sum_388 = rho * sigma_beta * sin_beta * sum_1 * sum_2 * sum_387 - sigma_path_per_path * sum_378
+    del sum_1, sum_2, sum_378, sum_387
+    sum_389 = sigma_path_per_path * sum_388 + sum_2_squared * sum_313 * term_5
+    del sum_2_squared, sum_313, sum_388, term_5
+    sum_390 = sigma_beta * sum_389 - rho * sigma_path_per_path * sin_beta * sum_305
+    del sigma_path_per_path, sin_beta, sum_305, sum_389
+    sum_391 = 110.0 - 41.0 * sin_beta_squared
+    sum_392 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
+    sum_393 = (12.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_74
+    sum_394 = 54.0 - baseline_per_path * sum_393 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
+    sum_395 = baseline_per_path - 8.0 * cos_beta
+    sum_396 = 28.0 - sin_beta_squared * sum_394 + baseline_per_path * sum_395
+    del sum_74, sum_393, sum_394, sum_395
+    sum_397 = cos_beta * sum_392 - baseline_per_path * sum_396
+    sum_398 = 70.0 - baseline_per_path * sum_397 - sin_beta_squared * sum_391
+    del sum_392, sum_396, sum_391, sum_397
+    sum_399 = (56.0 - 44.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_398
+    sum_400 = 28.0 - 26.0 * sin_beta_squared - baseline_per_path * sum_399
+    sum_401 = baseline_per_path * sum_400 - 8.0 * cos_beta
+    sum_402 = 2.0 - sin_beta_squared * sum_291
+    del sum_398, sum_399, sum_400, sum_291
+    sum_403 = (8.0 - 2.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_402
+    sum_404 = 12.0 - 9.0 * sin_beta_squared - baseline_per_path * sum_403
+    sum_405 = baseline_per_path * sum_404 - 8.0 * cos_beta
+    del sum_402, sum_403, cos_beta, sum_404
+    sum_406 = (
+        768.0
+        + 2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
+        + 384.0 * baseline_per_path * sum_405
+    )
+    sum_407 = (
+        64.0
+        + 64.0 * baseline_per_path * sum_401
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_406
+    )
+    del sum_405, baseline_per_path, baseline_per_path_squared, sum_401, sum_406
+    sum_408 = sigma_path_per_path_squared * sin_beta_squared * sum_407 + sigma_beta * sum_390
+    del sigma_path_per_path_squared, sin_beta_squared, sum_390, sum_407
+    mean[..., 0] = path * sum_29 * term_3
+    mean[..., 1] = path * sum_56 * term_3
+    covariance[..., 0, 0] = path_squared * sum_173 * term_4
+    del sum_29, sum_56, term_3, sum_173
+    covariance[..., 0, 1] = path_squared * sum_298 * term_4
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sum_456 * term_3
+    covariance[..., 1, 1] = path_squared * sum_408 * term_4
+    del sum_298, path_squared, sum_408, term_4
 
 
 def bistatic_unbiased(
@@ -1029,703 +970,642 @@ def bistatic_unbiased(
     Mean: unbiased estimate of the position, to fourth order. Covariance: error covariance of the unbiased
     estimate u, to fourth order, completed to a sum of squares.
     """
+    term_1 = 1.0 / path
+    baseline_per_path = baseline * term_1
+    sigma_path_per_path = sigma_path * term_1
     cos_beta = np.cos(beta)
-    divisor_1 = 2.0 * path - 2.0 * baseline * cos_beta
-    sigma_path_squared = sigma_path**2
+    product_1 = -2.0 * baseline_per_path * cos_beta
+    divisor_1 = 2.0 + product_1
     sin_beta = np.sin(beta)
     sin_beta_squared = sin_beta**2
-    sum_1 = 2.0 - 2.0 * sin_beta_squared
-    sum_2 = 1.0 - sin_beta_squared
-    sum_3 = baseline * cos_beta * sum_2 - path * sum_1
-    path_squared = path**2
-    baseline_squared = baseline**2
-    sum_4 = 16.0 * cos_beta * path_squared - 48.0 * cos_beta * sigma_path_squared + 16.0 * baseline * sum_3
-    product_1 = -3.0 * cos_beta * path
+    sum_1 = 1.0 - sin_beta_squared
+    sum_2 = 2.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_1
+    sigma_path_per_path_squared = sigma_path_per_path**2
+    baseline_per_path_squared = baseline_per_path**2
+    sum_3 = 16.0 * baseline_per_path * sum_2 - 16.0 * cos_beta + 48.0 * cos_beta * sigma_path_per_path_squared
     cos_beta_squared = cos_beta**2
-    sum_5 = (3.0 - cos_beta_squared) * baseline + product_1
-    product_2 = baseline * cos_beta
-    sum_6 = product_2 - path
-    sum_6_squared = sum_6**2
-    sum_7 = baseline * (path + product_2) - 3.0 * cos_beta * path_squared
-    product_3 = path * path_squared
+    sum_4 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
+    product_2 = baseline_per_path * cos_beta
+    sum_5 = product_2 - 1.0
+    sum_5_squared = sum_5**2
+    sum_6 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
+    del term_1, sum_2, sum_5, product_2
+    sum_7 = 1.0 + baseline_per_path * sum_6
     sum_8 = (
-        16.0 * (product_3 + baseline * sum_7) * sum_6_squared
-        - 48.0 * baseline_squared * (cos_beta * sum_5 + path) * sigma_path_squared
+        16.0 * sum_5_squared * sum_7
+        - 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_4) * sigma_path_per_path_squared
     )
-    del sum_3, sum_6, product_2, sum_5, sum_7
-    product_4 = -cos_beta * product_3
-    product_5 = -11.0 * cos_beta * path
-    product_6 = (20.0 - cos_beta_squared) * baseline
-    sum_9 = 20.0 * path + cos_beta * (product_5 + product_6)
-    sum_10 = cos_beta * sum_9 - 24.0 * baseline
-    sum_11 = (8.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_10
+    sum_9 = 1.0 - baseline_per_path
+    product_3 = (20.0 - cos_beta_squared) * baseline_per_path
+    sum_10 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
+    sum_11 = cos_beta * sum_10 - 24.0 * baseline_per_path
+    del sum_6, sum_4, sum_7, sum_10
+    sum_12 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_11
     sigma_beta_squared = sigma_beta**2
-    product_7 = -cos_beta * path
-    product_8 = (2.0 - cos_beta_squared) * baseline
-    sum_12 = baseline + path
-    sum_13 = baseline - path
-    sum_14 = (
-        2.0 * (product_4 + baseline * sum_11) * sigma_beta_squared
-        + 8.0 * (product_7 + product_8) * sum_6_squared
-    )
-    product_9 = path * path_squared**2
-    path_squared_squared = path_squared**2
-    product_10 = 5.0 * cos_beta * path_squared_squared
-    product_11 = (6.0 - cos_beta_squared) * baseline
-    sum_15 = baseline * (product_11 + product_5) - (29.0 - 3.0 * cos_beta_squared) * path_squared
-    del sum_9, sum_10, sum_11, product_5
-    sum_16 = 18.0 * baseline * path + cos_beta * sum_15
-    sum_17 = baseline * sum_16 - (7.0 - 17.0 * cos_beta_squared) * product_3
-    sum_18 = baseline * (product_10 + baseline * sum_17) - product_9
-    sum_19 = 13.0 * path + cos_beta * (4.0 * baseline + product_1)
-    sum_20 = cos_beta * sum_19 - 6.0 * baseline
-    del sum_15, sum_16, sum_17, sum_19
-    sum_21 = (7.0 - 9.0 * cos_beta_squared) * path_squared + baseline * sum_20
+    sum_13 = baseline_per_path * sum_12 - cos_beta
+    product_4 = (2.0 - cos_beta_squared) * baseline_per_path
+    sum_14 = 1.0 + baseline_per_path
+    sum_15 = 2.0 * sigma_beta_squared * sum_13 + 8.0 * (product_4 - cos_beta) * sum_5_squared
+    product_5 = (6.0 - cos_beta_squared) * baseline_per_path
+    sum_16 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
+    sum_17 = cos_beta * sum_16 - 18.0 * baseline_per_path
+    del sum_11, sum_12, sum_13, sum_16
+    sum_18 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_17
+    sum_19 = baseline_per_path * sum_18 - 5.0 * cos_beta
+    sum_20 = 1.0 + baseline_per_path * sum_19
+    sum_21 = 4.0 * baseline_per_path - 3.0 * cos_beta
+    sum_22 = cos_beta * (13.0 + cos_beta * sum_21) - 6.0 * baseline_per_path
+    del sum_17, sum_18, sum_19, sum_21
+    sum_23 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_22
     rho_squared = rho**2
-    sum_22 = cos_beta * sum_21 - 6.0 * baseline * path
-    sum_23 = (
-        (8.0 + 16.0 * rho_squared) * baseline_squared * sigma_path * sum_22
-        - 8.0 * rho * sigma_beta * sin_beta * sum_18
+    sum_24 = cos_beta * sum_23 - 6.0 * baseline_per_path
+    sum_25 = (
+        8.0 * rho * sigma_beta * sin_beta * sum_20
+        + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_24
     )
-    del sum_20, sum_21, sum_18, sum_22
-    sum_24 = path * sum_12 * sum_13 * sum_14 + sigma_path * sum_23
-    sum_25 = rho * sigma_path * sin_beta * sum_8 + sigma_beta * sum_24
-    del sum_14, sum_23, sum_24, sum_8
-    sum_6_squared_squared = sum_6_squared**2
-    term_1 = 1.0 / (divisor_1 * (divisor_1**2)**2)
-    sum_26 = (
-        16.0 * cos_beta * sum_12 * sum_13 * sum_6_squared_squared
-        - baseline_squared * sigma_path_squared * sin_beta_squared * sum_4
-        - sigma_beta * sum_25
+    del sum_22, sum_23, sum_20, sum_24
+    sum_26 = sum_14 * sum_15 * sum_9 - sigma_path_per_path * sum_25
+    sum_27 = sigma_beta * sum_26 - rho * sigma_path_per_path * sin_beta * sum_8
+    del sum_15, sum_25, sum_26, sum_8
+    sum_5_squared_squared = sum_5_squared**2
+    term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
+    sum_28 = (
+        16.0 * cos_beta * sum_14 * sum_5_squared_squared * sum_9
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_3
+        - sigma_beta * sum_27
     )
-    sum_27 = 2.0 * baseline + product_7
-    sum_28 = baseline * sum_27 - path_squared
-    sum_29 = 16.0 * sum_6_squared - 8.0 * sigma_beta_squared * sum_28
-    sum_30 = 20.0 * path + cos_beta * (8.0 * baseline + product_7)
-    sum_31 = cos_beta * sum_30 - 24.0 * baseline
-    del sum_25, sum_4, sum_28, sum_30
-    sum_32 = (20.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_31
-    sum_33 = baseline * sum_32 - 11.0 * cos_beta * product_3
+    sum_29 = 2.0 * baseline_per_path - cos_beta
+    sum_30 = 1.0 - baseline_per_path * sum_29
+    sum_31 = 16.0 * sum_5_squared + 8.0 * sigma_beta_squared * sum_30
+    sum_32 = 8.0 * baseline_per_path - cos_beta
+    sum_33 = cos_beta * (20.0 + cos_beta * sum_32) - 24.0 * baseline_per_path
+    del sum_27, sum_3, sum_30, sum_32
+    sum_34 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_33
+    sum_35 = baseline_per_path * sum_34 - 11.0 * cos_beta
     sigma_beta_squared_squared = sigma_beta_squared**2
-    sum_34 = baseline * sum_33 - path_squared_squared
-    sum_35 = sum_29 * sum_6_squared - 2.0 * sigma_beta_squared_squared * sum_34
-    del sum_31, sum_32, sum_33, sum_29, sum_34
-    product_12 = -2.0 * cos_beta * path
-    sum_36 = (
-        16.0 * baseline * (product_12 + baseline * sum_2)
-        - 48.0 * sigma_path_squared
-        + 16.0 * path_squared
+    sum_36 = 1.0 - baseline_per_path * sum_35
+    sum_37 = 2.0 * sigma_beta_squared_squared * sum_36 + sum_31 * sum_5_squared
+    del sum_33, sum_34, sum_35, sum_31, sum_36
+    sum_38 = baseline_per_path * sum_1 - 2.0 * cos_beta
+    sum_39 = 16.0 - 48.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_38
+    sum_40 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_41 = cos_beta * (5.0 + cos_beta * sum_29) - 4.0 * baseline_per_path
+    sum_42 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_41
+    del sum_1, sum_38, sum_29, sum_41
+    sum_43 = (
+        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_42
+        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_40
     )
-    sum_37 = cos_beta * (5.0 * path + cos_beta * sum_27) - 4.0 * baseline
-    sum_38 = (1.0 - 3.0 * cos_beta_squared) * path_squared + baseline * sum_37
-    sum_39 = baseline * (3.0 + sin_beta_squared) + product_1
-    sum_40 = 48.0 * rho * sigma_path * sin_beta * sum_39 - (24.0 + 48.0 * rho_squared) * sigma_beta * sum_38
-    del sum_2, sum_27, sum_37, sum_38, sum_39
-    sum_41 = sin_beta_squared * sum_36 - sigma_beta * sum_40
-    sum_42 = sum_12 * sum_13 * sum_35 - baseline_squared * sigma_path_squared * sum_41
-    del sum_36, sum_40, sum_35, sum_41
-    sum_43 = 3.0 * cos_beta_squared * path_squared + baseline * (product_1 + product_8)
-    sum_44 = product_6 - 19.0 * cos_beta * path
-    sum_45 = baseline * sum_44 - (31.0 - 3.0 * cos_beta_squared) * path_squared
-    product_13 = 32.0 * baseline * path
-    sum_46 = 20.0 * path_squared - 24.0 * baseline_squared + cos_beta * (cos_beta * sum_45 + product_13)
-    sum_47 = baseline * sum_46 - (21.0 - 17.0 * cos_beta_squared) * cos_beta * product_3
-    del product_6, sum_44, sum_45, sum_46
-    sum_48 = 5.0 * cos_beta_squared * path_squared_squared + baseline * sum_47
-    sum_49 = baseline * sum_48 - cos_beta * product_9
-    sum_50 = 16.0 * (product_4 + baseline * sum_43) * sum_6_squared + 8.0 * sigma_beta_squared * sum_49
-    del sum_47, sum_48, sum_43, sum_49
-    sum_51 = sin_beta * sum_42 - rho * sigma_beta * sigma_path * sum_50
-    term_2 = 1.0 / ((divisor_1**2)**2)**2
-    sum_52 = baseline + product_12
-    sum_53 = path_squared + baseline * sum_52
-    sum_54 = baseline * sum_1 - (2.0 - 3.0 * sin_beta_squared) * cos_beta * path
-    del sum_42, sum_50, divisor_1, sum_1
-    product_14 = -5.0 * cos_beta * path
-    sum_55 = baseline * (product_14 + product_8) - (3.0 - 6.0 * cos_beta_squared) * path_squared
-    sum_56 = 2.0 * baseline * path + cos_beta * sum_55
-    sum_57 = 1.0 - 2.0 * cos_beta_squared
-    sum_58 = product_3 * sum_57 + baseline * sum_56
-    sum_59 = (
-        1152.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_54
-        + 768.0 * cos_beta * sum_58 * sum_6_squared
-    )
-    del sum_55, sum_56, sum_54, sum_58
+    sum_44 = sin_beta_squared * sum_39 + sigma_beta * sum_43
+    del sum_40, sum_42, sum_39, sum_43
+    sum_45 = baseline_per_path_squared * sigma_path_per_path_squared * sum_44 + sum_14 * sum_37 * sum_9
+    sum_46 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
+    sum_47 = cos_beta * sum_46 - 32.0 * baseline_per_path
+    del sum_37, sum_44, product_3, sum_46
+    sum_48 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_47
+    sum_49 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_48
+    sum_50 = baseline_per_path * sum_49 - 5.0 * cos_beta_squared
+    sum_51 = baseline_per_path * sum_50 + cos_beta
+    del sum_47, sum_48, sum_49, sum_50
+    sum_52 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
+    sum_53 = baseline_per_path * sum_52 - cos_beta
+    sum_54 = 16.0 * sum_53 * sum_5_squared - 8.0 * sigma_beta_squared * sum_51
+    sum_55 = rho * sigma_beta * sigma_path_per_path * sum_54 + sin_beta * sum_45
+    del sum_52, sum_51, sum_53, sum_45, sum_54
+    term_3 = 1.0 / ((divisor_1**2)**2)**2
+    path_squared = path**2
+    sum_56 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
+    sum_57 = 3.0 - 6.0 * cos_beta_squared - (product_4 - 5.0 * cos_beta) * baseline_per_path
+    sum_58 = cos_beta * sum_57 - 2.0 * baseline_per_path
+    sum_59 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_58
     sum_60 = (
-        128.0 * cos_beta * path * sum_12 * sum_13 * sum_53 * sum_6_squared_squared
-        + baseline_squared * sigma_path_squared * sum_59
+        768.0 * cos_beta * sum_59 * sum_5_squared
+        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_56
     )
-    product_15 = -cos_beta * path_squared_squared
-    product_16 = -4.0 * cos_beta * path
-    sum_61 = baseline * (product_16 + product_8) - (7.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_62 = 4.0 * baseline * path + cos_beta * sum_61
-    sum_63 = 4.0 * cos_beta_squared * product_3 + baseline * sum_62
-    sum_64 = product_15 + baseline * sum_63
-    del sum_59, sum_61, sum_62, sum_63
-    sum_65 = baseline * (product_11 + product_16) - path_squared
-    sum_66 = 20.0 * path + cos_beta * (5.0 * baseline + product_7)
-    sum_67 = cos_beta * sum_66 - 12.0 * baseline
-    sum_68 = (29.0 - 17.0 * cos_beta_squared) * path_squared + baseline * sum_67
-    sum_69 = cos_beta * sum_68 - 12.0 * baseline * path
-    sum_70 = baseline * sum_69 - (6.0 + 11.0 * cos_beta_squared) * product_3
-    del sum_66, sum_67, sum_68, sum_69
-    sum_71 = (
-        128.0 * (product_10 + baseline * sum_70) * sum_6_squared
-        - 96.0 * sigma_beta_squared * sum_64 * sum_65
+    del divisor_1, sum_57, sum_58, sum_56, sum_59
+    sum_61 = baseline_per_path - 2.0 * cos_beta
+    sum_62 = 1.0 + baseline_per_path * sum_61
+    sum_63 = (
+        128.0 * cos_beta * sum_14 * sum_5_squared_squared * sum_62 * sum_9
+        - baseline_per_path_squared * sigma_path_per_path_squared * sum_60
     )
-    product_17 = -(3.0 - 3.0 * sin_beta_squared) * path_squared_squared
-    sum_72 = 8.0 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_73 = 4.0 + 3.0 * sin_beta_squared
-    sum_74 = 7.0 - sin_beta_squared * sum_73
-    sum_75 = baseline * sum_74 - (8.0 - 24.0 * sin_beta_squared) * cos_beta * path
-    sum_76 = baseline * sum_75 - path_squared * sum_72
-    del product_10, sum_70, sum_74, sum_72, sum_75
-    product_18 = (12.0 - 12.0 * sin_beta_squared) * cos_beta * product_3
-    sum_77 = baseline * (product_18 + baseline * sum_76) + product_17
-    term_3 = (path_squared**2)**2
-    product_19 = -cos_beta_squared * term_3
-    product_20 = path * path_squared * path_squared**2
-    product_21 = 8.0 * cos_beta * cos_beta_squared * product_20
-    path_squared_cubed = path_squared * path_squared**2
-    sum_78 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared
-    sum_79 = 120.0 - 72.0 * cos_beta_squared
-    sum_80 = 16.0 - cos_beta_squared * sum_79
-    sum_81 = 204.0 - 21.0 * cos_beta_squared
-    sum_82 = 225.0 - cos_beta_squared * sum_81
-    sum_83 = 224.0 - 88.0 * cos_beta_squared
-    sum_84 = 162.0 - 18.0 * cos_beta_squared
-    product_22 = (4.0 - cos_beta_squared) * baseline
-    sum_85 = product_22 - 16.0 * cos_beta * path
-    sum_86 = baseline * sum_85 - path_squared * sum_84
-    del sum_76, sum_79, sum_81, sum_84, sum_85
-    sum_87 = 80.0 * baseline * path + cos_beta * sum_86
-    sum_88 = 192.0 * path_squared - 4.0 * baseline_squared + cos_beta * sum_87
-    sum_89 = baseline * sum_88 - cos_beta * product_3 * sum_83
-    del sum_86, sum_87, sum_83, sum_88
-    sum_90 = baseline * sum_89 - path_squared_squared * sum_82
-    sum_91 = 64.0 * baseline_squared - 128.0 * path_squared
-    sum_92 = cos_beta * sum_90 - baseline * path * sum_91
-    del sum_82, sum_89, sum_90, sum_91
-    sum_93 = baseline * sum_92 - product_9 * sum_80
-    sum_94 = 40.0 * baseline_squared - 28.0 * path_squared
-    sum_95 = cos_beta * sum_93 - baseline * path_squared * sum_94
-    del sum_80, sum_92, sum_93, sum_94
-    sum_96 = baseline * sum_95 - path_squared_cubed * sum_78
-    sum_97 = baseline * (product_21 + baseline * sum_96) + product_19
-    product_23 = -6.0 * cos_beta * path
-    sum_98 = 26.0 * path + cos_beta * (2.0 * baseline + product_23)
-    sum_99 = cos_beta * sum_98 - 3.0 * baseline
-    del sum_78, sum_95, sum_96, sum_98
-    sum_100 = (32.0 - 26.0 * cos_beta_squared) * path_squared + baseline * sum_99
-    sum_101 = baseline * sum_100 - (34.0 - 10.0 * cos_beta_squared) * cos_beta * product_3
-    sum_102 = 18.0 * baseline_squared - 12.0 * path_squared
-    sum_103 = cos_beta * sum_101 - path * sum_102
-    del sum_99, sum_100, sum_101, sum_102
-    sum_104 = baseline * sum_103 - (11.0 - 24.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_105 = 6.0 - 12.0 * cos_beta_squared
-    sum_106 = product_9 * sum_105 + baseline * sum_104
-    product_24 = baseline * baseline_squared
-    sum_107 = cos_beta * sum_106 - 3.0 * path_squared * product_24
-    sum_108 = baseline * sum_107 - path_squared_cubed * sum_57
-    del sum_103, sum_104, sum_106, sum_107
-    sum_109 = 5.0 * baseline - 9.0 * cos_beta * path
-    sum_110 = 48.0 * path + cos_beta * sum_109
-    sum_111 = cos_beta * sum_110 - 10.0 * baseline
-    sum_112 = (81.0 - 51.0 * cos_beta_squared) * path_squared + baseline * sum_111
-    sum_113 = baseline * sum_112 - (92.0 - 24.0 * cos_beta_squared) * cos_beta * product_3
-    del sum_109, sum_110, sum_111, sum_112
-    sum_114 = 34.0 * baseline_squared - 28.0 * path_squared
-    sum_115 = cos_beta * sum_113 - path * sum_114
-    sum_116 = baseline * sum_115 - (11.0 - 36.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_117 = (1.0 - 6.0 * cos_beta_squared) * product_9 + baseline * sum_116
-    del sum_113, sum_114, sum_115, sum_116
-    sum_118 = cos_beta * sum_117 - 10.0 * path_squared * product_24
-    sum_119 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
-    sum_120 = baseline * sum_119 - (32.0 - 60.0 * sin_beta_squared) * cos_beta * path
-    sum_121 = 4.0 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
-    sum_122 = path_squared * sum_121 + baseline * sum_120
-    del sum_117, sum_119, sum_120, sum_121
-    sum_123 = product_18 + baseline * sum_122
-    sum_124 = product_17 + baseline * sum_123
-    del product_18, sum_122, product_17, sum_123
-    sum_125 = cos_beta * (2.0 * baseline + product_1) + path
-    sum_126 = 128.0 * sigma_path * sin_beta * sum_124 + 256.0 * rho * sigma_beta * sum_125 * sum_64
-    sum_127 = 1.0 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
-    sum_128 = 105.0 - 12.0 * cos_beta_squared
-    sum_129 = 114.0 - cos_beta_squared * sum_128
-    del sum_124, sum_125, sum_64, sum_128
-    sum_130 = 128.0 - 46.0 * cos_beta_squared
-    sum_131 = product_22 - 10.0 * cos_beta * path
-    sum_132 = baseline * sum_131 - (72.0 - 9.0 * cos_beta_squared) * path_squared
-    sum_133 = 38.0 * baseline * path + cos_beta * sum_132
-    sum_134 = 93.0 * path_squared - 4.0 * baseline_squared + cos_beta * sum_133
-    del product_22, sum_131, sum_132, sum_133
-    sum_135 = baseline * sum_134 - cos_beta * product_3 * sum_130
-    sum_136 = baseline * sum_135 - path_squared_squared * sum_129
-    del sum_130, sum_134, sum_129, sum_135
-    sum_137 = 28.0 * baseline_squared - 74.0 * path_squared
-    sum_138 = cos_beta * sum_136 - baseline * path * sum_137
-    sum_139 = 2.0 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
-    sum_140 = product_9 * sum_139 + baseline * sum_138
-    del sum_136, sum_137, sum_138, sum_139
-    sum_141 = 22.0 * baseline_squared - 7.0 * path_squared
-    sum_142 = cos_beta * sum_140 - baseline * path_squared * sum_141
-    sum_143 = baseline * sum_142 - path_squared_cubed * sum_127
-    del sum_140, sum_141, sum_127, sum_142
-    sum_144 = product_21 + baseline * sum_143
-    sum_145 = product_19 + baseline * sum_144
-    del product_21, sum_143, product_19, sum_144
-    sum_146 = 40.0 * path + cos_beta * (7.0 * baseline + product_23)
-    sum_147 = cos_beta * sum_146 - 9.0 * baseline
-    sum_148 = (79.0 - 64.0 * cos_beta_squared) * path_squared + baseline * sum_147
-    sum_149 = baseline * sum_148 - (62.0 - 14.0 * cos_beta_squared) * cos_beta * product_3
-    sum_150 = 30.0 * baseline_squared - 24.0 * path_squared
-    sum_151 = cos_beta * sum_149 - path * sum_150
-    del sum_146, sum_147, sum_148, sum_149, sum_150
-    sum_152 = baseline * sum_151 - (37.0 - 69.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_153 = 6.0 * path_squared + 9.0 * baseline_squared
-    sum_154 = cos_beta * sum_152 - path_squared * sum_153
-    sum_155 = (30.0 - 42.0 * cos_beta_squared) * cos_beta * product_9 + baseline * sum_154
-    del sum_151, sum_152, sum_153, sum_154
-    sum_156 = baseline * sum_155 - (5.0 - 7.0 * cos_beta_squared) * path_squared_cubed
-    sum_157 = (
-        128.0 * sigma_beta_squared * sum_145
-        - baseline_squared * sigma_path * sin_beta * sum_126
-        + 64.0 * sum_156 * sum_6_squared
+    sum_14_squared = sum_14**2
+    term_4 = (baseline_per_path - 1.0)**2
+    sum_64 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
+    sum_65 = (40.0 + 8.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_64
+    sum_66 = 6.0 - 18.0 * sin_beta_squared - baseline_per_path * sum_65
+    sum_67 = 8.0 * cos_beta + baseline_per_path * sum_66
+    del sum_60, sum_64, sum_65, sum_66
+    sum_68 = 1.0 + baseline_per_path * sum_67
+    sum_69 = (26.0 - 5.0 * cos_beta_squared) * baseline_per_path - 14.0 * cos_beta
+    sum_70 = cos_beta * (20.0 + cos_beta * sum_69) - 24.0 * baseline_per_path
+    sum_71 = 2.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_70
+    sum_72 = 32.0 * sum_5_squared * sum_71 - 16.0 * sigma_beta_squared * sin_beta_squared * sum_68
+    del sum_67, sum_69, sum_70, sum_68, sum_71
+    sum_73 = 2.0 - sin_beta_squared
+    sum_74 = 1.0 - sin_beta_squared * sum_73
+    sum_75 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_74
+    sum_76 = 6.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_75
+    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta
+    sum_78 = 1.0 + baseline_per_path * sum_77
+    del sum_74, sum_75, sum_76, sum_77
+    sum_79 = 64.0 * sin_beta_squared * sum_78 - sigma_beta_squared * sum_72
+    product_6 = (12.0 - 12.0 * sin_beta_squared) * cos_beta
+    sum_80 = 4.0 + 3.0 * sin_beta_squared
+    sum_81 = 7.0 - sin_beta_squared * sum_80
+    sum_82 = (8.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_81
+    sum_83 = 8.0 + baseline_per_path * sum_82 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
+    del sum_72, sum_78, sum_81, sum_82
+    sum_84 = product_6 - baseline_per_path * sum_83
+    sum_85 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_84
+    sum_86 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
+    sum_87 = (32.0 - 60.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_86
+    sum_88 = 4.0 - baseline_per_path * sum_87 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
+    del sum_83, sum_84, sum_86, sum_87
+    sum_89 = baseline_per_path * sum_88 + product_6
+    sum_90 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_89
+    sum_91 = 2.0 * baseline_per_path - 3.0 * cos_beta
+    sum_92 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
+    sum_93 = cos_beta * sum_92 - 4.0 * baseline_per_path
+    del product_6, sum_88, sum_89, sum_92
+    sum_94 = baseline_per_path * sum_93 - 4.0 * cos_beta_squared
+    sum_95 = baseline_per_path * sum_94 + cos_beta
+    sum_96 = (
+        128.0 * sigma_path_per_path * sin_beta * sum_90
+        + 256.0 * (1.0 + cos_beta * sum_91) * rho * sigma_beta * sum_95
     )
-    del sum_155, sum_126, sum_145, sum_156
-    sum_158 = 128.0 * baseline_squared * sigma_beta * sigma_path * sin_beta * sum_118 + rho * sum_157
-    sum_159 = (
-        16.0 * sigma_beta_squared * sum_97
-        - 64.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_77
-        + 64.0 * sum_108 * sum_6_squared
-        + rho * sum_158
+    del sum_93, sum_94, sum_90, sum_91
+    sum_97 = 105.0 - 12.0 * cos_beta_squared
+    sum_98 = 128.0 - 46.0 * cos_beta_squared
+    product_7 = (4.0 - cos_beta_squared) * baseline_per_path
+    sum_99 = 72.0 - 9.0 * cos_beta_squared - (product_7 - 10.0 * cos_beta) * baseline_per_path
+    sum_100 = cos_beta * sum_99 - 38.0 * baseline_per_path
+    sum_101 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_100
+    sum_102 = cos_beta * sum_98 - baseline_per_path * sum_101
+    del sum_99, sum_100, sum_101, sum_98
+    sum_103 = 114.0 - cos_beta_squared * sum_97 + baseline_per_path * sum_102
+    sum_104 = 74.0 - 28.0 * baseline_per_path_squared
+    sum_105 = cos_beta * sum_103 - baseline_per_path * sum_104
+    del sum_102, sum_97, sum_103, sum_104
+    sum_106 = 2.0 - baseline_per_path * sum_105 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
+    sum_107 = 7.0 - 22.0 * baseline_per_path_squared
+    sum_108 = baseline_per_path * sum_107 + cos_beta * sum_106
+    sum_109 = 1.0 - baseline_per_path * sum_108 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    del sum_105, sum_106, sum_107, sum_108
+    sum_110 = baseline_per_path * sum_109 - 8.0 * cos_beta * cos_beta_squared
+    sum_111 = baseline_per_path * sum_110 + cos_beta_squared
+    sum_112 = 7.0 * baseline_per_path - 6.0 * cos_beta
+    sum_113 = cos_beta * (40.0 + cos_beta * sum_112) - 9.0 * baseline_per_path
+    sum_114 = 79.0 - 64.0 * cos_beta_squared + baseline_per_path * sum_113
+    del sum_109, sum_110, sum_112, sum_113
+    sum_115 = (62.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_114
+    sum_116 = 24.0 - 30.0 * baseline_per_path_squared - cos_beta * sum_115
+    sum_117 = (37.0 - 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_116
+    sum_118 = 6.0 + 9.0 * baseline_per_path_squared + cos_beta * sum_117
+    del sum_114, sum_115, sum_116, sum_117
+    sum_119 = (30.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_118
+    sum_120 = 5.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_119
+    sum_121 = (
+        128.0 * sigma_beta_squared * sum_111
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_96
+        + 64.0 * sum_120 * sum_5_squared
     )
-    del sum_118, sum_157, sum_108, sum_158, sum_77, sum_97
-    sum_160 = path * rho * sigma_beta * sin_beta * sum_12 * sum_13 * sum_71 + sigma_path * sum_159
-    sum_12_squared = sum_12**2
-    sum_13_squared = sum_13**2
-    sum_161 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
-    sum_162 = baseline * sum_161 - (40.0 + 8.0 * sin_beta_squared) * cos_beta * path
-    sum_163 = (6.0 - 18.0 * sin_beta_squared) * path_squared + baseline * sum_162
-    del sum_159, sum_71, sum_161, sum_162
-    sum_164 = 8.0 * cos_beta * product_3 + baseline * sum_163
-    sum_165 = path_squared_squared + baseline * sum_164
-    product_25 = -14.0 * cos_beta * path
-    sum_166 = (26.0 - 5.0 * cos_beta_squared) * baseline + product_25
-    sum_167 = 20.0 * path + cos_beta * sum_166
-    sum_168 = cos_beta * sum_167 - 24.0 * baseline
-    del sum_163, sum_164, sum_166, sum_167
-    sum_169 = (2.0 - 5.0 * cos_beta_squared) * path_squared + baseline * sum_168
-    sum_170 = 32.0 * sum_169 * sum_6_squared - 16.0 * sigma_beta_squared * sin_beta_squared * sum_165
-    product_26 = -4.0 * cos_beta * product_3
-    sum_171 = 4.0 - 4.0 * sin_beta_squared
-    sum_172 = 1.0 - (2.0 - sin_beta_squared) * sin_beta_squared
-    sum_173 = baseline * sum_172 - cos_beta * path * sum_171
-    sum_174 = (6.0 - 6.0 * sin_beta_squared) * path_squared + baseline * sum_173
-    del sum_168, sum_165, sum_169, sum_173
-    sum_175 = product_26 + baseline * sum_174
-    sum_176 = path_squared_squared + baseline * sum_175
-    sum_177 = 64.0 * sin_beta_squared * sum_176 - sigma_beta_squared * sum_170
-    del sum_174, sum_175, sum_170, sum_176
-    sum_178 = path_squared * sum_12_squared * sum_13_squared * sum_177 - sigma_path * sum_160
-    sum_179 = rho * sigma_path * sin_beta * sum_60 + sigma_beta * sum_178
-    del sum_160, sum_177, sum_178, sum_60
-    sum_53_squared = sum_53**2
-    sum_180 = baseline * (product_12 + product_8) + path_squared
+    del sum_118, sum_119, sum_111, sum_120, sum_96
+    sum_122 = 5.0 * baseline_per_path - 9.0 * cos_beta
+    sum_123 = cos_beta * (48.0 + cos_beta * sum_122) - 10.0 * baseline_per_path
+    sum_124 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_123
+    sum_125 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_124
+    sum_126 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_125
+    del sum_122, sum_123, sum_124, sum_125
+    sum_127 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
+    sum_128 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_127
+    product_8 = baseline_per_path * baseline_per_path_squared
+    sum_129 = cos_beta * sum_128 - 10.0 * product_8
+    sum_130 = (
+        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_129
+        - rho * sum_121
+    )
+    del sum_126, sum_127, sum_128, sum_121, sum_129
+    sum_131 = 120.0 - 72.0 * cos_beta_squared
+    sum_132 = 204.0 - 21.0 * cos_beta_squared
+    sum_133 = 224.0 - 88.0 * cos_beta_squared
+    sum_134 = 162.0 - 18.0 * cos_beta_squared - (product_7 - 16.0 * cos_beta) * baseline_per_path
+    sum_135 = cos_beta * sum_134 - 80.0 * baseline_per_path
+    sum_136 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_135
+    sum_137 = cos_beta * sum_133 - baseline_per_path * sum_136
+    del product_7, sum_134, sum_135, sum_133, sum_136
+    sum_138 = 225.0 - cos_beta_squared * sum_132 + baseline_per_path * sum_137
+    sum_139 = 128.0 - 64.0 * baseline_per_path_squared
+    sum_140 = cos_beta * sum_138 - baseline_per_path * sum_139
+    del sum_132, sum_137, sum_138, sum_139
+    sum_141 = 16.0 - cos_beta_squared * sum_131 + baseline_per_path * sum_140
+    sum_142 = 28.0 - 40.0 * baseline_per_path_squared
+    sum_143 = cos_beta * sum_141 - baseline_per_path * sum_142
+    del sum_131, sum_140, sum_141, sum_142
+    sum_144 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_143
+    sum_145 = baseline_per_path * sum_144 - 8.0 * cos_beta * cos_beta_squared
+    sum_146 = baseline_per_path * sum_145 + cos_beta_squared
+    sum_147 = 2.0 * baseline_per_path - 6.0 * cos_beta
+    sum_148 = cos_beta * (26.0 + cos_beta * sum_147) - 3.0 * baseline_per_path
+    del sum_143, sum_144, sum_145, sum_147
+    sum_149 = 32.0 - 26.0 * cos_beta_squared + baseline_per_path * sum_148
+    sum_150 = (34.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_149
+    sum_151 = 12.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_150
+    sum_152 = (11.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_151
+    del sum_148, sum_149, sum_150, sum_151
+    sum_153 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_152
+    sum_154 = cos_beta * sum_153 - 3.0 * product_8
+    sum_155 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_154
+    del sum_152, product_8, sum_153, sum_154
+    sum_156 = (
+        16.0 * sigma_beta_squared * sum_146
+        - 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_85
+        - rho * sum_130
+        + 64.0 * sum_155 * sum_5_squared
+    )
+    del sum_130, sum_146, sum_155, sum_85
+    sum_157 = 5.0 * baseline_per_path - cos_beta
+    sum_158 = cos_beta * (20.0 + cos_beta * sum_157) - 12.0 * baseline_per_path
+    sum_159 = 29.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_158
+    sum_160 = cos_beta * sum_159 - 12.0 * baseline_per_path
+    sum_161 = 6.0 - baseline_per_path * sum_160 + 11.0 * cos_beta_squared
+    del sum_157, sum_158, sum_159, sum_160
+    sum_162 = baseline_per_path * sum_161 - 5.0 * cos_beta
+    sum_163 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
+    sum_164 = 128.0 * sum_162 * sum_5_squared + 96.0 * sigma_beta_squared * sum_163 * sum_95
+    sum_165 = rho * sigma_beta * sin_beta * sum_14 * sum_164 * sum_9 - sigma_path_per_path * sum_156
+    del sum_161, sum_162, sum_95, sum_156, sum_164
+    sum_166 = sum_14_squared * sum_79 * term_4 - sigma_path_per_path * sum_165
+    sum_167 = sigma_beta * sum_166 - rho * sigma_path_per_path * sin_beta * sum_63
+    del sum_165, sum_79, sum_166, sum_63
+    sum_62_squared = sum_62**2
+    sum_168 = 1.0 + (product_4 - 2.0 * cos_beta) * baseline_per_path
     sin_beta_squared_squared = sin_beta_squared**2
-    sum_181 = (
-        384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_180 * sum_6_squared
-        + 576.0 * (1.0 - sin_beta) * baseline_squared * sigma_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
+    sum_169 = (
+        384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_168 * sum_5_squared
+        + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
     )
-    sum_182 = (
-        64.0 * cos_beta_squared * sum_53_squared * sum_6_squared_squared
-        + baseline_squared * sigma_path_squared * sum_181
+    sum_170 = (
+        64.0 * cos_beta_squared * sum_5_squared_squared * sum_62_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sum_169
     )
-    sum_183 = sigma_path_squared * sum_182 + sigma_beta * sum_179
-    del product_8, sum_180, sum_181, sum_179, sum_182
-    sum_184 = 5.0 - 6.0 * sin_beta_squared
-    sum_185 = 5.0 * baseline * cos_beta - path * sum_184
-    sum_186 = 36.0 - (46.0 - 12.0 * sin_beta_squared) * sin_beta_squared
-    sum_187 = (2.0 + 2.0 * sin_beta_squared) * baseline * cos_beta - (28.0 - 9.0 * sin_beta_squared) * path
-    sum_188 = 19.0 * path - 4.0 * baseline * cos_beta + sin_beta_squared * sum_187
-    sum_189 = baseline * sum_188 - cos_beta * path_squared * sum_186
-    sum_190 = 34.0 - (64.0 - 28.0 * sin_beta_squared) * sin_beta_squared
-    sum_191 = product_3 * sum_190 + baseline * sum_189
-    del sum_187, sum_186, sum_188, sum_189, sum_190
-    sum_192 = baseline * sum_191 - (16.0 - 20.0 * sin_beta_squared) * cos_beta * path_squared_squared
-    sum_193 = (
-        384.0 * (3.0 - 4.0 * sin_beta_squared) * product_9
-        - 576.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_185
-        + 384.0 * baseline * sum_192
+    sum_171 = sigma_path_per_path_squared * sum_170 + sigma_beta * sum_167
+    del product_4, sum_168, sum_169, sum_167, sum_170
+    sum_172 = 36.0 - (46.0 - 12.0 * sin_beta_squared) * sin_beta_squared
+    sum_173 = 28.0 - 9.0 * sin_beta_squared - (2.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
+    sum_174 = 19.0 - 4.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_173
+    sum_175 = cos_beta * sum_172 - baseline_per_path * sum_174
+    sum_176 = 34.0 - baseline_per_path * sum_175 - (64.0 - 28.0 * sin_beta_squared) * sin_beta_squared
+    del sum_173, sum_172, sum_174, sum_175
+    sum_177 = (16.0 - 20.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_176
+    sum_178 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    sum_179 = (
+        1152.0
+        - 1536.0 * sin_beta_squared
+        - 384.0 * baseline_per_path * sum_177
+        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_178
     )
-    sum_194 = (
-        64.0 * (cos_beta * sum_52 + path) * sum_12 * sum_13 * sum_53 * sum_6_squared_squared
-        - baseline_squared * sigma_path_squared * sin_beta_squared * sum_193
+    sum_180 = (
+        64.0 * (1.0 + cos_beta * sum_61) * sum_14 * sum_5_squared_squared * sum_62 * sum_9
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_179
     )
-    del sum_191, sum_185, sum_192, sum_193, sum_52
-    sum_195 = 8.0 - 11.0 * sin_beta_squared
-    sum_196 = 5.0 + sin_beta_squared
-    sum_197 = baseline * cos_beta * sum_196 - path * sum_195
-    sum_198 = baseline * sum_197 - 6.0 * cos_beta * path_squared * sin_beta_squared
-    product_27 = product_3 * sum_171
-    sum_199 = product_27 + baseline * sum_198
-    sum_200 = product_15 + baseline * sum_199
-    sum_201 = 25.0 - 24.0 * sin_beta_squared
-    sum_202 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_203 = 29.0 - (41.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_204 = baseline * sum_203 - (4.0 - 51.0 * sin_beta_squared) * cos_beta * path
-    del sum_197, sum_198, sum_199, sum_203
-    sum_205 = baseline * sum_204 - path_squared * sum_202
-    sum_206 = (13.0 + 5.0 * sin_beta_squared) * cos_beta * product_24 - path * sum_205
-    sum_207 = baseline * sum_206 - cos_beta * path_squared_squared * sum_201
-    del sum_202, sum_204, sum_205, sum_206
-    sum_208 = product_9 * sum_184 + baseline * sum_207
-    sum_209 = baseline * cos_beta * (11.0 + sin_beta_squared) - (20.0 - 26.0 * sin_beta_squared) * path
-    sum_210 = (6.0 - 15.0 * sin_beta_squared) * cos_beta * path_squared + baseline * sum_209
-    sum_211 = product_27 + baseline * sum_210
-    del sum_184, sum_207, sum_209, product_27, sum_210
-    sum_212 = product_15 + baseline * sum_211
-    sum_213 = 128.0 * rho * sigma_beta * sum_208 + 384.0 * sigma_path * sin_beta * sum_212
-    del product_15, sum_211, sum_208, sum_212
-    sum_214 = 68.0 * path + cos_beta * (9.0 * baseline + product_23)
-    sum_215 = cos_beta * sum_214 - 24.0 * baseline
-    sum_216 = (71.0 - 74.0 * cos_beta_squared) * path_squared + baseline * sum_215
-    sum_217 = baseline * sum_216 - (86.0 - 14.0 * cos_beta_squared) * cos_beta * product_3
-    sum_218 = 24.0 * baseline_squared + 4.0 * path_squared
-    sum_219 = cos_beta * sum_217 - path * sum_218
-    del sum_214, sum_215, sum_216, sum_217, sum_218
-    sum_220 = (22.0 + 69.0 * cos_beta_squared) * cos_beta * path_squared_squared + baseline * sum_219
-    sum_221 = baseline * sum_220 - 42.0 * cos_beta_squared * product_9
-    sum_222 = 7.0 * cos_beta * path_squared_cubed + baseline * sum_221
-    sum_223 = 212.0 - 24.0 * cos_beta_squared
-    sum_224 = 104.0 - cos_beta_squared * sum_223
-    del sum_219, sum_220, sum_221, sum_223
-    sum_225 = 308.0 - 129.0 * cos_beta_squared
-    sum_226 = 194.0 - 18.0 * cos_beta_squared
-    sum_227 = (24.0 - 2.0 * cos_beta_squared) * baseline - 41.0 * cos_beta * path
-    sum_228 = baseline * sum_227 - path_squared * sum_226
-    sum_229 = 139.0 * baseline * path + cos_beta * sum_228
-    sum_230 = 214.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_229
-    del sum_226, sum_227, sum_228, sum_229
-    sum_231 = baseline * sum_230 - cos_beta * product_3 * sum_225
-    sum_232 = baseline * sum_231 - path_squared_squared * sum_224
-    del sum_225, sum_230, sum_224, sum_231
-    sum_233 = 72.0 * baseline_squared - 55.0 * path_squared
-    sum_234 = cos_beta * sum_232 - baseline * path * sum_233
-    sum_235 = 1.0 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_236 = product_9 * sum_235 + baseline * sum_234
-    del sum_232, sum_233, sum_234, sum_235
-    sum_237 = baseline * sum_236 - (16.0 + 26.0 * cos_beta_squared) * cos_beta * path_squared_cubed
-    sum_238 = 16.0 * cos_beta_squared * product_20 + baseline * sum_237
-    sum_239 = baseline * sum_238 - 2.0 * cos_beta * term_3
-    sum_240 = (
-        64.0 * sigma_beta_squared * sum_239
-        - baseline_squared * sigma_path * sin_beta * sum_213
-        + 64.0 * sum_222 * sum_6_squared
+    del sum_176, sum_177, sum_178, sum_179, sum_61
+    sum_181 = 11.0 * baseline_per_path - 5.0 * cos_beta
+    sum_182 = cos_beta * (26.0 + cos_beta * sum_181) - 24.0 * baseline_per_path
+    sum_183 = 11.0 - 14.0 * cos_beta_squared + baseline_per_path * sum_182
+    sum_184 = baseline_per_path * sum_183 - 5.0 * cos_beta
+    sum_185 = baseline_per_path - cos_beta
+    sum_186 = 64.0 * sum_185 * sum_5_squared - 32.0 * sigma_beta_squared * sum_184
+    del sum_181, sum_182, sum_183, sum_184
+    sum_187 = 4.0 * baseline_per_path - cos_beta
+    sum_188 = cos_beta * (4.0 + cos_beta * sum_187) - 6.0 * baseline_per_path
+    sum_189 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_188
+    sum_190 = baseline_per_path * sum_189 - cos_beta
+    sum_191 = 16.0 * sigma_beta_squared_squared * sum_163 * sum_190 + sum_186 * sum_5_squared
+    del sum_187, sum_188, sum_189, sum_163, sum_186
+    sum_192 = 196.0 - 21.0 * cos_beta_squared
+    sum_193 = 280.0 - 126.0 * cos_beta_squared
+    sum_194 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
+    sum_195 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_194
+    sum_196 = cos_beta * sum_195 - 146.0 * baseline_per_path
+    sum_197 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_196
+    sum_198 = cos_beta * sum_193 - baseline_per_path * sum_197
+    del sum_194, sum_195, sum_196, sum_193, sum_197
+    sum_199 = 121.0 - cos_beta_squared * sum_192 + baseline_per_path * sum_198
+    sum_200 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_201 = cos_beta * sum_199 - baseline_per_path * sum_200
+    del sum_192, sum_198, sum_199, sum_200
+    sum_202 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_201
+    sum_203 = baseline_per_path * sum_202 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
+    sum_204 = baseline_per_path * sum_203 - 8.0 * cos_beta_squared
+    sum_205 = baseline_per_path * sum_204 + cos_beta
+    del sum_201, sum_202, sum_203, sum_204
+    sum_206 = 5.0 + sin_beta_squared
+    sum_207 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_206
+    sum_208 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_207
+    sum_209 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_208
+    sum_210 = baseline_per_path * sum_209 - cos_beta
+    sum_211 = 212.0 - 24.0 * cos_beta_squared
+    sum_212 = 308.0 - 129.0 * cos_beta_squared
+    sum_213 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
+    sum_214 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_213
+    del sum_207, sum_208, sum_209, sum_213
+    sum_215 = cos_beta * sum_214 - 139.0 * baseline_per_path
+    sum_216 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_215
+    sum_217 = cos_beta * sum_212 - baseline_per_path * sum_216
+    del sum_214, sum_215, sum_212, sum_216
+    sum_218 = 104.0 - cos_beta_squared * sum_211 + baseline_per_path * sum_217
+    sum_219 = 55.0 - 72.0 * baseline_per_path_squared
+    sum_220 = cos_beta * sum_218 - baseline_per_path * sum_219
+    del sum_211, sum_217, sum_218, sum_219
+    sum_221 = 1.0 - baseline_per_path * sum_220 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
+    sum_222 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_221
+    sum_223 = baseline_per_path * sum_222 - 16.0 * cos_beta_squared
+    sum_224 = 2.0 * cos_beta + baseline_per_path * sum_223
+    del sum_220, sum_221, sum_222, sum_223
+    sum_225 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
+    sum_226 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_225
+    sum_227 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_226
+    sum_228 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_227
+    sum_229 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_228
+    del sum_225, sum_226, sum_227, sum_228
+    sum_230 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_229
+    sum_231 = 20.0 - 26.0 * sin_beta_squared - baseline_per_path * cos_beta * (11.0 + sin_beta_squared)
+    sum_232 = (6.0 - 15.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_231
+    sum_233 = 4.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_232
+    sum_234 = baseline_per_path * sum_233 - cos_beta
+    del sum_229, sum_231, sum_232, sum_233
+    sum_235 = 128.0 * rho * sigma_beta * sum_230 + 384.0 * sigma_path_per_path * sin_beta * sum_234
+    sum_236 = 9.0 * baseline_per_path - 6.0 * cos_beta
+    sum_237 = cos_beta * (68.0 + cos_beta * sum_236) - 24.0 * baseline_per_path
+    sum_238 = 71.0 - 74.0 * cos_beta_squared + baseline_per_path * sum_237
+    del sum_230, sum_234, sum_236, sum_237
+    sum_239 = (86.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_238
+    sum_240 = 4.0 + 24.0 * baseline_per_path_squared + cos_beta * sum_239
+    sum_241 = (22.0 + 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_240
+    sum_242 = baseline_per_path * sum_241 - 42.0 * cos_beta_squared
+    del sum_238, sum_239, sum_240, sum_241
+    sum_243 = 7.0 * cos_beta + baseline_per_path * sum_242
+    sum_244 = (
+        64.0 * sum_243 * sum_5_squared
+        - 64.0 * sigma_beta_squared * sum_224
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_235
     )
-    del sum_236, sum_237, sum_238, sum_213, sum_222, sum_239
-    sum_241 = 125.0 - 144.0 * sin_beta_squared
-    sum_242 = 112.0 + 96.0 * sin_beta_squared
-    sum_243 = 172.0 - sin_beta_squared * sum_242
-    sum_244 = 14.0 - 291.0 * sin_beta_squared
-    sum_245 = 226.0 + 36.0 * sin_beta_squared
-    sum_246 = 154.0 - sin_beta_squared * sum_245
-    sum_247 = baseline * sum_246 - cos_beta * path * sum_244
-    del sum_242, sum_245, sum_244, sum_246
-    sum_248 = baseline * sum_247 - path_squared * sum_243
-    sum_249 = (71.0 + 37.0 * sin_beta_squared) * cos_beta * product_24 - path * sum_248
-    sum_250 = baseline * sum_249 - cos_beta * path_squared_squared * sum_241
-    del sum_243, sum_247, sum_248, sum_241, sum_249
-    sum_251 = (22.0 - 24.0 * sin_beta_squared) * product_9 + baseline * sum_250
-    sum_252 = 32.0 * baseline_squared * sigma_beta * sigma_path * sin_beta * sum_251 - rho * sum_240
-    sum_253 = 17.0 * path + cos_beta * (3.0 * baseline + product_1)
-    del sum_250, sum_240, sum_251, product_1
-    sum_254 = cos_beta * sum_253 - 6.0 * baseline
-    sum_255 = (14.0 - 17.0 * cos_beta_squared) * path_squared + baseline * sum_254
-    sum_256 = baseline * sum_255 - (17.0 - 5.0 * cos_beta_squared) * cos_beta * product_3
-    sum_257 = 6.0 * baseline_squared - 2.0 * path_squared
-    sum_258 = cos_beta * sum_256 - path * sum_257
-    del sum_253, sum_254, sum_255, sum_256, sum_257
-    sum_259 = (1.0 + 12.0 * cos_beta_squared) * cos_beta * path_squared_squared + baseline * sum_258
-    sum_260 = baseline * sum_259 - 6.0 * cos_beta_squared * product_9
-    sum_261 = cos_beta * path_squared_cubed + baseline * sum_260
-    sum_262 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_263 = 196.0 - 21.0 * cos_beta_squared
-    sum_264 = 121.0 - cos_beta_squared * sum_263
-    del sum_258, sum_259, sum_260, sum_263
-    sum_265 = 280.0 - 126.0 * cos_beta_squared
-    sum_266 = 190.0 - 18.0 * cos_beta_squared
-    sum_267 = (24.0 - cos_beta_squared) * baseline - 46.0 * cos_beta * path
-    sum_268 = baseline * sum_267 - path_squared * sum_266
-    sum_269 = 146.0 * baseline * path + cos_beta * sum_268
-    sum_270 = 188.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_269
-    del sum_266, sum_267, sum_268, sum_269
-    sum_271 = baseline * sum_270 - cos_beta * product_3 * sum_265
-    sum_272 = baseline * sum_271 - path_squared_squared * sum_264
-    del sum_265, sum_270, sum_264, sum_271
-    sum_273 = 72.0 * baseline_squared - 74.0 * path_squared
-    sum_274 = cos_beta * sum_272 - baseline * path * sum_273
-    sum_275 = baseline * sum_274 - product_9 * sum_262
-    del sum_272, sum_273, sum_262, sum_274
-    sum_276 = baseline * sum_275 - (2.0 + 22.0 * cos_beta_squared) * cos_beta * path_squared_cubed
-    sum_277 = 8.0 * cos_beta_squared * product_20 + baseline * sum_276
-    sum_278 = baseline * sum_277 - cos_beta * term_3
-    sum_279 = (
-        128.0 * sum_261 * sum_6_squared
-        - 192.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_200
-        - rho * sum_252
-        + 16.0 * sigma_beta_squared * sum_278
+    del sum_242, sum_224, sum_235, sum_243
+    sum_245 = 125.0 - 144.0 * sin_beta_squared
+    sum_246 = 112.0 + 96.0 * sin_beta_squared
+    sum_247 = 14.0 - 291.0 * sin_beta_squared
+    sum_248 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
+    sum_249 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_248
+    sum_250 = cos_beta * sum_247 - baseline_per_path * sum_249
+    sum_251 = 172.0 - sin_beta_squared * sum_246 + baseline_per_path * sum_250
+    del sum_248, sum_247, sum_249, sum_246, sum_250
+    sum_252 = cos_beta * sum_245 - baseline_per_path * sum_251
+    sum_253 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_252
+    sum_254 = (
+        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_253
+        - rho * sum_244
     )
-    del sum_275, sum_276, sum_277, sum_200, sum_252, sum_261, sum_278
-    sum_280 = 26.0 * path + cos_beta * (11.0 * baseline + product_14)
-    sum_281 = cos_beta * sum_280 - 24.0 * baseline
-    sum_282 = (11.0 - 14.0 * cos_beta_squared) * path_squared + baseline * sum_281
-    sum_283 = baseline * sum_282 - 5.0 * cos_beta * product_3
-    sum_284 = baseline + product_7
-    sum_285 = 64.0 * sum_284 * sum_6_squared - 32.0 * sigma_beta_squared * sum_283
-    del sum_280, sum_281, sum_282, sum_283
-    sum_286 = 4.0 * path + cos_beta * (4.0 * baseline + product_7)
-    sum_287 = cos_beta * sum_286 - 6.0 * baseline
-    sum_288 = (4.0 - 4.0 * cos_beta_squared) * path_squared + baseline * sum_287
-    sum_289 = product_4 + baseline * sum_288
-    del product_7, sum_286, sum_287, product_4, sum_288
-    sum_290 = sum_285 * sum_6_squared - 16.0 * sigma_beta_squared_squared * sum_289 * sum_65
-    sum_291 = path * sum_12_squared * sum_13_squared * sum_290 - sigma_path_squared * sum_279
-    del sum_285, sum_65, sum_279, sum_290
-    sum_292 = 1.0 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
-    sum_293 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_294 = 2.0 + (6.0 + 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_295 = 32.0 + (29.0 + 2.0 * sin_beta_squared) * sin_beta_squared
-    sum_296 = baseline * sum_295 - (98.0 + 32.0 * sin_beta_squared) * cos_beta * path
-    sum_297 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_298 = path_squared * sum_297 + baseline * sum_296
-    sum_299 = 3.0 * baseline + 8.0 * cos_beta * path
-    sum_300 = 21.0 * path_squared - baseline * sum_299 + sin_beta_squared * sum_298
-    del sum_295, sum_296, sum_297, sum_298, sum_299
-    sum_301 = cos_beta * product_24 * sum_294 + path * sum_300
-    sum_302 = baseline * sum_301 - cos_beta * path_squared_squared * sum_293
-    del product_24, sum_294, sum_300, sum_293, sum_301
-    sum_303 = baseline * sum_302 - product_9 * sum_292
-    sum_304 = 4.0 * cos_beta * path_squared_cubed + baseline * sum_303
-    sum_305 = baseline * sum_304 - (1.0 - 2.0 * sin_beta_squared) * product_20
-    del sum_292, sum_302, sum_303, sum_304
-    sum_306 = 124.0 - 68.0 * cos_beta_squared
-    sum_307 = 143.0 * path + cos_beta * (28.0 * baseline + product_16)
-    sum_308 = 19.0 * baseline_squared - path * sum_307
-    sum_309 = 104.0 * baseline * path + cos_beta * sum_308
-    sum_310 = 167.0 * path_squared - 24.0 * baseline_squared + cos_beta * sum_309
-    sum_311 = baseline * sum_310 - cos_beta * product_3 * sum_306
-    del sum_307, sum_308, sum_309, sum_306, sum_310
-    sum_312 = 2.0 * path_squared + 72.0 * baseline_squared
-    sum_313 = cos_beta * sum_311 - path * sum_312
-    sum_314 = baseline * sum_313 - (3.0 - 44.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_315 = (10.0 - 20.0 * cos_beta_squared) * product_9 + baseline * sum_314
+    del sum_245, sum_251, sum_252, sum_244, sum_253
+    sum_255 = 3.0 * baseline_per_path - 3.0 * cos_beta
+    sum_256 = cos_beta * (17.0 + cos_beta * sum_255) - 6.0 * baseline_per_path
+    sum_257 = 14.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_256
+    sum_258 = (17.0 - 5.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_257
+    sum_259 = 2.0 - 6.0 * baseline_per_path_squared - cos_beta * sum_258
+    del sum_255, sum_256, sum_257, sum_258
+    sum_260 = baseline_per_path * sum_259 + (1.0 + 12.0 * cos_beta_squared) * cos_beta
+    sum_261 = baseline_per_path * sum_260 - 6.0 * cos_beta_squared
+    sum_262 = baseline_per_path * sum_261 + cos_beta
+    sum_263 = (
+        128.0 * sum_262 * sum_5_squared
+        - 16.0 * sigma_beta_squared * sum_205
+        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_210
+        - rho * sum_254
+    )
+    del sum_259, sum_260, sum_261, sum_205, sum_210, sum_254, sum_262
+    sum_264 = sum_14_squared * sum_191 * term_4 - sigma_path_per_path_squared * sum_263
+    sum_265 = 124.0 - 68.0 * cos_beta_squared
+    sum_266 = 19.0 * baseline_per_path - 28.0 * cos_beta
+    sum_267 = 143.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_266
+    sum_268 = cos_beta * sum_267 - 104.0 * baseline_per_path
+    del sum_191, sum_263, sum_266, sum_267
+    sum_269 = 167.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_268
+    sum_270 = cos_beta * sum_265 - baseline_per_path * sum_269
+    sum_271 = 2.0 + 72.0 * baseline_per_path_squared + cos_beta * sum_270
+    del sum_268, sum_265, sum_269, sum_270
+    sum_272 = baseline_per_path * sum_271 + (3.0 - 44.0 * cos_beta_squared) * cos_beta
+    sum_273 = 10.0 - 20.0 * cos_beta_squared - baseline_per_path * sum_272
+    sum_274 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_275 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_276 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_277 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
+    sum_278 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_277
+    sum_279 = 3.0 - sin_beta_squared * sum_278 + product_1
+    del sum_271, sum_272, sum_277, product_1, sum_278
+    sum_280 = baseline_per_path * sum_279 + cos_beta * sum_276
+    sum_281 = 21.0 - baseline_per_path * sum_280 + sin_beta_squared * sum_275
+    del sum_276, sum_279, sum_275, sum_280
+    sum_282 = cos_beta * sum_274 - baseline_per_path * sum_281
+    sum_283 = 1.0 + baseline_per_path * sum_282 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
+    sum_284 = baseline_per_path * sum_283 - 4.0 * cos_beta
+    del sum_274, sum_281, sum_282, sum_283
+    sum_285 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_284
+    sum_286 = 32.0 * sum_273 * sum_5_squared + 48.0 * sigma_beta_squared * sum_285
+    sum_287 = rho * sigma_beta * sigma_path_per_path * sum_14 * sum_286 * sum_9 + sin_beta * sum_264
+    del sum_284, sum_273, sum_285, sum_264, sum_286
+    sum_288 = sigma_beta * sum_287 - rho * sigma_path_per_path * sum_180
+    sum_289 = 1.0 - sin_beta_squared_squared
+    sum_290 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_289
+    sum_291 = (6.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_290
+    del sum_180, sum_287, sin_beta_squared_squared, sum_290
+    sum_292 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_291
+    sum_293 = (
+        384.0 * baseline_per_path * sum_292
+        - 384.0 * cos_beta
+        - 576.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
+    )
+    sum_294 = (
+        64.0 * cos_beta * sum_5_squared_squared * sum_62_squared
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_293
+    )
+    del sum_291, sum_292, sum_293, sum_62_squared
+    sum_295 = sigma_path_per_path_squared * sin_beta * sum_294 + sigma_beta * sum_288
+    sum_296 = 3.0 - sin_beta_squared * (2.0 + sin_beta_squared)
+    sum_297 = (14.0 - 6.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_296
+    sum_298 = 26.0 - baseline_per_path * sum_297 - (28.0 - 6.0 * sin_beta_squared) * sin_beta_squared
+    del sum_288, sum_294, sum_296, sum_297
+    sum_299 = (24.0 - 14.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_298
+    sum_300 = 11.0 - 10.0 * sin_beta_squared - baseline_per_path * sum_299
+    sum_301 = (
+        3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_185
+        - 1536.0 * cos_beta
+        + 768.0 * baseline_per_path * sum_300
+    )
+    sum_302 = (
+        128.0 * sum_14 * sum_185 * sum_5_squared_squared * sum_62 * sum_9
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_301
+    )
+    del sum_298, sum_299, sum_300, sum_301, sum_5_squared_squared, sum_62
+    sum_303 = 20.0 * baseline_per_path - 22.0 * cos_beta
+    sum_304 = 31.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_303
+    sum_305 = cos_beta * sum_304 - 32.0 * baseline_per_path
+    sum_306 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_305
+    sum_307 = (16.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_306
+    del sum_303, sum_304, sum_305, sum_306
+    sum_308 = 3.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_307
+    sum_309 = 32.0 * sigma_beta_squared * sum_308 + 64.0 * sum_185**2 * sum_5_squared
+    sum_310 = 16.0 * sigma_beta_squared_squared * sum_190**2 + sum_309 * sum_5_squared
+    del sum_307, sum_185, sum_308, sigma_beta_squared_squared, sum_309
+    sum_311 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
+    sum_312 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_311
+    sum_313 = 67.0 - baseline_per_path * sum_312 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
+    sum_314 = baseline_per_path * sum_313 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
+    sum_315 = 86.0 - baseline_per_path * sum_314 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
     del sum_311, sum_312, sum_313, sum_314
-    sum_316 = 32.0 * sum_315 * sum_6_squared - 48.0 * sigma_beta_squared * sum_305
-    sum_317 = sin_beta * sum_291 - rho * sigma_beta * sigma_path * sum_12 * sum_13 * sum_316
-    del sum_305, sum_315, sum_291, sum_316
-    sum_318 = rho * sigma_path * sum_194 + sigma_beta * sum_317
-    sum_319 = 1.0 - sin_beta_squared_squared
-    sum_320 = baseline * cos_beta * sum_319 - path * sum_171
-    sum_321 = 6.0 - 4.0 * sin_beta_squared
-    sum_322 = cos_beta * path_squared * sum_321 + baseline * sum_320
-    del sum_194, sum_317, sin_beta_squared_squared, sum_320
-    sum_323 = baseline * sum_322 - product_3 * sum_171
-    sum_324 = (
-        384.0 * cos_beta * path_squared_squared
-        + 384.0 * baseline * sum_323
-        + 576.0 * baseline_squared * cos_beta * sigma_path_squared * sin_beta_squared
+    sum_316 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_315
+    sum_317 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_316
+    sum_318 = baseline_per_path * sum_317 - 8.0 * cos_beta
+    sum_319 = 1.0 + baseline_per_path * sum_318
+    del sum_315, sum_316, sum_317, sum_318
+    sum_320 = 146.0 + 21.0 * sin_beta_squared
+    sum_321 = 112.0 + 164.0 * sin_beta_squared
+    sum_322 = 214.0 + 18.0 * sin_beta_squared
+    sum_323 = 140.0 + 76.0 * sin_beta_squared
+    sum_324 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
+    sum_325 = cos_beta * sum_323 - baseline_per_path * sum_324
+    sum_326 = 76.0 - baseline_per_path * sum_325 - sin_beta_squared * sum_322
+    del sum_323, sum_324, sum_322, sum_325
+    sum_327 = baseline_per_path * sum_326 + cos_beta * sum_321
+    sum_328 = 122.0 - baseline_per_path * sum_327 - sin_beta_squared * sum_320
+    del sum_321, sum_326, sum_320, sum_327
+    sum_329 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_328
+    sum_330 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_329
+    sum_331 = baseline_per_path * sum_330 - 8.0 * cos_beta
+    sum_332 = 16.0 + 128.0 * rho_squared * sum_319 + 16.0 * baseline_per_path * sum_331
+    del sum_328, sum_329, sum_330, sum_319, sum_331
+    sum_333 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
+    sum_334 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_333
+    sum_335 = 4.0 * cos_beta + baseline_per_path * sum_334
+    sum_336 = 1.0 - baseline_per_path * sum_335
+    sum_337 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
+    sum_338 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_337
+    del sum_333, sum_334, sum_335, sum_337
+    sum_339 = baseline_per_path * sum_338 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    sum_340 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_339
+    sum_341 = baseline_per_path * sum_340 - 4.0 * cos_beta
+    sum_342 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
+    sum_343 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_342
+    del sum_338, sum_339, sum_340, sum_342
+    sum_344 = 4.0 * cos_beta + baseline_per_path * sum_343
+    sum_345 = 1.0 - baseline_per_path * sum_344
+    sum_346 = cos_beta * (13.0 + sin_beta_squared) - baseline_per_path * sum_206
+    sum_347 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_346
+    del sum_343, sum_344, sum_206, sum_346
+    sum_348 = baseline_per_path * sum_347 + cos_beta * sum_80
+    sum_349 = 5.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_348
+    sum_350 = baseline_per_path * sum_349 - cos_beta
+    del sum_347, sum_80, sum_348, sum_349
+    sum_351 = 384.0 * sigma_path_per_path * sin_beta * sum_345 + 768.0 * rho * sigma_beta * sum_350
+    sum_352 = 192.0 * sigma_beta * sum_341 + rho * sum_351
+    del sum_345, sum_350, sum_341, sum_351
+    sum_353 = 192.0 * sigma_path_per_path * sin_beta * sum_336 + rho * sum_352
+    sum_354 = (
+        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_353
+        - sigma_beta_squared * sum_332
     )
-    sum_325 = (
-        64.0 * cos_beta * sum_53_squared * sum_6_squared_squared
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_324
+    del sum_336, sum_352, sum_332, sum_353
+    sum_355 = 10.0 * baseline_per_path - 6.0 * cos_beta
+    sum_356 = cos_beta * (48.0 + cos_beta * sum_355) - 33.0 * baseline_per_path
+    sum_357 = 72.0 - 42.0 * cos_beta_squared + baseline_per_path * sum_356
+    sum_358 = (44.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_357
+    sum_359 = 14.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_358
+    del sum_355, sum_356, sum_357, sum_358
+    sum_360 = 15.0 - 24.0 * baseline_per_path_squared
+    sum_361 = cos_beta * sum_359 - baseline_per_path * sum_360
+    sum_362 = (9.0 - 24.0 * cos_beta_squared) * cos_beta_squared - baseline_per_path * sum_361
+    sum_363 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_362
+    del sum_359, sum_360, sum_361, sum_362
+    sum_364 = 124.0 - 14.0 * cos_beta_squared
+    sum_365 = 11.0 * baseline_per_path - 6.0 * cos_beta
+    sum_366 = cos_beta * (102.0 + cos_beta * sum_365) - 54.0 * baseline_per_path
+    sum_367 = 171.0 - 84.0 * cos_beta_squared + baseline_per_path * sum_366
+    sum_368 = cos_beta * sum_364 - baseline_per_path * sum_367
+    del sum_365, sum_366, sum_364, sum_367
+    sum_369 = 10.0 - 126.0 * baseline_per_path_squared - cos_beta * sum_368
+    sum_370 = 12.0 - 48.0 * baseline_per_path_squared
+    sum_371 = cos_beta * sum_369 - baseline_per_path * sum_370
+    sum_372 = 6.0 - baseline_per_path * sum_371 - (12.0 + 69.0 * cos_beta_squared) * cos_beta_squared
+    del sum_368, sum_369, sum_370, sum_371
+    sum_373 = (12.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_372
+    sum_374 = 2.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_373
+    sum_375 = (
+        64.0
+        - 128.0 * cos_beta_squared
+        - 64.0 * baseline_per_path * sum_363
+        + 64.0 * rho_squared * sum_374
     )
-    del sum_171, sum_322, sum_323, sum_324, sum_53_squared
-    sum_326 = sigma_path_squared * sin_beta * sum_325 + sigma_beta * sum_318
-    sum_327 = 3.0 - sin_beta_squared * (2.0 + sin_beta_squared)
-    sum_328 = baseline * sum_327 - (14.0 - 6.0 * sin_beta_squared) * cos_beta * path
-    sum_329 = 26.0 - (28.0 - 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_330 = path_squared * sum_329 + baseline * sum_328
-    del sum_318, sum_325, sum_327, sum_328, sum_329
-    sum_331 = baseline * sum_330 - (24.0 - 14.0 * sin_beta_squared) * cos_beta * product_3
-    sum_332 = (11.0 - 10.0 * sin_beta_squared) * path_squared_squared + baseline * sum_331
-    sum_333 = (
-        3456.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_284
-        - 1536.0 * cos_beta * product_9
-        + 768.0 * baseline * sum_332
+    del sum_372, sum_373, rho_squared, sum_363, sum_374
+    sum_376 = sin_beta_squared * sum_354 + sum_375 * sum_5_squared
+    sum_377 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
+    sum_378 = baseline_per_path * sum_377 - 4.0 * cos_beta
+    del sum_354, sum_375, product_5, sum_377
+    sum_379 = 1.0 + baseline_per_path * sum_378
+    sum_380 = 19.0 * baseline_per_path - 18.0 * cos_beta
+    sum_381 = 101.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_380
+    sum_382 = cos_beta * sum_381 - 106.0 * baseline_per_path
+    sum_383 = 19.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_382
+    del sum_378, sum_380, sum_381, sum_382
+    sum_384 = (32.0 - 34.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_383
+    sum_385 = 7.0 - baseline_per_path * sum_384 + 22.0 * cos_beta_squared
+    sum_386 = baseline_per_path * sum_385 - 10.0 * cos_beta
+    del sum_383, cos_beta_squared, sum_384, sum_385
+    sum_387 = 64.0 * sum_386 * sum_5_squared - 96.0 * sigma_beta_squared * sum_190 * sum_379
+    del sigma_beta_squared, sum_190, sum_379, sum_386, sum_5_squared
+    sum_388 = rho * sigma_beta * sin_beta * sum_14 * sum_387 * sum_9 - sigma_path_per_path * sum_376
+    del sum_14, sum_376, sum_387, sum_9
+    sum_389 = sigma_path_per_path * sum_388 + sum_14_squared * sum_310 * term_4
+    del sum_14_squared, sum_310, sum_388, term_4
+    sum_390 = sigma_beta * sum_389 - rho * sigma_path_per_path * sin_beta * sum_302
+    del sigma_path_per_path, sin_beta, sum_302, sum_389
+    sum_391 = 110.0 - 41.0 * sin_beta_squared
+    sum_392 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
+    sum_393 = (12.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_73
+    sum_394 = 54.0 - baseline_per_path * sum_393 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
+    sum_395 = baseline_per_path - 8.0 * cos_beta
+    sum_396 = 28.0 - sin_beta_squared * sum_394 + baseline_per_path * sum_395
+    del sum_73, sum_393, sum_394, sum_395
+    sum_397 = cos_beta * sum_392 - baseline_per_path * sum_396
+    sum_398 = 70.0 - baseline_per_path * sum_397 - sin_beta_squared * sum_391
+    del sum_392, sum_396, sum_391, sum_397
+    sum_399 = (56.0 - 44.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_398
+    sum_400 = 28.0 - 26.0 * sin_beta_squared - baseline_per_path * sum_399
+    sum_401 = baseline_per_path * sum_400 - 8.0 * cos_beta
+    sum_402 = baseline_per_path * sum_289 - 4.0 * cos_beta
+    del sum_398, sum_399, sum_400, sum_289
+    sum_403 = 6.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_402
+    sum_404 = baseline_per_path * sum_403 - 4.0 * cos_beta
+    sum_405 = (
+        384.0
+        + 384.0 * baseline_per_path * sum_404
+        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
     )
-    sum_334 = (
-        128.0 * sum_12 * sum_13 * sum_284 * sum_53 * sum_6_squared_squared
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_333
+    del sum_402, cos_beta, sum_403, sum_404
+    sum_406 = (
+        64.0
+        + 64.0 * baseline_per_path * sum_401
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_405
     )
-    del sum_330, sum_331, sum_332, sum_333, sum_53, sum_6_squared_squared
-    sum_335 = 31.0 * path + cos_beta * (22.0 * baseline + product_14)
-    sum_336 = 20.0 * baseline_squared - path * sum_335
-    sum_337 = cos_beta * sum_336 + product_13
-    del product_14, sum_335, product_13, sum_336
-    sum_338 = 20.0 * path_squared - 24.0 * baseline_squared + cos_beta * sum_337
-    sum_339 = baseline * sum_338 - (16.0 - 14.0 * cos_beta_squared) * cos_beta * product_3
-    sum_340 = baseline * sum_339 - (3.0 - 5.0 * cos_beta_squared) * path_squared_squared
-    sum_341 = 64.0 * sum_284**2 * sum_6_squared - 32.0 * sigma_beta_squared * sum_340
-    del sum_337, sum_338, sum_339, sum_284, sum_340
-    sum_342 = 16.0 * sigma_beta_squared_squared * sum_289**2 + sum_341 * sum_6_squared
-    product_28 = 4.0 * cos_beta * product_3
-    sum_343 = baseline * (8.0 + sin_beta_squared) + product_25
-    sum_344 = (3.0 - 6.0 * sin_beta_squared) * path_squared + baseline * sum_343
-    del sigma_beta_squared_squared, sum_341, product_25, sum_343
-    sum_345 = product_28 + baseline * sum_344
-    sum_346 = baseline * sum_345 - path_squared_squared
-    sum_347 = (27.0 + 9.0 * sin_beta_squared) * baseline - (68.0 + 6.0 * sin_beta_squared) * cos_beta * path
-    sum_348 = (38.0 - 63.0 * sin_beta_squared) * path_squared + baseline * sum_347
-    sum_349 = (24.0 + 16.0 * sin_beta_squared) * cos_beta * product_3 + baseline * sum_348
-    del sum_344, sum_345, sum_347, sum_348
-    sum_350 = baseline * sum_349 - path_squared_squared * sum_201
-    sum_351 = 4.0 * cos_beta * product_9 + baseline * sum_350
-    sum_352 = baseline * (17.0 + sin_beta_squared) - 32.0 * cos_beta * path
-    sum_353 = (12.0 - 15.0 * sin_beta_squared) * path_squared + baseline * sum_352
-    del sum_201, sum_349, sum_350, sum_352
-    sum_354 = product_28 + baseline * sum_353
-    sum_355 = baseline * sum_354 - path_squared_squared
-    sum_356 = baseline * sum_196 - cos_beta * path * (13.0 + sin_beta_squared)
-    sum_357 = path_squared * sum_195 + baseline * sum_356
-    del sum_353, sum_354, sum_196, sum_195, sum_356
-    sum_358 = cos_beta * product_3 * sum_73 + baseline * sum_357
-    sum_359 = baseline * sum_358 - (5.0 - 4.0 * sin_beta_squared) * path_squared_squared
-    sum_360 = cos_beta * product_9 + baseline * sum_359
-    del sum_357, sum_73, sum_358, sum_359
-    sum_361 = 384.0 * sigma_path * sin_beta * sum_355 + 768.0 * rho * sigma_beta * sum_360
-    sum_362 = 192.0 * sigma_beta * sum_351 + rho * sum_361
-    del sum_355, sum_360, sum_351, sum_361
-    sum_363 = 192.0 * sigma_path * sin_beta * sum_346 + rho * sum_362
-    product_29 = -8.0 * cos_beta * product_20
-    sum_364 = 86.0 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    sum_365 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
-    sum_366 = baseline * sum_365 - (95.0 + 31.0 * sin_beta_squared) * cos_beta * path
-    del sum_346, sum_362, product_20, sum_365
-    sum_367 = 67.0 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_368 = path_squared * sum_367 + baseline * sum_366
-    sum_369 = (58.0 + 83.0 * sin_beta_squared) * cos_beta * product_3 + baseline * sum_368
-    sum_370 = baseline * sum_369 - path_squared_squared * sum_364
-    del sum_366, sum_367, sum_368, sum_364, sum_369
-    sum_371 = (13.0 - 36.0 * sin_beta_squared) * cos_beta * product_9 + baseline * sum_370
-    sum_372 = (19.0 - 13.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_371
-    sum_373 = product_29 + baseline * sum_372
-    sum_374 = 146.0 + 21.0 * sin_beta_squared
-    sum_375 = 122.0 - sin_beta_squared * sum_374
-    del sum_370, sum_371, sum_372, sum_374
-    sum_376 = 140.0 + 76.0 * sin_beta_squared
-    sum_377 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
-    sum_378 = baseline * sum_377 - cos_beta * path * sum_376
-    sum_379 = 214.0 + 18.0 * sin_beta_squared
-    sum_380 = 76.0 - sin_beta_squared * sum_379
-    sum_381 = path_squared * sum_380 + baseline * sum_378
-    del sum_376, sum_377, sum_379, sum_378, sum_380
-    sum_382 = 112.0 + 164.0 * sin_beta_squared
-    sum_383 = cos_beta * product_3 * sum_382 + baseline * sum_381
-    sum_384 = baseline * sum_383 - path_squared_squared * sum_375
-    del sum_381, sum_382, sum_375, sum_383
-    sum_385 = (4.0 - 72.0 * sin_beta_squared) * cos_beta * product_9 + baseline * sum_384
-    sum_386 = (28.0 - 22.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_385
-    sum_387 = product_29 + baseline * sum_386
-    sum_388 = 128.0 * rho_squared * (baseline * sum_373 + term_3) + 16.0 * baseline * sum_387 + 16.0 * term_3
-    del sum_384, sum_385, sum_386, sum_373, sum_387
-    sum_389 = baseline_squared * sigma_path * sin_beta * sum_363 + sigma_beta_squared * sum_388
-    sum_390 = 48.0 * path + cos_beta * (10.0 * baseline + product_23)
-    sum_391 = cos_beta * sum_390 - 33.0 * baseline
-    sum_392 = (72.0 - 42.0 * cos_beta_squared) * path_squared + baseline * sum_391
-    del sum_363, sum_388, sum_390, sum_391
-    sum_393 = baseline * sum_392 - (44.0 - 10.0 * cos_beta_squared) * cos_beta * product_3
-    sum_394 = 48.0 * baseline_squared - 14.0 * path_squared
-    sum_395 = cos_beta * sum_393 - path * sum_394
-    sum_396 = 24.0 * baseline_squared - 15.0 * path_squared
-    sum_397 = cos_beta * sum_395 + baseline * sum_396
-    del sum_392, sum_393, sum_394, sum_395, sum_396
-    sum_398 = baseline * sum_397 - (9.0 - 24.0 * cos_beta_squared) * cos_beta_squared * path_squared_squared
-    sum_399 = cos_beta * product_9 * sum_105 + baseline * sum_398
-    sum_400 = 6.0 - (12.0 + 69.0 * cos_beta_squared) * cos_beta_squared
-    sum_401 = 124.0 - 14.0 * cos_beta_squared
-    sum_402 = 102.0 * path + cos_beta * (11.0 * baseline + product_23)
-    del sum_397, sum_105, sum_398, product_23
-    sum_403 = cos_beta * sum_402 - 54.0 * baseline
-    sum_404 = 171.0 - 84.0 * cos_beta_squared
-    sum_405 = path_squared * sum_404 + baseline * sum_403
-    sum_406 = baseline * sum_405 - cos_beta * product_3 * sum_401
-    del sum_402, sum_403, sum_404, sum_401, sum_405
-    sum_407 = 126.0 * baseline_squared - 10.0 * path_squared
-    sum_408 = cos_beta * sum_406 - path * sum_407
-    sum_409 = 48.0 * baseline_squared - 12.0 * path_squared
-    sum_410 = cos_beta * sum_408 + baseline * sum_409
-    del sum_406, sum_407, sum_408, sum_409
-    sum_411 = baseline * sum_410 - path_squared_squared * sum_400
-    sum_412 = (12.0 - 42.0 * cos_beta_squared) * cos_beta * product_9 + baseline * sum_411
-    sum_413 = baseline * sum_412 - (2.0 - 7.0 * cos_beta_squared) * path_squared_cubed
-    del sum_400, sum_410, sum_411, sum_412
-    sum_414 = 64.0 * rho_squared * sum_413 - 64.0 * path_squared_cubed * sum_57 + 64.0 * baseline * sum_399
-    del rho_squared, sum_399, sum_413, sum_57
-    sum_415 = sin_beta_squared * sum_389 + sum_414 * sum_6_squared
-    sum_416 = 101.0 * path + cos_beta * (18.0 * baseline + product_12)
-    sum_417 = 19.0 * baseline_squared - path * sum_416
-    del sum_389, sum_414, product_12, sum_416
-    sum_418 = 106.0 * baseline * path + cos_beta * sum_417
-    sum_419 = 19.0 * path_squared - 48.0 * baseline_squared + cos_beta * sum_418
-    sum_420 = baseline * sum_419 - (32.0 - 34.0 * cos_beta_squared) * cos_beta * product_3
-    sum_421 = (7.0 + 22.0 * cos_beta_squared) * path_squared_squared + baseline * sum_420
-    del sum_417, sum_418, sum_419, sum_420
-    sum_422 = baseline * sum_421 - 10.0 * cos_beta * product_9
-    sum_423 = product_11 - 8.0 * cos_beta * path
-    sum_424 = baseline * sum_423 - (3.0 - 3.0 * cos_beta_squared) * path_squared
-    del sum_421, product_11, cos_beta_squared, sum_423
-    sum_425 = product_28 + baseline * sum_424
-    sum_426 = baseline * sum_425 - path_squared_squared
-    sum_427 = 64.0 * sum_422 * sum_6_squared + 96.0 * sigma_beta_squared * sum_289 * sum_426
-    del product_28, sum_424, sum_425, sigma_beta_squared, sum_289, sum_422, sum_426, sum_6_squared
-    sum_428 = rho * sigma_beta * sin_beta * sum_12 * sum_13 * sum_427 - sigma_path * sum_415
-    del sum_12, sum_13, sum_415, sum_427
-    sum_429 = sum_12_squared * sum_13_squared * sum_342 - sigma_path * sum_428
-    del sum_12_squared, sum_13_squared, sum_342, sum_428
-    sum_430 = rho * sigma_path * sin_beta * sum_334 + sigma_beta * sum_429
-    sum_431 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
-    sum_432 = 54.0 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_433 = (12.0 - 4.0 * sin_beta_squared) * baseline * cos_beta - path * sum_432
-    del sin_beta, sum_334, sum_429, sum_432
-    sum_434 = 28.0 * path - 8.0 * baseline * cos_beta + sin_beta_squared * sum_433
-    sum_435 = baseline_squared * sum_172 + path * sum_434
-    sum_436 = baseline * sum_435 - cos_beta * product_3 * sum_431
-    del sum_433, sum_172, sum_434, product_3, sum_431, sum_435
-    sum_437 = 110.0 - 41.0 * sin_beta_squared
-    sum_438 = 70.0 - sin_beta_squared * sum_437
-    sum_439 = path_squared_squared * sum_438 + baseline * sum_436
-    sum_440 = baseline * sum_439 - (56.0 - 44.0 * sin_beta_squared) * cos_beta * product_9
-    del sum_437, sum_436, sum_438, cos_beta, product_9, sum_439
-    sum_441 = (28.0 - 26.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_440
-    sum_442 = product_29 + baseline * sum_441
-    del path_squared_cubed, sum_440, product_29, sum_441
-    sum_443 = product_16 + baseline * sum_319
-    sum_444 = path_squared * sum_321 + baseline * sum_443
-    del product_16, sum_319, path_squared, sum_321, sum_443
-    sum_445 = product_26 + baseline * sum_444
-    sum_446 = (
-        384.0 * path_squared_squared
-        + 384.0 * baseline * sum_445
-        + 576.0 * baseline_squared * sigma_path_squared * sin_beta_squared
-    )
-    del product_26, sum_444, path_squared_squared, sum_445
-    sum_447 = (
-        64.0 * baseline * sum_442
-        + 64.0 * term_3
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_446
-    )
-    del baseline_squared, sum_442, sum_446, term_3
-    sum_448 = sigma_path_squared * sin_beta_squared * sum_447 + sigma_beta * sum_430
-    del sigma_path_squared, sin_beta_squared, sum_430, sum_447
-    mean[..., 0] = -sum_26 * term_1
-    mean[..., 1] = -sum_51 * term_1
-    covariance[..., 0, 0] = sum_183 * term_2
-    del sum_26, sum_51, term_1, sum_183
-    covariance[..., 0, 1] = sum_326 * term_2
+    del baseline_per_path, baseline_per_path_squared, sum_401, sum_405
+    sum_407 = sigma_path_per_path_squared * sin_beta_squared * sum_406 + sigma_beta * sum_390
+    del sigma_path_per_path_squared, sin_beta_squared, sum_390, sum_406
+    mean[..., 0] = path * sum_28 * term_2
+    mean[..., 1] = path * sum_55 * term_2
+    covariance[..., 0, 0] = path_squared * sum_171 * term_3
+    del sum_28, sum_55, term_2, sum_171
+    covariance[..., 0, 1] = path_squared * sum_295 * term_3
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sum_448 * term_2
+    covariance[..., 1, 1] = path_squared * sum_407 * term_3
+    del sum_295, path_squared, sum_407, term_3
 
 
 def bistatic_posterior(
@@ -1743,705 +1623,644 @@ def bistatic_posterior(
     Mean: posterior mean of the position under a flat prior, to fourth order. Covariance: posterior covariance
     of the position under a flat prior, to fourth order, completed to a sum of squares.
     """
+    term_1 = 1.0 / path
+    baseline_per_path = baseline * term_1
+    sigma_path_per_path = sigma_path * term_1
     cos_beta = np.cos(beta)
-    divisor_1 = 2.0 * path - 2.0 * baseline * cos_beta
-    product_1 = baseline * cos_beta
-    sum_1 = product_1 - path
+    product_1 = -2.0 * baseline_per_path * cos_beta
+    divisor_1 = 2.0 + product_1
+    product_2 = baseline_per_path * cos_beta
+    sum_1 = product_2 - 1.0
     sum_1_squared = sum_1**2
     sum_1_squared_squared = sum_1_squared**2
-    sum_2 = baseline + path
-    sum_3 = baseline - path
+    sum_2 = 1.0 - baseline_per_path
+    sum_3 = 1.0 + baseline_per_path
+    sigma_path_per_path_squared = sigma_path_per_path**2
     sin_beta = np.sin(beta)
     sin_beta_squared = sin_beta**2
-    sum_4 = 2.0 - 2.0 * sin_beta_squared
-    sum_5 = 1.0 - sin_beta_squared
-    sum_6 = baseline * cos_beta * sum_5 - path * sum_4
-    path_squared = path**2
-    sigma_path_squared = sigma_path**2
-    baseline_squared = baseline**2
-    sum_7 = 16.0 * cos_beta * path_squared + 16.0 * baseline * sum_6 + 48.0 * cos_beta * sigma_path_squared
-    sum_8 = baseline * (path + product_1) - 3.0 * cos_beta * path_squared
-    product_2 = path * path_squared
-    product_3 = -3.0 * cos_beta * path
+    sum_4 = 1.0 - sin_beta_squared
+    sum_5 = 2.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_4
+    baseline_per_path_squared = baseline_per_path**2
+    sum_6 = 16.0 * baseline_per_path * sum_5 - 16.0 * cos_beta - 48.0 * cos_beta * sigma_path_per_path_squared
+    sum_7 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
+    del term_1, sum_1, sum_5, product_2
+    sum_8 = 1.0 + baseline_per_path * sum_7
     cos_beta_squared = cos_beta**2
-    sum_9 = (3.0 - cos_beta_squared) * baseline + product_3
+    sum_9 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
     sum_10 = (
-        16.0 * (product_2 + baseline * sum_8) * sum_1_squared
-        + 48.0 * baseline_squared * (cos_beta * sum_9 + path) * sigma_path_squared
+        16.0 * sum_1_squared * sum_8
+        + 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_9) * sigma_path_per_path_squared
     )
-    del sum_1, sum_6, product_1, sum_8, sum_9
-    product_4 = path * path_squared**2
-    path_squared_squared = path_squared**2
-    product_5 = -11.0 * cos_beta * path
-    product_6 = (6.0 - cos_beta_squared) * baseline
-    sum_11 = baseline * (product_5 + product_6) - (29.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_12 = 18.0 * baseline * path + cos_beta * sum_11
-    sum_13 = baseline * sum_12 - (7.0 - 17.0 * cos_beta_squared) * product_2
-    sum_14 = 5.0 * cos_beta * path_squared_squared + baseline * sum_13
-    sum_15 = 13.0 * path + cos_beta * (4.0 * baseline + product_3)
-    sum_16 = cos_beta * sum_15 - 6.0 * baseline
-    del sum_11, sum_12, sum_13, sum_15
-    sum_17 = (7.0 - 9.0 * cos_beta_squared) * path_squared + baseline * sum_16
-    rho_squared = rho**2
-    sum_18 = cos_beta * sum_17 - 6.0 * baseline * path
-    sum_19 = (
-        (8.0 + 16.0 * rho_squared) * baseline_squared * sigma_path * sum_18
-        - 8.0 * (baseline * sum_14 - product_4) * rho * sigma_beta * sin_beta
-    )
-    del sum_16, sum_17, sum_14, sum_18
-    product_7 = -cos_beta * product_2
-    product_8 = (20.0 - cos_beta_squared) * baseline
-    sum_20 = 20.0 * path + cos_beta * (product_5 + product_8)
-    sum_21 = cos_beta * sum_20 - 24.0 * baseline
-    sum_22 = (8.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_21
+    product_3 = (20.0 - cos_beta_squared) * baseline_per_path
+    sum_11 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
+    sum_12 = cos_beta * sum_11 - 24.0 * baseline_per_path
+    del sum_7, sum_8, sum_9, sum_11
+    sum_13 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_12
     sigma_beta_squared = sigma_beta**2
-    product_9 = -cos_beta * path
-    product_10 = (2.0 - cos_beta_squared) * baseline
-    sum_23 = (
-        8.0 * (product_10 + product_9) * sum_1_squared
-        - 2.0 * (product_7 + baseline * sum_22) * sigma_beta_squared
+    sum_14 = baseline_per_path * sum_13 - cos_beta
+    product_4 = (2.0 - cos_beta_squared) * baseline_per_path
+    sum_15 = 8.0 * (product_4 - cos_beta) * sum_1_squared - 2.0 * sigma_beta_squared * sum_14
+    product_5 = (6.0 - cos_beta_squared) * baseline_per_path
+    sum_16 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
+    sum_17 = cos_beta * sum_16 - 18.0 * baseline_per_path
+    del sum_12, sum_13, sum_14, sum_16
+    sum_18 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_17
+    sum_19 = baseline_per_path * sum_18 - 5.0 * cos_beta
+    sum_20 = 1.0 + baseline_per_path * sum_19
+    sum_21 = 4.0 * baseline_per_path - 3.0 * cos_beta
+    sum_22 = cos_beta * (13.0 + cos_beta * sum_21) - 6.0 * baseline_per_path
+    del sum_17, sum_18, sum_19, sum_21
+    sum_23 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_22
+    rho_squared = rho**2
+    sum_24 = cos_beta * sum_23 - 6.0 * baseline_per_path
+    sum_25 = (
+        8.0 * rho * sigma_beta * sin_beta * sum_20
+        + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_24
     )
-    del product_5, sum_20, sum_21, sum_22
-    sum_24 = path * sum_2 * sum_23 * sum_3 - sigma_path * sum_19
-    sum_25 = rho * sigma_path * sin_beta * sum_10 + sigma_beta * sum_24
-    del sum_19, sum_23, sum_10, sum_24
-    term_1 = 1.0 / (divisor_1 * (divisor_1**2)**2)
-    sum_26 = (
+    del sum_22, sum_23, sum_20, sum_24
+    sum_26 = sigma_path_per_path * sum_25 + sum_15 * sum_2 * sum_3
+    sum_27 = sigma_beta * sum_26 - rho * sigma_path_per_path * sin_beta * sum_10
+    del sum_15, sum_25, sum_10, sum_26
+    term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
+    sum_28 = (
         16.0 * cos_beta * sum_1_squared_squared * sum_2 * sum_3
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_7
-        + sigma_beta * sum_25
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_6
+        + sigma_beta * sum_27
     )
-    sum_27 = 2.0 * baseline + product_9
-    sum_28 = baseline * sum_27 - path_squared
-    sum_29 = 16.0 * sum_1_squared + 8.0 * sigma_beta_squared * sum_28
-    sum_30 = 20.0 * path + cos_beta * (8.0 * baseline + product_9)
-    sum_31 = cos_beta * sum_30 - 24.0 * baseline
-    del sum_25, sum_7, sum_28, sum_30
-    sum_32 = (20.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_31
-    sum_33 = baseline * sum_32 - 11.0 * cos_beta * product_2
+    sum_29 = 2.0 * baseline_per_path - cos_beta
+    sum_30 = 1.0 - baseline_per_path * sum_29
+    sum_31 = 16.0 * sum_1_squared - 8.0 * sigma_beta_squared * sum_30
+    sum_32 = 8.0 * baseline_per_path - cos_beta
+    sum_33 = cos_beta * (20.0 + cos_beta * sum_32) - 24.0 * baseline_per_path
+    del sum_27, sum_6, sum_30, sum_32
+    sum_34 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_33
+    sum_35 = baseline_per_path * sum_34 - 11.0 * cos_beta
     sigma_beta_squared_squared = sigma_beta_squared**2
-    sum_34 = baseline * sum_33 - path_squared_squared
-    sum_35 = sum_1_squared * sum_29 - 2.0 * sigma_beta_squared_squared * sum_34
-    del sum_31, sum_32, sum_33, sum_29, sum_34
-    product_11 = -2.0 * cos_beta * path
-    sum_36 = (
-        16.0 * baseline * (product_11 + baseline * sum_5)
-        + 16.0 * path_squared
-        + 48.0 * sigma_path_squared
+    sum_36 = 1.0 - baseline_per_path * sum_35
+    sum_37 = 2.0 * sigma_beta_squared_squared * sum_36 + sum_1_squared * sum_31
+    del sum_33, sum_34, sum_35, sum_31, sum_36
+    sum_38 = baseline_per_path * sum_4 - 2.0 * cos_beta
+    sum_39 = 16.0 + 16.0 * baseline_per_path * sum_38 + 48.0 * sigma_path_per_path_squared
+    sum_40 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_41 = cos_beta * (5.0 + cos_beta * sum_29) - 4.0 * baseline_per_path
+    sum_42 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_41
+    del sum_4, sum_38, sum_29, sum_41
+    sum_43 = (
+        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_42
+        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_40
     )
-    sum_37 = cos_beta * (5.0 * path + cos_beta * sum_27) - 4.0 * baseline
-    sum_38 = 1.0 - 3.0 * cos_beta_squared
-    sum_39 = path_squared * sum_38 + baseline * sum_37
-    sum_40 = baseline * (3.0 + sin_beta_squared) + product_3
-    sum_41 = 48.0 * rho * sigma_path * sin_beta * sum_40 - (24.0 + 48.0 * rho_squared) * sigma_beta * sum_39
-    del sum_5, sum_27, sum_37, sum_39, sum_40
-    sum_42 = sin_beta_squared * sum_36 + sigma_beta * sum_41
-    sum_43 = baseline_squared * sigma_path_squared * sum_42 + sum_2 * sum_3 * sum_35
-    del sum_36, sum_41, sum_35, sum_42
-    sum_44 = product_8 - 19.0 * cos_beta * path
-    sum_45 = baseline * sum_44 - (31.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_46 = 32.0 * baseline * path + cos_beta * sum_45
-    sum_47 = 20.0 * path_squared - 24.0 * baseline_squared + cos_beta * sum_46
-    del product_8, sum_44, sum_45, sum_46
-    sum_48 = baseline * sum_47 - (21.0 - 17.0 * cos_beta_squared) * cos_beta * product_2
-    sum_49 = 5.0 * cos_beta_squared * path_squared_squared + baseline * sum_48
-    sum_50 = baseline * sum_49 - cos_beta * product_4
-    sum_51 = 3.0 * cos_beta_squared * path_squared + baseline * (product_10 + product_3)
-    sum_52 = 16.0 * (product_7 + baseline * sum_51) * sum_1_squared - 8.0 * sigma_beta_squared * sum_50
-    del sum_47, sum_48, sum_49, sum_50, sum_51
-    sum_53 = sin_beta * sum_43 + rho * sigma_beta * sigma_path * sum_52
-    term_2 = 1.0 / ((divisor_1**2)**2)**2
-    sum_54 = baseline + product_11
-    sum_55 = path_squared + baseline * sum_54
-    sum_56 = baseline * sum_4 - (2.0 - 3.0 * sin_beta_squared) * cos_beta * path
-    del sum_43, sum_52, divisor_1, sum_4
-    product_12 = (4.0 - cos_beta_squared) * baseline
-    sum_57 = product_12 - 13.0 * cos_beta * path
-    sum_58 = baseline * sum_57 - (3.0 - 12.0 * cos_beta_squared) * path_squared
-    product_13 = 4.0 * baseline * path
-    sum_59 = baseline * (cos_beta * sum_58 + product_13) + (1.0 - 4.0 * cos_beta_squared) * product_2
+    sum_44 = sin_beta_squared * sum_39 - sigma_beta * sum_43
+    del sum_40, sum_42, sum_39, sum_43
+    sum_45 = sum_2 * sum_3 * sum_37 - baseline_per_path_squared * sigma_path_per_path_squared * sum_44
+    sum_46 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
+    sum_47 = baseline_per_path * sum_46 - cos_beta
+    sum_48 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
+    del sum_37, sum_44, sum_46, product_3
+    sum_49 = cos_beta * sum_48 - 32.0 * baseline_per_path
+    sum_50 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_49
+    sum_51 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_50
+    sum_52 = baseline_per_path * sum_51 - 5.0 * cos_beta_squared
+    del sum_48, sum_49, sum_50, sum_51
+    sum_53 = baseline_per_path * sum_52 + cos_beta
+    sum_54 = 16.0 * sum_1_squared * sum_47 + 8.0 * sigma_beta_squared * sum_53
+    sum_55 = sin_beta * sum_45 - rho * sigma_beta * sigma_path_per_path * sum_54
+    del sum_52, sum_47, sum_53, sum_45, sum_54
+    term_3 = 1.0 / ((divisor_1**2)**2)**2
+    path_squared = path**2
+    sum_56 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
+    product_6 = (4.0 - cos_beta_squared) * baseline_per_path
+    sum_57 = 3.0 - 12.0 * cos_beta_squared - (product_6 - 13.0 * cos_beta) * baseline_per_path
+    sum_58 = cos_beta * sum_57 - 4.0 * baseline_per_path
+    sum_59 = 1.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_58
     sum_60 = (
-        1152.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_56
-        + 256.0 * cos_beta * sum_1_squared * sum_59
+        256.0 * cos_beta * sum_1_squared * sum_59
+        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_56
     )
-    del sum_57, sum_58, sum_56, sum_59
-    sum_61 = (
-        128.0 * cos_beta * path * sum_1_squared_squared * sum_2 * sum_3 * sum_55
-        + baseline_squared * sigma_path_squared * sum_60
+    del divisor_1, sum_57, sum_58, sum_56, sum_59
+    sum_61 = baseline_per_path - 2.0 * cos_beta
+    sum_62 = 1.0 + baseline_per_path * sum_61
+    sum_63 = (
+        128.0 * cos_beta * sum_1_squared_squared * sum_2 * sum_3 * sum_62
+        - baseline_per_path_squared * sigma_path_per_path_squared * sum_60
     )
-    product_14 = -cos_beta * path_squared_squared
-    product_15 = -4.0 * cos_beta * path
-    sum_62 = baseline * (product_10 + product_15) - (7.0 - 3.0 * cos_beta_squared) * path_squared
-    sum_63 = 4.0 * cos_beta_squared * product_2 + baseline * (cos_beta * sum_62 + product_13)
-    del sum_60, product_10, product_13, sum_62
-    sum_64 = product_14 + baseline * sum_63
-    sum_65 = baseline * (product_15 + product_6) - path_squared
-    sum_66 = 16.0 * path + cos_beta * (3.0 * baseline + product_9)
-    sum_67 = cos_beta * sum_66 - 8.0 * baseline
-    sum_68 = (15.0 - 11.0 * cos_beta_squared) * path_squared + baseline * sum_67
-    sum_69 = cos_beta * sum_68 - 8.0 * baseline * path
-    del sum_63, sum_66, sum_67, sum_68
-    sum_70 = baseline * sum_69 - (2.0 + 7.0 * cos_beta_squared) * product_2
-    sum_71 = 3.0 * cos_beta * path_squared_squared + baseline * sum_70
-    sum_72 = 128.0 * sum_1_squared * sum_71 - 96.0 * sigma_beta_squared * sum_64 * sum_65
-    product_16 = -(3.0 - 3.0 * sin_beta_squared) * path_squared_squared
-    sum_73 = 8.0 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_74 = 4.0 + 3.0 * sin_beta_squared
-    sum_75 = 7.0 - sin_beta_squared * sum_74
-    sum_76 = baseline * sum_75 - (8.0 - 24.0 * sin_beta_squared) * cos_beta * path
-    del sum_69, sum_70, sum_71, sum_75
-    sum_77 = baseline * sum_76 - path_squared * sum_73
-    sum_78 = 12.0 - 12.0 * sin_beta_squared
-    product_17 = cos_beta * product_2 * sum_78
-    sum_79 = baseline * (product_17 + baseline * sum_77) + product_16
-    term_3 = (path_squared**2)**2
-    product_18 = -cos_beta_squared * term_3
-    product_19 = path * path_squared * path_squared**2
-    product_20 = 8.0 * cos_beta * cos_beta_squared * product_19
-    path_squared_cubed = path_squared * path_squared**2
-    sum_80 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared
-    sum_81 = 120.0 - 72.0 * cos_beta_squared
-    sum_82 = 16.0 - cos_beta_squared * sum_81
-    del sum_73, sum_76, sum_77, sum_81
-    sum_83 = 204.0 - 21.0 * cos_beta_squared
-    sum_84 = 225.0 - cos_beta_squared * sum_83
-    sum_85 = 224.0 - 88.0 * cos_beta_squared
-    sum_86 = 162.0 - 18.0 * cos_beta_squared
-    sum_87 = product_12 - 16.0 * cos_beta * path
-    sum_88 = baseline * sum_87 - path_squared * sum_86
-    sum_89 = 80.0 * baseline * path + cos_beta * sum_88
-    del sum_83, sum_86, sum_87, sum_88
-    sum_90 = 192.0 * path_squared - 4.0 * baseline_squared + cos_beta * sum_89
-    sum_91 = baseline * sum_90 - cos_beta * product_2 * sum_85
-    sum_92 = baseline * sum_91 - path_squared_squared * sum_84
-    del sum_89, sum_85, sum_90, sum_84, sum_91
-    sum_93 = 64.0 * baseline_squared - 128.0 * path_squared
-    sum_94 = cos_beta * sum_92 - baseline * path * sum_93
-    sum_95 = baseline * sum_94 - product_4 * sum_82
-    del sum_92, sum_93, sum_82, sum_94
-    sum_96 = 40.0 * baseline_squared - 28.0 * path_squared
-    sum_97 = cos_beta * sum_95 - baseline * path_squared * sum_96
-    sum_98 = baseline * sum_97 - path_squared_cubed * sum_80
-    del sum_95, sum_96, sum_80, sum_97
-    sum_99 = baseline * (product_20 + baseline * sum_98) + product_18
-    sum_100 = 1.0 - 2.0 * cos_beta_squared
-    product_21 = cos_beta * (2.0 * baseline + product_11)
-    sum_101 = cos_beta * (14.0 * path + product_21) - 3.0 * baseline
-    sum_102 = 28.0 - 22.0 * cos_beta_squared
-    sum_103 = path_squared * sum_102 + baseline * sum_101
-    sum_104 = baseline * sum_103 - (22.0 - 6.0 * cos_beta_squared) * cos_beta * product_2
-    sum_105 = 10.0 * baseline_squared - 4.0 * path_squared
-    sum_106 = cos_beta * sum_104 - path * sum_105
-    del sum_98, sum_101, sum_103, sum_104, sum_105
-    sum_107 = baseline * sum_106 - (7.0 - 20.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_108 = 6.0 - 12.0 * cos_beta_squared
-    product_22 = product_4 * sum_108
-    sum_109 = product_22 + baseline * sum_107
-    product_23 = baseline * baseline_squared
-    sum_110 = cos_beta * sum_109 - 3.0 * path_squared * product_23
-    sum_111 = baseline * sum_110 - path_squared_cubed * sum_100
-    del sum_106, sum_107, sum_109, sum_110
-    sum_112 = 5.0 * baseline - 9.0 * cos_beta * path
-    sum_113 = 48.0 * path + cos_beta * sum_112
-    sum_114 = cos_beta * sum_113 - 10.0 * baseline
-    sum_115 = (81.0 - 51.0 * cos_beta_squared) * path_squared + baseline * sum_114
-    sum_116 = baseline * sum_115 - (92.0 - 24.0 * cos_beta_squared) * cos_beta * product_2
-    del sum_112, sum_113, sum_114, sum_115
-    sum_117 = 34.0 * baseline_squared - 28.0 * path_squared
-    sum_118 = cos_beta * sum_116 - path * sum_117
-    sum_119 = baseline * sum_118 - (11.0 - 36.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    sum_120 = (1.0 - 6.0 * cos_beta_squared) * product_4 + baseline * sum_119
-    del sum_116, sum_117, sum_118, sum_119
-    sum_121 = cos_beta * sum_120 - 10.0 * path_squared * product_23
-    sum_122 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
-    sum_123 = baseline * sum_122 - (32.0 - 60.0 * sin_beta_squared) * cos_beta * path
-    sum_124 = 4.0 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
-    sum_125 = path_squared * sum_124 + baseline * sum_123
-    del sum_120, sum_122, sum_123, sum_124
-    sum_126 = product_17 + baseline * sum_125
-    sum_127 = product_16 + baseline * sum_126
-    del product_17, sum_125, product_16, sum_126
-    sum_128 = cos_beta * (2.0 * baseline + product_3) + path
-    sum_129 = 128.0 * sigma_path * sin_beta * sum_127 + 256.0 * rho * sigma_beta * sum_128 * sum_64
-    sum_130 = 1.0 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
-    sum_131 = 105.0 - 12.0 * cos_beta_squared
-    sum_132 = 114.0 - cos_beta_squared * sum_131
-    del sum_127, sum_128, sum_64, sum_131
-    sum_133 = 128.0 - 46.0 * cos_beta_squared
-    product_24 = -10.0 * cos_beta * path
-    sum_134 = baseline * (product_12 + product_24) - (72.0 - 9.0 * cos_beta_squared) * path_squared
-    sum_135 = 38.0 * baseline * path + cos_beta * sum_134
-    sum_136 = 93.0 * path_squared - 4.0 * baseline_squared + cos_beta * sum_135
-    sum_137 = baseline * sum_136 - cos_beta * product_2 * sum_133
-    del sum_134, sum_135, sum_133, sum_136
-    sum_138 = baseline * sum_137 - path_squared_squared * sum_132
-    sum_139 = 28.0 * baseline_squared - 74.0 * path_squared
-    sum_140 = cos_beta * sum_138 - baseline * path * sum_139
-    del sum_132, sum_137, sum_138, sum_139
-    sum_141 = 2.0 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
-    sum_142 = product_4 * sum_141 + baseline * sum_140
-    sum_143 = 22.0 * baseline_squared - 7.0 * path_squared
-    sum_144 = cos_beta * sum_142 - baseline * path_squared * sum_143
-    del sum_140, sum_141, sum_142, sum_143
-    sum_145 = baseline * sum_144 - path_squared_cubed * sum_130
-    sum_146 = product_20 + baseline * sum_145
-    del sum_130, sum_144, product_20, sum_145
-    sum_147 = product_18 + baseline * sum_146
-    product_25 = -(46.0 - 14.0 * cos_beta_squared) * cos_beta * product_2
-    product_26 = -6.0 * cos_beta * path
-    sum_148 = 32.0 * path + cos_beta * (3.0 * baseline + product_26)
-    sum_149 = cos_beta * sum_148 - 5.0 * baseline
-    sum_150 = (51.0 - 40.0 * cos_beta_squared) * path_squared + baseline * sum_149
-    del product_18, sum_146, sum_148, sum_149
-    sum_151 = product_25 + baseline * sum_150
-    sum_152 = 22.0 * baseline_squared - 8.0 * path_squared
-    sum_153 = cos_beta * sum_151 - path * sum_152
-    sum_154 = baseline * sum_153 - (9.0 - 33.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    del sum_150, sum_151, sum_152, sum_153
-    sum_155 = 5.0 * baseline_squared - 2.0 * path_squared
-    sum_156 = cos_beta * sum_154 - path_squared * sum_155
-    sum_157 = (6.0 - 18.0 * cos_beta_squared) * cos_beta * product_4 + baseline * sum_156
-    sum_158 = baseline * sum_157 - path_squared_cubed * sum_38
-    del sum_154, sum_155, sum_156, sum_157
-    sum_159 = (
-        128.0 * sigma_beta_squared * sum_147
-        - baseline_squared * sigma_path * sin_beta * sum_129
-        + 64.0 * sum_158 * sum_1_squared
-    )
-    sum_160 = 128.0 * baseline_squared * sigma_beta * sigma_path * sin_beta * sum_121 + rho * sum_159
-    del sum_129, sum_147, sum_158, sum_121, sum_159
-    sum_161 = (
-        16.0 * sigma_beta_squared * sum_99
-        - 64.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_79
-        + 64.0 * sum_111 * sum_1_squared
-        + rho * sum_160
-    )
-    del sum_111, sum_160, sum_79, sum_99
-    sum_162 = path * rho * sigma_beta * sin_beta * sum_2 * sum_3 * sum_72 + sigma_path * sum_161
-    sum_2_squared = sum_2**2
     sum_3_squared = sum_3**2
-    sum_163 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
-    sum_164 = baseline * sum_163 - (40.0 + 8.0 * sin_beta_squared) * cos_beta * path
-    sum_165 = (6.0 - 18.0 * sin_beta_squared) * path_squared + baseline * sum_164
-    del sum_161, sum_72, sum_163, sum_164
-    sum_166 = 8.0 * cos_beta * product_2 + baseline * sum_165
-    sum_167 = path_squared_squared + baseline * sum_166
-    sum_168 = (18.0 - 3.0 * cos_beta_squared) * baseline + product_24
-    sum_169 = 12.0 * path + cos_beta * sum_168
-    del sum_165, sum_166, product_24, sum_168
-    sum_170 = cos_beta * sum_169 - 16.0 * baseline
-    sum_171 = 2.0 - 3.0 * cos_beta_squared
-    sum_172 = path_squared * sum_171 + baseline * sum_170
-    sum_173 = 32.0 * sum_172 * sum_1_squared - 16.0 * sigma_beta_squared * sin_beta_squared * sum_167
-    del sum_169, sum_170, sum_167, sum_172
-    sum_174 = 4.0 - 4.0 * sin_beta_squared
-    sum_175 = 1.0 - (2.0 - sin_beta_squared) * sin_beta_squared
-    sum_176 = baseline * sum_175 - cos_beta * path * sum_174
-    sum_177 = (6.0 - 6.0 * sin_beta_squared) * path_squared + baseline * sum_176
-    sum_178 = baseline * sum_177 - 4.0 * cos_beta * product_2
-    sum_179 = path_squared_squared + baseline * sum_178
-    sum_180 = 64.0 * sin_beta_squared * sum_179 - sigma_beta_squared * sum_173
-    del sum_176, sum_177, sum_178, sum_173, sum_179
-    sum_181 = path_squared * sum_180 * sum_2_squared * sum_3_squared - sigma_path * sum_162
-    sum_182 = rho * sigma_path * sin_beta * sum_61 + sigma_beta * sum_181
-    del sum_162, sum_180, sum_181, sum_61
-    sum_55_squared = sum_55**2
-    sum_183 = 3.0 * path_squared + baseline * (product_12 + product_26)
-    sum_184 = (
-        128.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_183 * sum_1_squared
-        + 576.0 * (1.0 - sin_beta) * baseline_squared * sigma_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
+    term_4 = (baseline_per_path - 1.0)**2
+    sum_64 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
+    sum_65 = (40.0 + 8.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_64
+    sum_66 = 6.0 - 18.0 * sin_beta_squared - baseline_per_path * sum_65
+    sum_67 = 8.0 * cos_beta + baseline_per_path * sum_66
+    del sum_60, sum_64, sum_65, sum_66
+    sum_68 = 1.0 + baseline_per_path * sum_67
+    sum_69 = (18.0 - 3.0 * cos_beta_squared) * baseline_per_path - 10.0 * cos_beta
+    sum_70 = cos_beta * (12.0 + cos_beta * sum_69) - 16.0 * baseline_per_path
+    sum_71 = 2.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_70
+    sum_72 = 32.0 * sum_1_squared * sum_71 - 16.0 * sigma_beta_squared * sin_beta_squared * sum_68
+    del sum_67, sum_69, sum_70, sum_68, sum_71
+    sum_73 = 2.0 - sin_beta_squared
+    sum_74 = 1.0 - sin_beta_squared * sum_73
+    sum_75 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_74
+    sum_76 = 6.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_75
+    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta
+    sum_78 = 1.0 + baseline_per_path * sum_77
+    del sum_74, sum_75, sum_76, sum_77
+    sum_79 = 64.0 * sin_beta_squared * sum_78 - sigma_beta_squared * sum_72
+    product_7 = (12.0 - 12.0 * sin_beta_squared) * cos_beta
+    sum_80 = 4.0 + 3.0 * sin_beta_squared
+    sum_81 = 7.0 - sin_beta_squared * sum_80
+    sum_82 = (8.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_81
+    sum_83 = 8.0 + baseline_per_path * sum_82 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
+    del sum_72, sum_78, sum_81, sum_82
+    sum_84 = product_7 - baseline_per_path * sum_83
+    sum_85 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_84
+    sum_86 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
+    sum_87 = (32.0 - 60.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_86
+    sum_88 = 4.0 - baseline_per_path * sum_87 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
+    del sum_83, sum_84, sum_86, sum_87
+    sum_89 = baseline_per_path * sum_88 + product_7
+    sum_90 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_89
+    sum_91 = 2.0 * baseline_per_path - 3.0 * cos_beta
+    sum_92 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
+    del product_7, sum_88, sum_89, product_4
+    sum_93 = cos_beta * sum_92 - 4.0 * baseline_per_path
+    sum_94 = baseline_per_path * sum_93 - 4.0 * cos_beta_squared
+    sum_95 = baseline_per_path * sum_94 + cos_beta
+    sum_96 = (
+        128.0 * sigma_path_per_path * sin_beta * sum_90
+        + 256.0 * (1.0 + cos_beta * sum_91) * rho * sigma_beta * sum_95
     )
-    sum_185 = (
-        64.0 * cos_beta_squared * sum_1_squared_squared * sum_55_squared
-        + baseline_squared * sigma_path_squared * sum_184
+    del sum_92, sum_93, sum_94, sum_90, sum_91
+    sum_97 = 105.0 - 12.0 * cos_beta_squared
+    sum_98 = 128.0 - 46.0 * cos_beta_squared
+    sum_99 = 72.0 - 9.0 * cos_beta_squared - (product_6 - 10.0 * cos_beta) * baseline_per_path
+    sum_100 = cos_beta * sum_99 - 38.0 * baseline_per_path
+    sum_101 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_100
+    sum_102 = cos_beta * sum_98 - baseline_per_path * sum_101
+    del sum_99, sum_100, sum_101, sum_98
+    sum_103 = 114.0 - cos_beta_squared * sum_97 + baseline_per_path * sum_102
+    sum_104 = 74.0 - 28.0 * baseline_per_path_squared
+    sum_105 = cos_beta * sum_103 - baseline_per_path * sum_104
+    del sum_102, sum_97, sum_103, sum_104
+    sum_106 = 2.0 - baseline_per_path * sum_105 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
+    sum_107 = 7.0 - 22.0 * baseline_per_path_squared
+    sum_108 = baseline_per_path * sum_107 + cos_beta * sum_106
+    sum_109 = 1.0 - baseline_per_path * sum_108 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    del sum_105, sum_106, sum_107, sum_108
+    sum_110 = baseline_per_path * sum_109 - 8.0 * cos_beta * cos_beta_squared
+    sum_111 = baseline_per_path * sum_110 + cos_beta_squared
+    product_8 = (46.0 - 14.0 * cos_beta_squared) * cos_beta
+    sum_112 = 3.0 * baseline_per_path - 6.0 * cos_beta
+    sum_113 = cos_beta * (32.0 + cos_beta * sum_112) - 5.0 * baseline_per_path
+    sum_114 = 51.0 - 40.0 * cos_beta_squared + baseline_per_path * sum_113
+    del sum_109, sum_110, sum_112, sum_113
+    sum_115 = product_8 - baseline_per_path * sum_114
+    sum_116 = 8.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_115
+    sum_117 = (9.0 - 33.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_116
+    sum_118 = 2.0 - 5.0 * baseline_per_path_squared - cos_beta * sum_117
+    del sum_114, sum_115, sum_116, sum_117
+    sum_119 = baseline_per_path * sum_118 + (6.0 - 18.0 * cos_beta_squared) * cos_beta
+    sum_120 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_119
+    sum_121 = (
+        128.0 * sigma_beta_squared * sum_111
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_96
+        + 64.0 * sum_120 * sum_1_squared
     )
-    sum_186 = sigma_path_squared * sum_185 + sigma_beta * sum_182
-    del product_12, sum_183, sum_184, sum_182, sum_185
-    sum_187 = 5.0 - 6.0 * sin_beta_squared
-    sum_188 = 5.0 * baseline * cos_beta - path * sum_187
-    sum_189 = 108.0 - 24.0 * sin_beta_squared
-    sum_190 = 88.0 - sin_beta_squared * sum_189
-    sum_191 = (8.0 + 2.0 * sin_beta_squared) * baseline * cos_beta - (74.0 - 27.0 * sin_beta_squared) * path
-    sum_192 = 47.0 * path - 10.0 * baseline * cos_beta + sin_beta_squared * sum_191
-    sum_193 = baseline * sum_192 - cos_beta * path_squared * sum_190
-    del sum_189, sum_191, sum_190, sum_192
-    sum_194 = 142.0 - 56.0 * sin_beta_squared
-    sum_195 = 82.0 - sin_beta_squared * sum_194
-    sum_196 = product_2 * sum_195 + baseline * sum_193
-    sum_197 = baseline * sum_196 - (38.0 - 40.0 * sin_beta_squared) * cos_beta * path_squared_squared
-    del sum_194, sum_193, sum_195, sum_196
-    sum_198 = (
-        128.0 * (7.0 - 8.0 * sin_beta_squared) * product_4
-        - 576.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_188
-        + 128.0 * baseline * sum_197
+    del sum_118, sum_119, sum_111, sum_120, sum_96
+    sum_122 = 5.0 * baseline_per_path - 9.0 * cos_beta
+    sum_123 = cos_beta * (48.0 + cos_beta * sum_122) - 10.0 * baseline_per_path
+    sum_124 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_123
+    sum_125 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_124
+    sum_126 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_125
+    del sum_122, sum_123, sum_124, sum_125
+    sum_127 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
+    sum_128 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_127
+    product_9 = baseline_per_path * baseline_per_path_squared
+    sum_129 = cos_beta * sum_128 - 10.0 * product_9
+    sum_130 = (
+        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_129
+        - rho * sum_121
     )
-    sum_199 = (
-        64.0 * (cos_beta * sum_54 + path) * sum_1_squared_squared * sum_2 * sum_3 * sum_55
-        - baseline_squared * sigma_path_squared * sin_beta_squared * sum_198
+    del sum_126, sum_127, sum_128, sum_121, sum_129
+    sum_131 = 120.0 - 72.0 * cos_beta_squared
+    sum_132 = 204.0 - 21.0 * cos_beta_squared
+    sum_133 = 224.0 - 88.0 * cos_beta_squared
+    sum_134 = 162.0 - 18.0 * cos_beta_squared - (product_6 - 16.0 * cos_beta) * baseline_per_path
+    sum_135 = cos_beta * sum_134 - 80.0 * baseline_per_path
+    sum_136 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_135
+    sum_137 = cos_beta * sum_133 - baseline_per_path * sum_136
+    del sum_134, sum_135, sum_133, sum_136
+    sum_138 = 225.0 - cos_beta_squared * sum_132 + baseline_per_path * sum_137
+    sum_139 = 128.0 - 64.0 * baseline_per_path_squared
+    sum_140 = cos_beta * sum_138 - baseline_per_path * sum_139
+    del sum_132, sum_137, sum_138, sum_139
+    sum_141 = 16.0 - cos_beta_squared * sum_131 + baseline_per_path * sum_140
+    sum_142 = 28.0 - 40.0 * baseline_per_path_squared
+    sum_143 = cos_beta * sum_141 - baseline_per_path * sum_142
+    del sum_131, sum_140, sum_141, sum_142
+    sum_144 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_143
+    sum_145 = baseline_per_path * sum_144 - 8.0 * cos_beta * cos_beta_squared
+    sum_146 = baseline_per_path * sum_145 + cos_beta_squared
+    sum_147 = 2.0 * baseline_per_path - 2.0 * cos_beta
+    product_10 = cos_beta * sum_147
+    del sum_143, sum_144, sum_145, sum_147
+    sum_148 = cos_beta * (14.0 + product_10) - 3.0 * baseline_per_path
+    sum_149 = 28.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_148
+    sum_150 = (22.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_149
+    sum_151 = 4.0 - 10.0 * baseline_per_path_squared - cos_beta * sum_150
+    sum_152 = (7.0 - 20.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_151
+    del sum_148, sum_149, sum_150, sum_151
+    sum_153 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_152
+    sum_154 = cos_beta * sum_153 - 3.0 * product_9
+    sum_155 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_154
+    sum_156 = (
+        16.0 * sigma_beta_squared * sum_146
+        - 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_85
+        - rho * sum_130
+        + 64.0 * sum_155 * sum_1_squared
     )
-    del sum_188, sum_197, sum_198, sum_54
-    sum_200 = 8.0 - 11.0 * sin_beta_squared
-    sum_201 = 5.0 + sin_beta_squared
-    sum_202 = baseline * cos_beta * sum_201 - path * sum_200
-    sum_203 = baseline * sum_202 - 6.0 * cos_beta * path_squared * sin_beta_squared
-    product_27 = product_2 * sum_174
-    sum_204 = product_27 + baseline * sum_203
-    sum_205 = product_14 + baseline * sum_204
-    del sum_202, sum_174, sum_203, sum_204
-    sum_206 = 25.0 - 24.0 * sin_beta_squared
-    sum_207 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_208 = 29.0 - (41.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_209 = baseline * sum_208 - (4.0 - 51.0 * sin_beta_squared) * cos_beta * path
-    sum_210 = baseline * sum_209 - path_squared * sum_207
-    sum_211 = (13.0 + 5.0 * sin_beta_squared) * cos_beta * product_23 - path * sum_210
-    del sum_208, sum_207, sum_209, sum_210
-    sum_212 = baseline * sum_211 - cos_beta * path_squared_squared * sum_206
-    sum_213 = product_4 * sum_187 + baseline * sum_212
-    sum_214 = baseline * cos_beta * (11.0 + sin_beta_squared) - (20.0 - 26.0 * sin_beta_squared) * path
-    sum_215 = (6.0 - 15.0 * sin_beta_squared) * cos_beta * path_squared + baseline * sum_214
-    del sum_211, sum_187, sum_212, sum_214
-    sum_216 = product_27 + baseline * sum_215
-    sum_217 = product_14 + baseline * sum_216
-    del product_27, sum_215, product_14, sum_216
-    sum_218 = 128.0 * rho * sigma_beta * sum_213 + 384.0 * sigma_path * sin_beta * sum_217
-    sum_219 = 52.0 * path + cos_beta * (5.0 * baseline + product_26)
-    sum_220 = cos_beta * sum_219 - 16.0 * baseline
-    sum_221 = (35.0 - 50.0 * cos_beta_squared) * path_squared + baseline * sum_220
-    del sum_213, sum_217, sum_219, sum_220
-    sum_222 = product_25 + baseline * sum_221
-    sum_223 = 16.0 * baseline_squared - 4.0 * path_squared
-    sum_224 = cos_beta * sum_222 - path * sum_223
-    del product_25, sum_221, sum_222, sum_223
-    sum_225 = (6.0 + 33.0 * cos_beta_squared) * cos_beta * path_squared_squared + baseline * sum_224
-    sum_226 = baseline * sum_225 - 18.0 * cos_beta_squared * product_4
-    sum_227 = 3.0 * cos_beta * path_squared_cubed + baseline * sum_226
-    sum_228 = 212.0 - 24.0 * cos_beta_squared
-    sum_229 = 104.0 - cos_beta_squared * sum_228
-    del sum_224, sum_225, sum_226, sum_228
-    sum_230 = 308.0 - 129.0 * cos_beta_squared
-    sum_231 = 194.0 - 18.0 * cos_beta_squared
-    sum_232 = (24.0 - 2.0 * cos_beta_squared) * baseline - 41.0 * cos_beta * path
-    sum_233 = baseline * sum_232 - path_squared * sum_231
-    sum_234 = 139.0 * baseline * path + cos_beta * sum_233
-    sum_235 = 214.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_234
-    del sum_231, sum_232, sum_233, sum_234
-    sum_236 = baseline * sum_235 - cos_beta * product_2 * sum_230
-    sum_237 = baseline * sum_236 - path_squared_squared * sum_229
-    del sum_230, sum_235, sum_229, sum_236
-    sum_238 = 72.0 * baseline_squared - 55.0 * path_squared
-    sum_239 = cos_beta * sum_237 - baseline * path * sum_238
-    sum_240 = 1.0 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_241 = product_4 * sum_240 + baseline * sum_239
-    del sum_237, sum_238, sum_239, sum_240
-    sum_242 = baseline * sum_241 - (16.0 + 26.0 * cos_beta_squared) * cos_beta * path_squared_cubed
-    sum_243 = 16.0 * cos_beta_squared * product_19 + baseline * sum_242
-    sum_244 = baseline * sum_243 - 2.0 * cos_beta * term_3
-    sum_245 = (
-        64.0 * sigma_beta_squared * sum_244
-        - baseline_squared * sigma_path * sin_beta * sum_218
-        + 64.0 * sum_1_squared * sum_227
+    del sum_152, sum_153, sum_154, sum_130, sum_146, sum_155, sum_85
+    sum_157 = 3.0 * baseline_per_path - cos_beta
+    sum_158 = cos_beta * (16.0 + cos_beta * sum_157) - 8.0 * baseline_per_path
+    sum_159 = 15.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_158
+    sum_160 = cos_beta * sum_159 - 8.0 * baseline_per_path
+    sum_161 = 2.0 - baseline_per_path * sum_160 + 7.0 * cos_beta_squared
+    del sum_157, sum_158, sum_159, sum_160
+    sum_162 = baseline_per_path * sum_161 - 3.0 * cos_beta
+    sum_163 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
+    sum_164 = 128.0 * sum_162 * sum_1_squared + 96.0 * sigma_beta_squared * sum_163 * sum_95
+    sum_165 = rho * sigma_beta * sin_beta * sum_164 * sum_2 * sum_3 - sigma_path_per_path * sum_156
+    del sum_161, sum_162, sum_95, sum_156, sum_164
+    sum_166 = sum_3_squared * sum_79 * term_4 - sigma_path_per_path * sum_165
+    sum_167 = sigma_beta * sum_166 - rho * sigma_path_per_path * sin_beta * sum_63
+    del sum_165, sum_79, sum_166, sum_63
+    sum_62_squared = sum_62**2
+    sum_168 = 3.0 + (product_6 - 6.0 * cos_beta) * baseline_per_path
+    sum_169 = (
+        128.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_168 * sum_1_squared
+        + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
     )
-    del sum_241, sum_242, sum_243, sum_218, sum_227, sum_244
-    sum_246 = 125.0 - 144.0 * sin_beta_squared
-    sum_247 = 112.0 + 96.0 * sin_beta_squared
-    sum_248 = 172.0 - sin_beta_squared * sum_247
+    sum_170 = (
+        64.0 * cos_beta_squared * sum_1_squared_squared * sum_62_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sum_169
+    )
+    sum_171 = sigma_path_per_path_squared * sum_170 + sigma_beta * sum_167
+    del product_6, sum_168, sum_169, sum_167, sum_170
+    sum_172 = 142.0 - 56.0 * sin_beta_squared
+    sum_173 = 108.0 - 24.0 * sin_beta_squared
+    sum_174 = 88.0 - sin_beta_squared * sum_173
+    sum_175 = 74.0 - 27.0 * sin_beta_squared - (8.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
+    sum_176 = 47.0 - 10.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_175
+    sum_177 = cos_beta * sum_174 - baseline_per_path * sum_176
+    del sum_173, sum_175, sum_174, sum_176
+    sum_178 = 82.0 - baseline_per_path * sum_177 - sin_beta_squared * sum_172
+    sum_179 = (38.0 - 40.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_178
+    sum_180 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    sum_181 = (
+        896.0
+        - 1024.0 * sin_beta_squared
+        - 128.0 * baseline_per_path * sum_179
+        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_180
+    )
+    del sum_172, sum_177, sum_178, sum_179, sum_180
+    sum_182 = (
+        64.0 * (1.0 + cos_beta * sum_61) * sum_1_squared_squared * sum_2 * sum_3 * sum_62
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_181
+    )
+    sum_183 = 7.0 * baseline_per_path - 3.0 * cos_beta
+    sum_184 = cos_beta * (18.0 + cos_beta * sum_183) - 16.0 * baseline_per_path
+    sum_185 = 7.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_184
+    del sum_181, sum_61, sum_183, sum_184
+    sum_186 = baseline_per_path * sum_185 - 3.0 * cos_beta
+    sum_187 = baseline_per_path - cos_beta
+    sum_188 = 64.0 * sum_187 * sum_1_squared - 32.0 * sigma_beta_squared * sum_186
+    sum_189 = 4.0 * baseline_per_path - cos_beta
+    sum_190 = cos_beta * (4.0 + cos_beta * sum_189) - 6.0 * baseline_per_path
+    sum_191 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_190
+    del sum_185, sum_186, sum_189, sum_190
+    sum_192 = baseline_per_path * sum_191 - cos_beta
+    sum_193 = 16.0 * sigma_beta_squared_squared * sum_163 * sum_192 + sum_188 * sum_1_squared
+    sum_194 = 196.0 - 21.0 * cos_beta_squared
+    sum_195 = 280.0 - 126.0 * cos_beta_squared
+    sum_196 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
+    sum_197 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_196
+    del sum_191, sum_163, sum_188, sum_196
+    sum_198 = cos_beta * sum_197 - 146.0 * baseline_per_path
+    sum_199 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_198
+    sum_200 = cos_beta * sum_195 - baseline_per_path * sum_199
+    del sum_197, sum_198, sum_195, sum_199
+    sum_201 = 121.0 - cos_beta_squared * sum_194 + baseline_per_path * sum_200
+    sum_202 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_203 = cos_beta * sum_201 - baseline_per_path * sum_202
+    del sum_194, sum_200, sum_201, sum_202
+    sum_204 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_203
+    sum_205 = baseline_per_path * sum_204 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
+    sum_206 = baseline_per_path * sum_205 - 8.0 * cos_beta_squared
+    sum_207 = baseline_per_path * sum_206 + cos_beta
+    del sum_203, sum_204, sum_205, sum_206
+    sum_208 = 5.0 + sin_beta_squared
+    sum_209 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_208
+    sum_210 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_209
+    sum_211 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_210
+    sum_212 = baseline_per_path * sum_211 - cos_beta
+    sum_213 = 212.0 - 24.0 * cos_beta_squared
+    sum_214 = 308.0 - 129.0 * cos_beta_squared
+    sum_215 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
+    sum_216 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_215
+    del sum_209, sum_210, sum_211, sum_215
+    sum_217 = cos_beta * sum_216 - 139.0 * baseline_per_path
+    sum_218 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_217
+    sum_219 = cos_beta * sum_214 - baseline_per_path * sum_218
+    del sum_216, sum_217, sum_214, sum_218
+    sum_220 = 104.0 - cos_beta_squared * sum_213 + baseline_per_path * sum_219
+    sum_221 = 55.0 - 72.0 * baseline_per_path_squared
+    sum_222 = cos_beta * sum_220 - baseline_per_path * sum_221
+    del sum_213, sum_219, sum_220, sum_221
+    sum_223 = 1.0 - baseline_per_path * sum_222 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
+    sum_224 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_223
+    sum_225 = baseline_per_path * sum_224 - 16.0 * cos_beta_squared
+    sum_226 = 2.0 * cos_beta + baseline_per_path * sum_225
+    del sum_222, sum_223, sum_224, sum_225
+    sum_227 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
+    sum_228 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_227
+    sum_229 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_228
+    sum_230 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_229
+    sum_231 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_230
+    del sum_227, sum_228, sum_229, sum_230
+    sum_232 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_231
+    sum_233 = 20.0 - 26.0 * sin_beta_squared - baseline_per_path * cos_beta * (11.0 + sin_beta_squared)
+    sum_234 = (6.0 - 15.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_233
+    sum_235 = 4.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_234
+    sum_236 = baseline_per_path * sum_235 - cos_beta
+    del sum_231, sum_233, sum_234, sum_235
+    sum_237 = 128.0 * rho * sigma_beta * sum_232 + 384.0 * sigma_path_per_path * sin_beta * sum_236
+    sum_238 = 5.0 * baseline_per_path - 6.0 * cos_beta
+    sum_239 = cos_beta * (52.0 + cos_beta * sum_238) - 16.0 * baseline_per_path
+    sum_240 = 35.0 - 50.0 * cos_beta_squared + baseline_per_path * sum_239
+    del sum_232, sum_236, sum_238, sum_239
+    sum_241 = product_8 - baseline_per_path * sum_240
+    sum_242 = 4.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_241
+    sum_243 = baseline_per_path * sum_242 + (6.0 + 33.0 * cos_beta_squared) * cos_beta
+    del product_8, sum_240, sum_241, sum_242
+    sum_244 = baseline_per_path * sum_243 - 18.0 * cos_beta_squared
+    sum_245 = 3.0 * cos_beta + baseline_per_path * sum_244
+    sum_246 = (
+        64.0 * sum_1_squared * sum_245
+        - 64.0 * sigma_beta_squared * sum_226
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_237
+    )
+    del sum_243, sum_244, sum_226, sum_237, sum_245
+    sum_247 = 125.0 - 144.0 * sin_beta_squared
+    sum_248 = 112.0 + 96.0 * sin_beta_squared
     sum_249 = 14.0 - 291.0 * sin_beta_squared
-    sum_250 = 226.0 + 36.0 * sin_beta_squared
-    sum_251 = 154.0 - sin_beta_squared * sum_250
-    sum_252 = baseline * sum_251 - cos_beta * path * sum_249
-    del sum_247, sum_250, sum_249, sum_251
-    sum_253 = baseline * sum_252 - path_squared * sum_248
-    sum_254 = (71.0 + 37.0 * sin_beta_squared) * cos_beta * product_23 - path * sum_253
-    sum_255 = baseline * sum_254 - cos_beta * path_squared_squared * sum_246
-    del sum_248, sum_252, sum_253, sum_246, sum_254
-    sum_256 = (22.0 - 24.0 * sin_beta_squared) * product_4 + baseline * sum_255
-    sum_257 = 32.0 * baseline_squared * sigma_beta * sigma_path * sin_beta * sum_256 - rho * sum_245
-    sum_258 = baseline + product_9
-    sum_259 = 13.0 * path + cos_beta * sum_258
-    sum_260 = cos_beta * sum_259 - 4.0 * baseline
-    del sum_255, sum_245, sum_256, sum_259
-    sum_261 = (10.0 - 13.0 * cos_beta_squared) * path_squared + baseline * sum_260
-    sum_262 = baseline * sum_261 - (13.0 - 3.0 * cos_beta_squared) * cos_beta * product_2
-    sum_263 = (3.0 + 10.0 * cos_beta_squared) * path_squared_squared + baseline * sum_262
-    sum_264 = cos_beta * sum_263 - 4.0 * path * product_23
-    del sum_260, sum_261, sum_262, sum_263
-    sum_265 = baseline * sum_264 - 6.0 * cos_beta_squared * product_4
-    sum_266 = cos_beta * path_squared_cubed + baseline * sum_265
-    sum_267 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_268 = 196.0 - 21.0 * cos_beta_squared
-    sum_269 = 121.0 - cos_beta_squared * sum_268
-    sum_270 = 280.0 - 126.0 * cos_beta_squared
-    sum_271 = 190.0 - 18.0 * cos_beta_squared
-    sum_272 = (24.0 - cos_beta_squared) * baseline - 46.0 * cos_beta * path
-    sum_273 = baseline * sum_272 - path_squared * sum_271
-    del sum_264, sum_265, sum_268, sum_271, sum_272
-    sum_274 = 146.0 * baseline * path + cos_beta * sum_273
-    sum_275 = 188.0 * path_squared - 36.0 * baseline_squared + cos_beta * sum_274
-    sum_276 = baseline * sum_275 - cos_beta * product_2 * sum_270
-    del sum_273, sum_274, sum_270, sum_275
-    sum_277 = baseline * sum_276 - path_squared_squared * sum_269
-    sum_278 = 72.0 * baseline_squared - 74.0 * path_squared
-    sum_279 = cos_beta * sum_277 - baseline * path * sum_278
-    del sum_269, sum_276, sum_277, sum_278
-    sum_280 = baseline * sum_279 - product_4 * sum_267
-    sum_281 = baseline * sum_280 - (2.0 + 22.0 * cos_beta_squared) * cos_beta * path_squared_cubed
-    sum_282 = 8.0 * cos_beta_squared * product_19 + baseline * sum_281
-    del sum_267, sum_279, sum_280, sum_281
-    sum_283 = baseline * sum_282 - cos_beta * term_3
-    sum_284 = (
-        128.0 * sum_1_squared * sum_266
-        - 192.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_205
-        - rho * sum_257
-        + 16.0 * sigma_beta_squared * sum_283
+    sum_250 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
+    sum_251 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_250
+    sum_252 = cos_beta * sum_249 - baseline_per_path * sum_251
+    sum_253 = 172.0 - sin_beta_squared * sum_248 + baseline_per_path * sum_252
+    del sum_250, sum_249, sum_251, sum_248, sum_252
+    sum_254 = cos_beta * sum_247 - baseline_per_path * sum_253
+    sum_255 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_254
+    sum_256 = (
+        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_255
+        - rho * sum_246
     )
-    del sum_282, sum_205, sum_257, sum_266, sum_283
-    sum_285 = 18.0 * path + cos_beta * (7.0 * baseline + product_3)
-    sum_286 = cos_beta * sum_285 - 16.0 * baseline
-    sum_287 = (7.0 - 10.0 * cos_beta_squared) * path_squared + baseline * sum_286
-    sum_288 = baseline * sum_287 - 3.0 * cos_beta * product_2
-    sum_289 = 64.0 * sum_1_squared * sum_258 - 32.0 * sigma_beta_squared * sum_288
-    del sum_285, sum_286, sum_287, sum_288
-    sum_290 = 4.0 * path + cos_beta * (4.0 * baseline + product_9)
-    sum_291 = cos_beta * sum_290 - 6.0 * baseline
-    sum_292 = (4.0 - 4.0 * cos_beta_squared) * path_squared + baseline * sum_291
-    sum_293 = product_7 + baseline * sum_292
-    del product_9, sum_290, sum_291, product_7, sum_292
-    sum_294 = sum_1_squared * sum_289 - 16.0 * sigma_beta_squared_squared * sum_293 * sum_65
-    sum_295 = path * sum_294 * sum_2_squared * sum_3_squared - sigma_path_squared * sum_284
-    del sum_289, sum_65, sum_284, sum_294
-    sum_296 = 1.0 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
-    sum_297 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_298 = 2.0 + (6.0 + 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_299 = 32.0 + (29.0 + 2.0 * sin_beta_squared) * sin_beta_squared
-    sum_300 = baseline * sum_299 - (98.0 + 32.0 * sin_beta_squared) * cos_beta * path
-    sum_301 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_302 = path_squared * sum_301 + baseline * sum_300
-    sum_303 = 3.0 * baseline + 8.0 * cos_beta * path
-    sum_304 = 21.0 * path_squared - baseline * sum_303 + sin_beta_squared * sum_302
-    del sum_299, sum_300, sum_301, sum_302, sum_303
-    sum_305 = cos_beta * product_23 * sum_298 + path * sum_304
-    sum_306 = baseline * sum_305 - cos_beta * path_squared_squared * sum_297
-    del product_23, sum_298, sum_304, sum_297, sum_305
-    sum_307 = baseline * sum_306 - product_4 * sum_296
-    sum_308 = 4.0 * cos_beta * path_squared_cubed + baseline * sum_307
-    sum_309 = baseline * sum_308 - (1.0 - 2.0 * sin_beta_squared) * product_19
-    del sum_296, sum_306, sum_307, sum_308
-    sum_310 = 95.0 * path + cos_beta * (20.0 * baseline + product_15)
-    sum_311 = 11.0 * baseline_squared - path * sum_310
-    sum_312 = 76.0 * baseline * path + cos_beta * sum_311
-    sum_313 = 103.0 * path_squared - 16.0 * baseline_squared + cos_beta * sum_312
-    del product_15, sum_310, sum_311, sum_312
-    sum_314 = baseline * sum_313 - (80.0 - 44.0 * cos_beta_squared) * cos_beta * product_2
-    sum_315 = 48.0 * baseline_squared - 2.0 * path_squared
-    sum_316 = cos_beta * sum_314 - path * sum_315
-    sum_317 = baseline * sum_316 - (3.0 - 28.0 * cos_beta_squared) * cos_beta * path_squared_squared
-    del sum_313, sum_314, sum_315, sum_316
-    sum_318 = product_22 + baseline * sum_317
-    sum_319 = 32.0 * sum_1_squared * sum_318 - 48.0 * sigma_beta_squared * sum_309
-    del product_22, sum_317, sum_309, sum_318
-    sum_320 = sin_beta * sum_295 - rho * sigma_beta * sigma_path * sum_2 * sum_3 * sum_319
-    sum_321 = rho * sigma_path * sum_199 + sigma_beta * sum_320
-    del sum_295, sum_319, sum_199, sum_320
-    sum_322 = 18.0 - 14.0 * sin_beta_squared
-    sum_323 = 2.0 + sin_beta_squared
-    sum_324 = baseline * cos_beta * sum_323 - (16.0 - 4.0 * sin_beta_squared) * path
-    sum_325 = 12.0 * path - 3.0 * baseline * cos_beta + sin_beta_squared * sum_324
-    sum_326 = baseline * sum_325 - cos_beta * path_squared * sum_322
-    sum_327 = product_2 * sum_78 + baseline * sum_326
-    del sum_324, sum_325, sum_326, sum_78
-    sum_328 = (
-        128.0 * baseline * sum_327
-        - 384.0 * cos_beta * path_squared_squared
-        - 576.0 * baseline_squared * cos_beta * sigma_path_squared * sin_beta_squared
+    del sum_247, sum_253, sum_254, sum_246, sum_255
+    sum_257 = cos_beta * (13.0 + cos_beta * sum_187) - 4.0 * baseline_per_path
+    sum_258 = 10.0 - 13.0 * cos_beta_squared + baseline_per_path * sum_257
+    sum_259 = (13.0 - 3.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_258
+    sum_260 = 3.0 - baseline_per_path * sum_259 + 10.0 * cos_beta_squared
+    sum_261 = cos_beta * sum_260 - 4.0 * product_9
+    del sum_257, sum_258, sum_259, product_9, sum_260
+    sum_262 = baseline_per_path * sum_261 - 6.0 * cos_beta_squared
+    sum_263 = baseline_per_path * sum_262 + cos_beta
+    sum_264 = (
+        128.0 * sum_1_squared * sum_263
+        - 16.0 * sigma_beta_squared * sum_207
+        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_212
+        - rho * sum_256
     )
-    sum_329 = (
-        64.0 * cos_beta * sum_1_squared_squared * sum_55_squared
-        - baseline_squared * sigma_path_squared * sin_beta_squared * sum_328
+    del sum_261, sum_262, sum_207, sum_212, sum_256, sum_263
+    sum_265 = sum_193 * sum_3_squared * term_4 - sigma_path_per_path_squared * sum_264
+    sum_266 = 11.0 * baseline_per_path - 20.0 * cos_beta
+    sum_267 = 95.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_266
+    sum_268 = cos_beta * sum_267 - 76.0 * baseline_per_path
+    del sum_193, sum_264, sum_266, sum_267
+    sum_269 = 103.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_268
+    sum_270 = (80.0 - 44.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_269
+    sum_271 = 2.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_270
+    sum_272 = (3.0 - 28.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_271
+    del sum_268, sum_269, sum_270, sum_271
+    sum_273 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_272
+    sum_274 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_275 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_276 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_277 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
+    sum_278 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_277
+    sum_279 = 3.0 - sin_beta_squared * sum_278 + product_1
+    del sum_272, sum_277, product_1, sum_278
+    sum_280 = baseline_per_path * sum_279 + cos_beta * sum_276
+    sum_281 = 21.0 - baseline_per_path * sum_280 + sin_beta_squared * sum_275
+    del sum_276, sum_279, sum_275, sum_280
+    sum_282 = cos_beta * sum_274 - baseline_per_path * sum_281
+    sum_283 = 1.0 + baseline_per_path * sum_282 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
+    sum_284 = baseline_per_path * sum_283 - 4.0 * cos_beta
+    del sum_274, sum_281, sum_282, sum_283
+    sum_285 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_284
+    sum_286 = 32.0 * sum_1_squared * sum_273 + 48.0 * sigma_beta_squared * sum_285
+    sum_287 = rho * sigma_beta * sigma_path_per_path * sum_2 * sum_286 * sum_3 + sin_beta * sum_265
+    del sum_284, sum_273, sum_285, sum_265, sum_286
+    sum_288 = sigma_beta * sum_287 - rho * sigma_path_per_path * sum_182
+    sum_289 = 2.0 + sin_beta_squared
+    sum_290 = 16.0 - 4.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_289
+    sum_291 = 12.0 - 3.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_290
+    sum_292 = (18.0 - 14.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_291
+    del sum_182, sum_287, sum_290, sum_291
+    sum_293 = 12.0 - 12.0 * sin_beta_squared - baseline_per_path * sum_292
+    sum_294 = (
+        128.0 * baseline_per_path * sum_293
+        - 384.0 * cos_beta
+        - 576.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
     )
-    sum_330 = sigma_path_squared * sin_beta * sum_329 + sigma_beta * sum_321
-    del sum_327, sum_328, sum_55_squared, sum_321, sum_329
-    sum_331 = 7.0 - sin_beta_squared * (6.0 + sin_beta_squared)
-    sum_332 = baseline * sum_331 - (32.0 - 16.0 * sin_beta_squared) * cos_beta * path
-    sum_333 = 58.0 - (62.0 - 12.0 * sin_beta_squared) * sin_beta_squared
-    sum_334 = path_squared * sum_333 + baseline * sum_332
-    sum_335 = baseline * sum_334 - (52.0 - 28.0 * sin_beta_squared) * cos_beta * product_2
-    del sum_331, sum_332, sum_333, sum_334
-    sum_336 = (23.0 - 20.0 * sin_beta_squared) * path_squared_squared + baseline * sum_335
-    sum_337 = (
-        256.0 * baseline * sum_336
-        - 1024.0 * cos_beta * product_4
-        + 3456.0 * baseline_squared * sigma_path_squared * sin_beta_squared * sum_258
+    sum_295 = (
+        64.0 * cos_beta * sum_1_squared_squared * sum_62_squared
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_294
     )
-    sum_338 = (
-        128.0 * sum_1_squared_squared * sum_2 * sum_258 * sum_3 * sum_55
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_337
+    del sum_292, sum_293, sum_294, sum_62_squared
+    sum_296 = sigma_path_per_path_squared * sin_beta * sum_295 + sigma_beta * sum_288
+    sum_297 = 7.0 - sin_beta_squared * (6.0 + sin_beta_squared)
+    sum_298 = (32.0 - 16.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_297
+    sum_299 = 58.0 - baseline_per_path * sum_298 - (62.0 - 12.0 * sin_beta_squared) * sin_beta_squared
+    del sum_288, sum_295, sum_297, sum_298
+    sum_300 = (52.0 - 28.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_299
+    sum_301 = 23.0 - 20.0 * sin_beta_squared - baseline_per_path * sum_300
+    sum_302 = (
+        256.0 * baseline_per_path * sum_301
+        - 1024.0 * cos_beta
+        + 3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_187
     )
-    del sum_335, sum_336, sum_1_squared_squared, sum_337, sum_55
-    sum_339 = 21.0 * path + cos_beta * (14.0 * baseline + product_3)
-    sum_340 = 12.0 * baseline_squared - path * sum_339
-    sum_341 = 24.0 * baseline * path + cos_beta * sum_340
-    sum_342 = 12.0 * path_squared - 16.0 * baseline_squared + cos_beta * sum_341
-    del product_3, sum_339, sum_340, sum_341
-    sum_343 = baseline * sum_342 - (12.0 - 10.0 * cos_beta_squared) * cos_beta * product_2
-    sum_344 = baseline * sum_343 - path_squared_squared * sum_38
-    sum_345 = 64.0 * sum_1_squared * sum_258**2 - 32.0 * sigma_beta_squared * sum_344
-    del sum_342, sum_343, sum_38, sum_258, sum_344
-    sum_346 = 16.0 * sigma_beta_squared_squared * sum_293**2 + sum_1_squared * sum_345
-    product_28 = 4.0 * cos_beta * product_2
-    sum_347 = baseline * (8.0 + sin_beta_squared) - 14.0 * cos_beta * path
-    sum_348 = (3.0 - 6.0 * sin_beta_squared) * path_squared + baseline * sum_347
-    sum_349 = product_28 + baseline * sum_348
-    del sigma_beta_squared_squared, sum_345, sum_347, sum_348
-    sum_350 = baseline * sum_349 - path_squared_squared
-    sum_351 = (27.0 + 9.0 * sin_beta_squared) * baseline - (68.0 + 6.0 * sin_beta_squared) * cos_beta * path
-    sum_352 = (38.0 - 63.0 * sin_beta_squared) * path_squared + baseline * sum_351
-    sum_353 = (24.0 + 16.0 * sin_beta_squared) * cos_beta * product_2 + baseline * sum_352
-    sum_354 = baseline * sum_353 - path_squared_squared * sum_206
-    del sum_349, sum_351, sum_352, sum_206, sum_353
-    sum_355 = 4.0 * cos_beta * product_4 + baseline * sum_354
-    sum_356 = baseline * (17.0 + sin_beta_squared) - 32.0 * cos_beta * path
-    sum_357 = (12.0 - 15.0 * sin_beta_squared) * path_squared + baseline * sum_356
-    sum_358 = product_28 + baseline * sum_357
-    sum_359 = baseline * sum_358 - path_squared_squared
-    del sum_354, sum_356, sum_357, sum_358
-    sum_360 = baseline * sum_201 - cos_beta * path * (13.0 + sin_beta_squared)
-    sum_361 = path_squared * sum_200 + baseline * sum_360
-    sum_362 = cos_beta * product_2 * sum_74 + baseline * sum_361
-    del sum_201, sum_200, sum_360, sum_361, sum_74
-    sum_363 = baseline * sum_362 - (5.0 - 4.0 * sin_beta_squared) * path_squared_squared
-    sum_364 = cos_beta * product_4 + baseline * sum_363
-    sum_365 = 384.0 * sigma_path * sin_beta * sum_359 + 768.0 * rho * sigma_beta * sum_364
-    del sum_362, sum_363, sum_359, sum_364
-    sum_366 = 192.0 * sigma_beta * sum_355 + rho * sum_365
-    sum_367 = 192.0 * sigma_path * sin_beta * sum_350 + rho * sum_366
-    del sum_355, sum_365, sum_350, sum_366
-    product_29 = -8.0 * cos_beta * product_19
-    sum_368 = 86.0 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    sum_369 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
-    sum_370 = baseline * sum_369 - (95.0 + 31.0 * sin_beta_squared) * cos_beta * path
-    sum_371 = 67.0 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_372 = path_squared * sum_371 + baseline * sum_370
-    del product_19, sum_369, sum_370, sum_371
-    sum_373 = (58.0 + 83.0 * sin_beta_squared) * cos_beta * product_2 + baseline * sum_372
-    sum_374 = baseline * sum_373 - path_squared_squared * sum_368
-    sum_375 = (13.0 - 36.0 * sin_beta_squared) * cos_beta * product_4 + baseline * sum_374
-    del sum_372, sum_368, sum_373, sum_374
-    sum_376 = (19.0 - 13.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_375
-    sum_377 = product_29 + baseline * sum_376
-    sum_378 = 146.0 + 21.0 * sin_beta_squared
-    sum_379 = 122.0 - sin_beta_squared * sum_378
-    sum_380 = 140.0 + 76.0 * sin_beta_squared
-    sum_381 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
-    sum_382 = baseline * sum_381 - cos_beta * path * sum_380
-    del sum_375, sum_376, sum_378, sum_380, sum_381
-    sum_383 = 214.0 + 18.0 * sin_beta_squared
-    sum_384 = 76.0 - sin_beta_squared * sum_383
-    sum_385 = path_squared * sum_384 + baseline * sum_382
-    sum_386 = 112.0 + 164.0 * sin_beta_squared
-    sum_387 = cos_beta * product_2 * sum_386 + baseline * sum_385
-    del sum_383, sum_382, sum_384, sum_385, sum_386
-    sum_388 = baseline * sum_387 - path_squared_squared * sum_379
-    sum_389 = (4.0 - 72.0 * sin_beta_squared) * cos_beta * product_4 + baseline * sum_388
-    sum_390 = (28.0 - 22.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_389
-    del sum_379, sum_387, sum_388, sum_389
-    sum_391 = product_29 + baseline * sum_390
-    sum_392 = 128.0 * rho_squared * (baseline * sum_377 + term_3) + 16.0 * baseline * sum_391 + 16.0 * term_3
-    sum_393 = baseline_squared * sigma_path * sin_beta * sum_367 + sigma_beta_squared * sum_392
-    del sum_390, sum_377, sum_391, sum_367, sum_392
-    sum_394 = 4.0 + (1.0 - 20.0 * cos_beta_squared) * cos_beta_squared
-    sum_395 = cos_beta * (40.0 * path + product_21) - 17.0 * baseline
-    sum_396 = (48.0 - 30.0 * cos_beta_squared) * path_squared + baseline * sum_395
-    sum_397 = baseline * sum_396 - (36.0 - 6.0 * cos_beta_squared) * cos_beta * product_2
-    sum_398 = 44.0 * baseline_squared - 10.0 * path_squared
-    sum_399 = cos_beta * sum_397 - path * sum_398
-    del product_21, sum_395, sum_396, sum_397, sum_398
-    sum_400 = 16.0 * baseline_squared - 3.0 * path_squared
-    sum_401 = cos_beta * sum_399 + baseline * sum_400
-    sum_402 = baseline * sum_401 - path_squared_squared * sum_394
-    del sum_399, sum_400, sum_394, sum_401
-    sum_403 = cos_beta * product_4 * sum_108 + baseline * sum_402
-    sum_404 = 6.0 + (12.0 - 33.0 * cos_beta_squared) * cos_beta_squared
-    sum_405 = 78.0 * path + cos_beta * (7.0 * baseline + product_26)
-    sum_406 = cos_beta * sum_405 - 38.0 * baseline
-    del sum_108, sum_402, product_26, sum_405
-    sum_407 = (87.0 - 60.0 * cos_beta_squared) * path_squared + baseline * sum_406
-    sum_408 = baseline * sum_407 - (60.0 - 14.0 * cos_beta_squared) * cos_beta * product_2
-    sum_409 = 78.0 * baseline_squared - 26.0 * path_squared
-    sum_410 = cos_beta * sum_408 - path * sum_409
-    del sum_406, sum_407, sum_408, sum_409
-    sum_411 = 32.0 * baseline_squared - 12.0 * path_squared
-    sum_412 = cos_beta * sum_410 + baseline * sum_411
-    sum_413 = baseline * sum_412 - path_squared_squared * sum_404
-    del sum_410, sum_411, sum_404, sum_412
-    sum_414 = (12.0 - 18.0 * cos_beta_squared) * cos_beta * product_4 + baseline * sum_413
-    sum_415 = baseline * sum_414 - path_squared_cubed * sum_171
-    sum_416 = 64.0 * rho_squared * sum_415 - 64.0 * path_squared_cubed * sum_100 + 64.0 * baseline * sum_403
-    del sum_413, sum_171, sum_414, rho_squared, sum_100, sum_403, sum_415
-    sum_417 = sin_beta_squared * sum_393 + sum_1_squared * sum_416
-    sum_418 = 61.0 * path + cos_beta * (14.0 * baseline + product_11)
-    sum_419 = 11.0 * baseline_squared - path * sum_418
-    del sum_393, sum_416, product_11, sum_418
-    sum_420 = 74.0 * baseline * path + cos_beta * sum_419
-    sum_421 = 11.0 * path_squared - 32.0 * baseline_squared + cos_beta * sum_420
-    sum_422 = baseline * sum_421 - cos_beta * product_2 * sum_102
-    del sum_419, sum_420, sum_102, sum_421
-    sum_423 = (7.0 + 14.0 * cos_beta_squared) * path_squared_squared + baseline * sum_422
-    sum_424 = baseline * sum_423 - 6.0 * cos_beta * product_4
-    sum_425 = product_6 - 8.0 * cos_beta * path
-    sum_426 = baseline * sum_425 - (3.0 - 3.0 * cos_beta_squared) * path_squared
-    del sum_422, sum_423, product_6, cos_beta_squared, sum_425
-    sum_427 = product_28 + baseline * sum_426
-    sum_428 = baseline * sum_427 - path_squared_squared
-    sum_429 = 64.0 * sum_1_squared * sum_424 + 96.0 * sigma_beta_squared * sum_293 * sum_428
-    del product_28, sum_426, sum_427, sigma_beta_squared, sum_1_squared, sum_293, sum_424, sum_428
-    sum_430 = rho * sigma_beta * sin_beta * sum_2 * sum_3 * sum_429 - sigma_path * sum_417
-    del sum_2, sum_3, sum_417, sum_429
-    sum_431 = sum_2_squared * sum_346 * sum_3_squared - sigma_path * sum_430
-    del sum_2_squared, sum_346, sum_3_squared, sum_430
-    sum_432 = rho * sigma_path * sin_beta * sum_338 + sigma_beta * sum_431
-    sum_433 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
-    sum_434 = 54.0 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_435 = 12.0 - 4.0 * sin_beta_squared
-    sum_436 = baseline * cos_beta * sum_435 - path * sum_434
-    del sin_beta, sum_338, sum_431, sum_434
-    sum_437 = 28.0 * path - 8.0 * baseline * cos_beta + sin_beta_squared * sum_436
-    sum_438 = baseline_squared * sum_175 + path * sum_437
-    sum_439 = baseline * sum_438 - cos_beta * product_2 * sum_433
-    del sum_436, sum_175, sum_437, sum_433, sum_438
-    sum_440 = 110.0 - 41.0 * sin_beta_squared
-    sum_441 = 70.0 - sin_beta_squared * sum_440
-    sum_442 = path_squared_squared * sum_441 + baseline * sum_439
-    sum_443 = baseline * sum_442 - (56.0 - 44.0 * sin_beta_squared) * cos_beta * product_4
-    del sum_440, sum_439, sum_441, product_4, sum_442
-    sum_444 = (28.0 - 26.0 * sin_beta_squared) * path_squared_cubed + baseline * sum_443
-    sum_445 = product_29 + baseline * sum_444
-    del path_squared_cubed, sum_443, product_29, sum_444
-    sum_446 = 3.0 - sin_beta_squared * sum_323
-    sum_447 = baseline * sum_446 - cos_beta * path * sum_435
-    sum_448 = path_squared * sum_322 + baseline * sum_447
-    del sum_323, sum_435, sum_446, path_squared, sum_322, sum_447
-    sum_449 = baseline * sum_448 - 12.0 * cos_beta * product_2
-    sum_450 = (
-        128.0 * baseline * sum_449
-        + 384.0 * path_squared_squared
-        + 576.0 * baseline_squared * sigma_path_squared * sin_beta_squared
+    sum_303 = (
+        128.0 * sum_187 * sum_1_squared_squared * sum_2 * sum_3 * sum_62
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_302
     )
-    del cos_beta, product_2, sum_448, path_squared_squared, sum_449
-    sum_451 = (
-        64.0 * baseline * sum_445
-        + 64.0 * term_3
-        + baseline_squared * sigma_path_squared * sin_beta_squared * sum_450
+    del sum_299, sum_300, sum_301, sum_1_squared_squared, sum_302, sum_62
+    sum_304 = 12.0 * baseline_per_path - 14.0 * cos_beta
+    sum_305 = 21.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_304
+    sum_306 = cos_beta * sum_305 - 24.0 * baseline_per_path
+    sum_307 = 12.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_306
+    sum_308 = (12.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_307
+    del sum_304, sum_305, sum_306, sum_307
+    sum_309 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_308
+    sum_310 = 32.0 * sigma_beta_squared * sum_309 + 64.0 * sum_187**2 * sum_1_squared
+    sum_311 = 16.0 * sigma_beta_squared_squared * sum_192**2 + sum_1_squared * sum_310
+    del sum_308, sum_187, sum_309, sigma_beta_squared_squared, sum_310
+    sum_312 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
+    sum_313 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_312
+    sum_314 = 67.0 - baseline_per_path * sum_313 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
+    sum_315 = baseline_per_path * sum_314 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
+    sum_316 = 86.0 - baseline_per_path * sum_315 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    del sum_312, sum_313, sum_314, sum_315
+    sum_317 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_316
+    sum_318 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_317
+    sum_319 = baseline_per_path * sum_318 - 8.0 * cos_beta
+    sum_320 = 1.0 + baseline_per_path * sum_319
+    del sum_316, sum_317, sum_318, sum_319
+    sum_321 = 146.0 + 21.0 * sin_beta_squared
+    sum_322 = 112.0 + 164.0 * sin_beta_squared
+    sum_323 = 214.0 + 18.0 * sin_beta_squared
+    sum_324 = 140.0 + 76.0 * sin_beta_squared
+    sum_325 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
+    sum_326 = cos_beta * sum_324 - baseline_per_path * sum_325
+    sum_327 = 76.0 - baseline_per_path * sum_326 - sin_beta_squared * sum_323
+    del sum_324, sum_325, sum_323, sum_326
+    sum_328 = baseline_per_path * sum_327 + cos_beta * sum_322
+    sum_329 = 122.0 - baseline_per_path * sum_328 - sin_beta_squared * sum_321
+    del sum_322, sum_327, sum_321, sum_328
+    sum_330 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_329
+    sum_331 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_330
+    sum_332 = baseline_per_path * sum_331 - 8.0 * cos_beta
+    sum_333 = 16.0 + 128.0 * rho_squared * sum_320 + 16.0 * baseline_per_path * sum_332
+    del sum_329, sum_330, sum_331, sum_320, sum_332
+    sum_334 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
+    sum_335 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_334
+    sum_336 = 4.0 * cos_beta + baseline_per_path * sum_335
+    sum_337 = 1.0 - baseline_per_path * sum_336
+    sum_338 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
+    sum_339 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_338
+    del sum_334, sum_335, sum_336, sum_338
+    sum_340 = baseline_per_path * sum_339 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    sum_341 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_340
+    sum_342 = baseline_per_path * sum_341 - 4.0 * cos_beta
+    sum_343 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
+    sum_344 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_343
+    del sum_339, sum_340, sum_341, sum_343
+    sum_345 = 4.0 * cos_beta + baseline_per_path * sum_344
+    sum_346 = 1.0 - baseline_per_path * sum_345
+    sum_347 = cos_beta * (13.0 + sin_beta_squared) - baseline_per_path * sum_208
+    sum_348 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_347
+    del sum_344, sum_345, sum_208, sum_347
+    sum_349 = baseline_per_path * sum_348 + cos_beta * sum_80
+    sum_350 = 5.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_349
+    sum_351 = baseline_per_path * sum_350 - cos_beta
+    del sum_348, sum_80, sum_349, sum_350
+    sum_352 = 384.0 * sigma_path_per_path * sin_beta * sum_346 + 768.0 * rho * sigma_beta * sum_351
+    sum_353 = 192.0 * sigma_beta * sum_342 + rho * sum_352
+    del sum_346, sum_351, sum_342, sum_352
+    sum_354 = 192.0 * sigma_path_per_path * sin_beta * sum_337 + rho * sum_353
+    sum_355 = (
+        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_354
+        - sigma_beta_squared * sum_333
     )
-    del baseline_squared, sum_445, sum_450, term_3
-    sum_452 = sigma_path_squared * sin_beta_squared * sum_451 + sigma_beta * sum_432
-    del sigma_path_squared, sin_beta_squared, sum_432, sum_451
-    mean[..., 0] = -sum_26 * term_1
-    mean[..., 1] = -sum_53 * term_1
-    covariance[..., 0, 0] = sum_186 * term_2
-    del sum_26, sum_53, term_1, sum_186
-    covariance[..., 0, 1] = sum_330 * term_2
+    del sum_337, sum_353, sum_333, sum_354
+    sum_356 = cos_beta * (40.0 + product_10) - 17.0 * baseline_per_path
+    sum_357 = 48.0 - 30.0 * cos_beta_squared + baseline_per_path * sum_356
+    sum_358 = (36.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_357
+    sum_359 = 10.0 - 44.0 * baseline_per_path_squared - cos_beta * sum_358
+    del product_10, sum_356, sum_357, sum_358
+    sum_360 = 3.0 - 16.0 * baseline_per_path_squared
+    sum_361 = cos_beta * sum_359 - baseline_per_path * sum_360
+    sum_362 = 4.0 - baseline_per_path * sum_361 + (1.0 - 20.0 * cos_beta_squared) * cos_beta_squared
+    sum_363 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_362
+    del sum_359, sum_360, sum_361, sum_362
+    sum_364 = 7.0 * baseline_per_path - 6.0 * cos_beta
+    sum_365 = cos_beta * (78.0 + cos_beta * sum_364) - 38.0 * baseline_per_path
+    sum_366 = 87.0 - 60.0 * cos_beta_squared + baseline_per_path * sum_365
+    sum_367 = (60.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_366
+    sum_368 = 26.0 - 78.0 * baseline_per_path_squared - cos_beta * sum_367
+    del sum_364, sum_365, sum_366, sum_367
+    sum_369 = 12.0 - 32.0 * baseline_per_path_squared
+    sum_370 = cos_beta * sum_368 - baseline_per_path * sum_369
+    sum_371 = 6.0 - baseline_per_path * sum_370 + (12.0 - 33.0 * cos_beta_squared) * cos_beta_squared
+    sum_372 = (12.0 - 18.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_371
+    del sum_368, sum_369, sum_370, sum_371
+    sum_373 = 2.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_372
+    sum_374 = (
+        64.0
+        - 128.0 * cos_beta_squared
+        - 64.0 * baseline_per_path * sum_363
+        + 64.0 * rho_squared * sum_373
+    )
+    del sum_372, rho_squared, sum_363, sum_373
+    sum_375 = sin_beta_squared * sum_355 + sum_1_squared * sum_374
+    sum_376 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
+    sum_377 = baseline_per_path * sum_376 - 4.0 * cos_beta
+    del sum_355, sum_374, product_5, sum_376
+    sum_378 = 1.0 + baseline_per_path * sum_377
+    sum_379 = 11.0 * baseline_per_path - 14.0 * cos_beta
+    sum_380 = 61.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_379
+    sum_381 = cos_beta * sum_380 - 74.0 * baseline_per_path
+    sum_382 = 11.0 - 32.0 * baseline_per_path_squared - cos_beta * sum_381
+    del sum_377, sum_379, sum_380, sum_381
+    sum_383 = (28.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_382
+    sum_384 = 7.0 - baseline_per_path * sum_383 + 14.0 * cos_beta_squared
+    sum_385 = baseline_per_path * sum_384 - 6.0 * cos_beta
+    del sum_382, cos_beta_squared, sum_383, sum_384
+    sum_386 = 64.0 * sum_1_squared * sum_385 - 96.0 * sigma_beta_squared * sum_192 * sum_378
+    del sigma_beta_squared, sum_192, sum_1_squared, sum_378, sum_385
+    sum_387 = rho * sigma_beta * sin_beta * sum_2 * sum_3 * sum_386 - sigma_path_per_path * sum_375
+    del sum_2, sum_3, sum_375, sum_386
+    sum_388 = sigma_path_per_path * sum_387 + sum_311 * sum_3_squared * term_4
+    del sum_311, sum_387, sum_3_squared, term_4
+    sum_389 = sigma_beta * sum_388 - rho * sigma_path_per_path * sin_beta * sum_303
+    del sigma_path_per_path, sin_beta, sum_303, sum_388
+    sum_390 = 110.0 - 41.0 * sin_beta_squared
+    sum_391 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
+    product_11 = (12.0 - 4.0 * sin_beta_squared) * cos_beta
+    sum_392 = product_11 - baseline_per_path * sum_73
+    sum_393 = 54.0 - baseline_per_path * sum_392 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
+    sum_394 = baseline_per_path - 8.0 * cos_beta
+    sum_395 = 28.0 - sin_beta_squared * sum_393 + baseline_per_path * sum_394
+    del sum_73, sum_392, sum_393, sum_394
+    sum_396 = cos_beta * sum_391 - baseline_per_path * sum_395
+    sum_397 = 70.0 - baseline_per_path * sum_396 - sin_beta_squared * sum_390
+    del sum_391, sum_395, sum_390, sum_396
+    sum_398 = (56.0 - 44.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_397
+    sum_399 = 28.0 - 26.0 * sin_beta_squared - baseline_per_path * sum_398
+    sum_400 = baseline_per_path * sum_399 - 8.0 * cos_beta
+    sum_401 = 3.0 - sin_beta_squared * sum_289
+    del sum_397, sum_398, sum_399, sum_289
+    sum_402 = product_11 - baseline_per_path * sum_401
+    sum_403 = 18.0 - 14.0 * sin_beta_squared - baseline_per_path * sum_402
+    sum_404 = baseline_per_path * sum_403 - 12.0 * cos_beta
+    del product_11, sum_401, sum_402, cos_beta, sum_403
+    sum_405 = (
+        384.0
+        + 128.0 * baseline_per_path * sum_404
+        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
+    )
+    sum_406 = (
+        64.0
+        + 64.0 * baseline_per_path * sum_400
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_405
+    )
+    del sum_404, baseline_per_path, baseline_per_path_squared, sum_400, sum_405
+    sum_407 = sigma_path_per_path_squared * sin_beta_squared * sum_406 + sigma_beta * sum_389
+    del sigma_path_per_path_squared, sin_beta_squared, sum_389, sum_406
+    mean[..., 0] = path * sum_28 * term_2
+    mean[..., 1] = path * sum_55 * term_2
+    covariance[..., 0, 0] = path_squared * sum_171 * term_3
+    del sum_28, sum_55, term_2, sum_171
+    covariance[..., 0, 1] = path_squared * sum_296 * term_3
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sum_452 * term_2
+    covariance[..., 1, 1] = path_squared * sum_407 * term_3
+    del sum_296, path_squared, sum_407, term_3
 
 
 def polar_linear(
