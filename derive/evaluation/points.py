@@ -145,13 +145,16 @@ def _on_any_scale(symbol: Variable) -> Range:
 
 
 def _ordinary(symbol: Variable) -> tuple[float, float]:
-    """An interval of ordinary numbers inside the domain."""
+    """An interval of ordinary numbers, inside the domain where that has such."""
     if symbol.is_angle:
         return 0.13, 0.38
     if symbol.whole:
         low = max(symbol.low, 1.0) + (0.3 if symbol.at_most else 3.3)
         return low, low + 3
     low, high = (0.2, 0.55) if symbol.high <= 1 else (0.6, 1.7)
+    if symbol.low >= high:  # larger than the others, as its domain is, but not so that these are lost beside it
+        scale = (symbol.low / high) ** 0.2
+        return 2.6 * scale, 3.7 * scale
     return (low, high) if symbol.low < high < symbol.high else (symbol.low + 0.6, symbol.low + 1.7)
 
 
