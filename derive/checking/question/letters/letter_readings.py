@@ -22,7 +22,7 @@ from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
-from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, parts
+from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -362,13 +362,18 @@ def read_loosely(formula: str, names: Sequence[str], notation: str = TEXT, funct
 
 
 def _east(tree: Tree) -> Tree:
-    """The tree with the letter e for the constant where a power of it is of no other use than as one of a letter."""
-    bases = [node.base for node in parts(tree) if isinstance(node, Power) and not isinstance(node.exponent, Number)]
+    """The tree with the letter e for the constant, where any stands as a letter would, not as the base of a power."""
     euler = Constant("e")
-    count = sum(node == euler for node in parts(tree))
-    if not count or count == sum(base == euler for base in bases):
+    if tree != euler and not any(_is_letter(euler, node) for node in parts(tree)):
         return tree
     return rebuild(tree, lambda node: Name("e", span=node.span) if node == euler else node)
+
+
+def _is_letter(constant: Constant, node: Tree) -> bool:
+    """Whether a constant stands below a node, other than as the base of a power that is no plain number."""
+    if isinstance(node, Power) and not isinstance(node.exponent, Number):
+        return node.exponent == constant
+    return constant in children(node)
 
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:

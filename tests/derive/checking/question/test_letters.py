@@ -178,3 +178,11 @@ def test_more_letters_than_the_quantity_has_symbols_are_refused() -> None:
 )
 def test_the_spelling_of_a_name_says_its_role(name: str, role: Role | None) -> None:
     assert meanings(name).role is role
+
+
+@pytest.mark.parametrize("argument", ["-sigma_phi^2", "2*sigma_phi^2", "sigma_phi**2/2"])
+def test_powers_of_euler_s_number_are_none_of_a_letter_however_many_there_are(argument: str) -> None:
+    printed = f"r*cos(phi)*e^({argument})*e^(sigma_phi^2)*(1 - e^({argument})) "
+    verdict = check("polar.unbiased.estimate[0]", printed)
+    assert verdict.verdict is Outcome.DIFFERS
+    assert not any(word.startswith("e ") for word in verdict.reading)
