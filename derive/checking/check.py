@@ -38,7 +38,6 @@ from radartrack.derive.checking.question.letters.letter_readings import (
     Typed,
     ambiguous,
     as_typed,
-    read_loosely,
 )
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
@@ -63,6 +62,7 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm

@@ -1,20 +1,11 @@
-"""The letters of a stranger's formula: which there are, and which symbols of a quantity they may stand for."""
+"""The letters of a stranger's formula: which symbols of a quantity they may stand for."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.tree import Tree
-from radartrack.derive.reading.tex.latex import read_latex
-from radartrack.derive.reading.text import read_text
-
-MOST_LETTERS = 24
 MOST_ASSIGNMENTS = 5000  # of one set of symbols
-_UNKNOWN = re.compile(r"(\w+) is not a name here")
-_RAISED = re.compile(r"\s*(?:\^|\*\*)\s*[({\-]")  # as Euler's number is, and east seldom
-_LONE_E = re.compile(r"(?<![\w.])[eE](?!\w)")
 
 _ANGLES = ("beta", "epsilon")
 # What a letter means wherever it stands, the likeliest first; a letter without a meaning may be anything.
@@ -35,30 +26,6 @@ _MEANINGS: Mapping[str, tuple[str, ...]] = {
     "N": ("k", "n", "y"),
 }
 _DEVIATION = re.compile(r"(?:sigma|std|sig|s)_?(?P<of>\w+)")
-
-
-def read_free(formula: str, *, latex: bool) -> Tree:
-    """Read a formula whatever its letters are.
-
-    Raises:
-        FormulaError: when it cannot be read.
-    """
-    names = set[str]() if latex else _east(formula)
-    while True:
-        try:
-            return (read_latex if latex else read_text)(formula, names)
-        except FormulaError as error:
-            unknown = _UNKNOWN.match(error.message)
-            if unknown is None or unknown[1] in names or len(names) >= MOST_LETTERS:
-                raise
-            names.add(unknown[1])
-
-
-def _east(formula: str) -> set[str]:
-    """The letters e and E where they are coordinates: where none is raised to something in brackets."""
-    found = list(_LONE_E.finditer(formula))
-    raised = {one[0] for one in found if _RAISED.match(formula, one.end())}
-    return {one[0] for one in found} - raised
 
 
 def assignments(letters: Sequence[str], symbols: Mapping[str, str]) -> Iterator[dict[str, str]]:

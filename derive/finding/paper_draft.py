@@ -11,11 +11,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive.finding.formula_search import Candidate
-from radartrack.derive.finding.free_letters import read_free
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Array, Name, Tree, names
+from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.notation import LATEX
 
 MOST_CHARACTERS = 4_000_000
 MOST_EQUATIONS = 1_500  # fewer than a claims file holds
@@ -147,7 +148,7 @@ def by_definitions(one: Understood, known: Mapping[str, Tree], candidate: Candid
     A name that the quantity's symbols have too cannot be defined, nor is what is in another convention taken apart.
     """
     used = _needed(one, known)
-    symbols = names(read_free(candidate.formula, latex=False))
+    symbols = names(read_loosely(candidate.formula))
     if symbols == {candidate.read.get(name, name) for name in names(one.tree or Name(""))}:
         return None  # it was found as it is printed
     taken = {*candidate.read.values(), *symbols}
@@ -263,11 +264,11 @@ def _at_equals(text: str) -> tuple[str, str, str]:
 
 def _read(equation: Equation) -> Understood:
     try:
-        tree = read_free(equation.right, latex=True)
+        tree = read_loosely(equation.right, notation=LATEX)
     except FormulaError as error:
         return Understood(equation, None, f"it cannot be read: {error.message}"[:NOTE])
     try:
-        left = read_free(equation.left, latex=True) if equation.left else None
+        left = read_loosely(equation.left, notation=LATEX) if equation.left else None
     except FormulaError:
         left = None
     defines = isinstance(left, Name) and left.name not in names(tree) and not isinstance(tree, Array)

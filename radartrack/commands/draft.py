@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from radartrack._system import output_files, terminal
-from radartrack.commands.find import catalogue_search, proved
+from radartrack.commands.find import proved, search_over
 from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def _drafted(found: Sequence[Understood], decider: Decider) -> list[Drafted]:
     """Each equation as the quantity that it is, by the paper's definitions where it uses any."""
     from radartrack.derive.finding import paper_draft
 
-    search, known = catalogue_search(), paper_draft.defined(found)
+    search, known = search_over(), paper_draft.defined(found)
     drafted = []
     for one in found:
         trees = (one.tree, paper_draft.with_definitions(one, known))  # as printed, else by its definitions

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from importlib.resources import files
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from radartrack._system import terminal
+from radartrack.commands.code_argument import code_argument
+from radartrack.commands.model_file import ModelFile, declared, own_quantities
 from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
+    from radartrack.derive.language.quantity import Quantity
 
 PROVED = 6  # candidates that are proved, of those that are worth the same
 FOUND, ONLY_NEAR, UNREADABLE = 0, 1, 2
@@ -23,27 +26,36 @@ FOUND, ONLY_NEAR, UNREADABLE = 0, 1, 2
 def find(
     formula: Annotated[str, typer.Argument(help="The printed formula, in any letters; arrays as nested lists.")],
     latex: Annotated[bool, typer.Option("--latex", help="The formula is LaTeX.")] = False,
+    code: Annotated[
+        Literal["python", "c", "cpp", "matlab"] | None,
+        typer.Option(help="The formula is code, or FILE:function, or FILE:first-last."),
+    ] = None,
     timeout: Annotated[
         float, typer.Option(help="Seconds after which a proof is given up.", min=0.1, callback=seconds)
     ] = 20.0,
+    model: ModelFile = None,
 ) -> None:
     """Say which quantity a formula is, under which condition and in which convention.
 
     Exit 0 when it is one, 1 when one is only near or none is, 2 when it cannot be read.
     """
     from radartrack.derive.checking.papers.deadline import Decider
-    from radartrack.derive.finding.free_letters import read_free
     from radartrack.derive.formula.error import FormulaError
+    from radartrack.derive.reading.any_letters import read_loosely
+    from radartrack.derive.reading.notation import LATEX, TEXT
 
+    if latex and code:
+        raise typer.BadParameter("a formula is LaTeX or code, not both", param_hint="--code")
+    source, function = code_argument(formula) if code else (formula, "")
     try:
-        tree = read_free(formula, latex=latex)
+        tree = read_loosely(source, notation=code or (LATEX if latex else TEXT), function=function)
     except FormulaError as error:
         terminal.complain(str(error))
         raise typer.Exit(UNREADABLE) from None
     with Decider(timeout) as decider:
         decider.start()
-        search = catalogue_search()
-        found = list(proved(search.candidates(tree), decider))
+        search = search_over(own_quantities(model).values())
+        found = list(proved(search.candidates(tree), decider, declared(model)))
     for candidate, proof in found:
         _tell(candidate, proof)
     if found:
@@ -56,22 +68,29 @@ def find(
     raise typer.Exit(ONLY_NEAR)
 
 
-def catalogue_search() -> FormulaSearch:
-    """The search over the catalogue, by the values that `radartrack regenerate` wrote."""
+def search_over(own: Collection[Quantity] = ()) -> FormulaSearch:
+    """The search over quantities of one's own, and the catalogue by the values that `radartrack regenerate` wrote."""
     from radartrack.derive.finding.formula_search import FormulaSearch
 
+    rows = {}
+    if own:
+        from radartrack.derive.finding.screening_values import row
+
+        rows = {quantity.name: row(quantity) for quantity in own}
     text = files("radartrack.generated").joinpath("screening.json").read_text(encoding="utf-8")
-    return FormulaSearch(json.loads(text))
+    return FormulaSearch({**rows, **json.loads(text)})
 
 
-def proved(candidates: Sequence[Candidate], decider: Decider) -> Iterator[tuple[Candidate, str]]:
+def proved(
+    candidates: Sequence[Candidate], decider: Decider, models: tuple[Mapping[str, Any], ...] = ()
+) -> Iterator[tuple[Candidate, str]]:
     """Those that a formula is proved to be, or is to many digits, and which of the two."""
     from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 
     for candidate in candidates[:PROVED]:
         claim = Claim("formula", candidate.quantity, candidate.formula, given=candidate.given, let=candidate.let)
         try:
-            record = decider.decide(claim)
+            record = decider.decide(claim, models)
         except UnreadableClaim:
             continue  # an entry that the quantity of today does not have
         if record["verdict"] in {"equal", "equal_numerically"}:

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
-from radartrack.derive.finding.free_letters import read_free
 from radartrack.derive.finding.screening_values import row
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
@@ -20,6 +19,8 @@ from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Name, Tree
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.notation import LATEX, TEXT
 
 VALUES = json.loads((Path(__file__).parents[3] / "generated" / "screening.json").read_text())
 QUICK = ("polar.", "observe.polar", "observe.spherical.map", "motion.turn", "motion.constant", "spherical.jacobian")
@@ -66,7 +67,7 @@ def test_every_entry_is_found_in_other_letters(entry: tuple[Quantity, int], data
     names = sorted(symbol.name for symbol in expression.free_symbols)
     letters = {name: data.draw(st.sampled_from(OTHERS[name])) for name in names if name in OTHERS}
     letters = {old: new for old, new in letters.items() if new not in names and list(letters.values()).count(new) == 1}
-    tree = read_free(spelled(read_free(text, latex=False), letters), latex=False)
+    tree = read_loosely(spelled(read_loosely(text), letters))
     found = search().candidates(tree)
     assert any(VALUES_OF[one.quantity] == VALUES_OF[_name(quantity, place)] for one in found if not one.given), letters
 
@@ -105,7 +106,7 @@ VALUES_OF = _flat()
 def test_formulas_as_people_write_them_are_found(
     formula: str, latex: bool, quantity: str, given: dict[str, str]
 ) -> None:
-    found = search().candidates(read_free(formula, latex=latex))
+    found = search().candidates(read_loosely(formula, notation=LATEX if latex else TEXT))
     assert any(quantity in one.quantity and one.given == given and not one.convention for one in found)
 
 
@@ -118,13 +119,13 @@ def test_formulas_as_people_write_them_are_found(
     ],
 )
 def test_another_convention_is_said(formula: str, quantity: str, convention: str) -> None:
-    found = search().candidates(read_free(formula, latex=False))
+    found = search().candidates(read_loosely(formula))
     assert [one for one in found if one.quantity == quantity and convention in one.convention] or not convention
 
 
 @pytest.mark.parametrize("slip", ["-R*cos(theta)*s_theta^2/3", "-R*cos(theta)*s_theta^2/1.9", "1.1*R*cos(theta)"])
 def test_a_slip_is_near_and_never_found(slip: str) -> None:
-    tree = read_free(slip, latex=False)
+    tree = read_loosely(slip)
     assert search().candidates(tree) == []
     near: list[Candidate] = search().near(tree)
     assert near
@@ -143,13 +144,13 @@ def test_a_slip_is_near_and_never_found(slip: str) -> None:
     ],
 )
 def test_what_is_no_quantity_is_not_found(nothing: str) -> None:
-    assert search().candidates(read_free(nothing, latex=False)) == []
+    assert search().candidates(read_loosely(nothing)) == []
 
 
 @pytest.mark.parametrize("broken", ["r*cos(", "", "[1, [2, 3]]", r"\frac{1}{"])
 def test_what_cannot_be_read_is_refused(broken: str) -> None:
     with pytest.raises(FormulaError):
-        read_free(broken, latex="\\" in broken)
+        read_loosely(broken, notation=LATEX if "\\" in broken else TEXT)
 
 
 @pytest.mark.parametrize("name", ["polar.covariance.linear", "motion.constant_velocity.process_noise.continuous"])

@@ -21,12 +21,11 @@ from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fold import rebuild
-from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
+from radartrack.derive.formula.tree import Name, Tree, parts
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.notation import TEXT, read_formula
+from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
@@ -350,30 +349,6 @@ class _Unread:
 
 
 _UNREAD = _Unread()
-
-
-def read_loosely(formula: str, names: Sequence[str], notation: str = TEXT, function: str = "") -> Tree:
-    """A formula in which names may occur that nobody has said the meaning of.
-
-    Raises:
-        FormulaError: when it cannot be read whatever they mean.
-    """
-    return _east(read_formula(formula, notation, names, strangers=True, function=function).tree)
-
-
-def _east(tree: Tree) -> Tree:
-    """The tree with the letter e for the constant, where any stands as a letter would, not as the base of a power."""
-    euler = Constant("e")
-    if tree != euler and not any(_is_letter(euler, node) for node in parts(tree)):
-        return tree
-    return rebuild(tree, lambda node: Name("e", span=node.span) if node == euler else node)
-
-
-def _is_letter(constant: Constant, node: Tree) -> bool:
-    """Whether a constant stands below a node, other than as the base of a power that is no plain number."""
-    if isinstance(node, Power) and not isinstance(node.exponent, Number):
-        return node.exponent == constant
-    return constant in children(node)
 
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:

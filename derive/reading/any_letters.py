@@ -1,0 +1,39 @@
+"""A formula in letters of which nobody has said what they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
+from radartrack.derive.reading.notation import TEXT, read_formula
+
+_EULER = Constant("e")
+
+
+def read_loosely(formula: str, names: Collection[str] = (), notation: str = TEXT, function: str = "") -> Tree:
+    """A formula in which other names than the known ones may occur, whatever they mean.
+
+    Raises:
+        FormulaError: when it cannot be read whatever they mean.
+    """
+    return _with_letter_e(read_formula(formula, notation, names, strangers=True, function=function).tree, formula)
+
+
+def _with_letter_e(tree: Tree, source: str) -> Tree:
+    """The tree with the letter e for the constant, where any stands as a letter would, not as the base of a power."""
+    if tree != _EULER and not any(_has_letter_e(node) for node in parts(tree)):
+        return tree
+    return rebuild(tree, lambda node: Name(_spelled(node, source), span=node.span) if node == _EULER else node)
+
+
+def _has_letter_e(node: Tree) -> bool:
+    """Whether the constant stands below a node, other than as the base of a power that is no plain number."""
+    if isinstance(node, Power) and not isinstance(node.exponent, Number):
+        return node.exponent == _EULER
+    return _EULER in children(node)
+
+
+def _spelled(node: Tree, source: str) -> str:
+    printed = source[slice(*node.span)] if node.span else ""
+    return printed if printed == "E" else "e"
