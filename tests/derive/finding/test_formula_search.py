@@ -23,7 +23,7 @@ from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX, TEXT
 
 VALUES = json.loads((Path(__file__).parents[3] / "generated" / "screening.json").read_text())
-QUICK = ("polar.", "observe.polar", "observe.spherical.map", "motion.turn", "motion.constant", "spherical.jacobian")
+QUICK = ("polar.", "observe.polar", "observe.spherical.map", "motion.constant", "spherical.jacobian")
 ENTRIES = [
     (quantity, index)
     for quantity in catalogue().values()
