@@ -32,10 +32,10 @@ WHOLE = "+".join(f"(sin(beta) + cos({n}*beta) + exp(sigma_beta**2) + rho)**50" f
 SLOW = Claim("slow", "polar.covariance.linear[0,0]", formula=f"r**2*sigma_beta**2*({WHOLE})")
 decider = Decider.decide
 
-def decide(self, claim):
+def decide(self, claim, files=()):
     if claim is SLOW:
         print("busy", flush=True)
-    return decider(self, claim)
+    return decider(self, claim, files)
 
 Decider.decide = decide
 decide_all([Claim("quick", "polar.map[0]", formula="r*cos(beta)"), SLOW, SLOW, SLOW], 600, 1, lambda: None)
