@@ -20,6 +20,7 @@ from hypothesis.strategies import DrawFn, SearchStrategy
 from radartrack import simulate
 from radartrack._arrays.validation import one_of, whole_number
 from radartrack._conversion.sensors import DIRECTION, MARGIN, SENSORS, SensorName
+from radartrack._observation.sights import SIGHTS
 from radartrack.derive.catalogue import find
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.language.quantity import Quantity
@@ -73,10 +74,10 @@ def arguments(name: str) -> SearchStrategy[dict[str, float]]:
 
 
 def plots(sensor: SensorName) -> SearchStrategy[dict[str, float]]:
-    """One plot with its noise, by the names of the arguments of `radartrack.convert`: a target at zero range too.
+    """One plot with its noise, by the names of the arguments of `radartrack.convert`: zero range and no baseline too.
 
     Args:
-        sensor: "polar", "spherical", "polar_doppler" or "ruv".
+        sensor: "polar", "spherical", "polar_doppler", "spherical_doppler", "ruv" or "bistatic".
 
     Raises:
         ValueError: there is no such sensor.
@@ -84,7 +85,7 @@ def plots(sensor: SensorName) -> SearchStrategy[dict[str, float]]:
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
     symbols = {symbol.name: symbol for symbol in models()[model.module].symbols}
     values = {name: _value(symbols[symbol]) for name, (symbol, _) in model.arguments.items()}
-    values["r"] = st.just(0.0) | values["r"]
+    values |= {name: st.just(0.0) | values[name] for name in ("r", "baseline") if name in values}
     return st.fixed_dictionaries(values).map(_inside_the_unit_circle if "u" in values else dict)
 
 
@@ -143,7 +144,7 @@ def tracks(draw: DrawFn, motion: Motion, sensor: SensorName) -> Track:
     one_of("motion", motion, MOTIONS)
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
     symbols = {symbol.name: symbol for symbol in models()[model.module].symbols}
-    in_plane = "polar" in sensor
+    in_plane = "z" not in SIGHTS[sensor].state
     place, speed = (st.floats(-end, end).map(_clear) for end in (FARTHEST, FASTEST))
     position = [draw(place), draw(place), *([] if in_plane else [draw(st.floats(0, FARTHEST / 10))])]
     position[0] = position[0] or 1000.0  # beside the radar, not in it
@@ -157,7 +158,8 @@ def tracks(draw: DrawFn, motion: Motion, sensor: SensorName) -> Track:
     make: Callable[..., simulate.Target] = MOTIONS[motion]
     target = make(position, velocity, *draw(more[motion]))
     noise = {name: draw(_value(symbols[symbol])) for name, (symbol, _) in model.noise.items()}
-    radar = simulate.Radar(sensor, draw(st.sampled_from([1.0, 4.0, 10.0])), noise)
+    known = {name: draw(_value(symbols[symbol])) for name, (symbol, _) in model.parameters.items()}
+    radar = simulate.Radar(sensor, draw(st.sampled_from([1.0, 4.0, 10.0])), noise, known=known)
     seen = simulate.plots(target, radar, scans=draw(st.integers(1, 12)), seed=draw(st.integers(0, 1000)))
     return Track(target, radar, seen)
 

@@ -10,10 +10,11 @@ import numpy.typing as npt
 from radartrack.derive.language.model import predicted
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.units import ONE, RADIAN
+from radartrack.derive.units import METRE, ONE, RADIAN
 from radartrack.verification.phase import calmed
 
 Points = dict[str, npt.NDArray[np.float64]]
+FAR = 1e4  # metres: what begins there is large beside its errors wherever it is
 SMALLEST_SHARE = 1e-24  # of the largest value, for what may be zero
 
 
@@ -77,7 +78,9 @@ def coarse(quantity: Quantity, count: int, seed: int = 0) -> Points:
     for symbol in quantity.symbols:
         highest = points.get(symbol.at_most.name) if symbol.at_most is not None else None
         size = generator.random(count), generator.random(count)
-        drawn = _coarse(symbol, *size, highest, is_deviation=is_deviation(quantity, symbol))
+        is_measured = quantity.model is None or symbol not in quantity.model.parameters
+        deviates = is_deviation(quantity, symbol)
+        drawn = _coarse(symbol, *size, highest, is_deviation=deviates, is_measured=is_measured)
         points[symbol.name] = np.floor(drawn) if symbol.whole else drawn
     return calmed(quantity.model, points) if quantity.model is not None else points
 
@@ -95,6 +98,7 @@ def _coarse(
     highest: npt.NDArray[np.float64] | None,
     *,
     is_deviation: bool,
+    is_measured: bool,
 ) -> npt.NDArray[np.float64]:
     sign = np.where(other < 0.5, -1.0, 1.0)
     if highest is not None:
@@ -110,9 +114,17 @@ def _coarse(
     if is_deviation:
         return math.sqrt(symbol.low * symbol.high) * (10 + 90 * uniform)
     if symbol.low > 0:
-        return symbol.low * np.power(min(1e3, symbol.high / symbol.low), 2 / 3 + uniform / 3)
+        return _coarse_size(symbol, uniform, is_measured=is_measured)
     if symbol.low == 0:
         return min(10.0, symbol.high) * uniform
     if symbol.high <= 0:
         return symbol.low + (symbol.high - symbol.low) * uniform
     return np.asarray(np.where(sign < 0, symbol.low, symbol.high) * (0.1 + 0.4 * uniform))
+
+
+def _coarse_size(symbol: Variable, uniform: npt.NDArray[np.float64], *, is_measured: bool) -> npt.NDArray[np.float64]:
+    if symbol.unit == METRE and symbol.low >= FAR:  # errors stand out where it is nearest
+        return symbol.low * (1.0 + uniform)
+    if symbol.unit == METRE and not is_measured:
+        return symbol.high * (0.3 + 0.6 * uniform)
+    return np.asarray(symbol.low * np.power(min(1e3, symbol.high / symbol.low), 2 / 3 + uniform / 3))

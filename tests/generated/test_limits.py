@@ -1,6 +1,7 @@
 """What becomes of the moments as errors vanish."""
 
 import math
+import operator
 from collections.abc import Mapping
 
 import numpy as np
@@ -22,6 +23,13 @@ COVARIANCES = [q for q in conversions.covariances() if conversions.row(q) != "co
 def value(name: str, point: Mapping[str, float]) -> np.ndarray:
     quantity = catalogue()[name]
     return conversions.generated(quantity)(**{symbol.name: point[symbol.name] for symbol in quantity.symbols})
+
+
+def points(quantity: Quantity) -> st.SearchStrategy[dict[str, float]]:
+    """As for all sensors, but with a path that is longer than the baseline."""
+    lengths = {"path": st.floats(3e4, 1e6), "baseline": st.floats(1, 2e4)}
+    own = {symbol.name: lengths[symbol.name] for symbol in quantity.symbols if symbol.name in lengths}
+    return st.builds(operator.or_, conversions.points(quantity), st.fixed_dictionaries(own))
 
 
 def shrunk(point: Mapping[str, float], factor: float) -> dict[str, float]:
@@ -49,7 +57,7 @@ def test_the_bias_approaches_the_one_of_second_order(quantity: Quantity, data: s
 @given(data=st.data())
 @share(0.4)
 def test_the_covariance_approaches_the_linear_one(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(conversions.points(quantity)), SHRINK)
+    point = shrunk(data.draw(points(quantity)), SHRINK)
     expected = value(f"{quantity.module}.covariance.linear", point)
     independent = value(f"{quantity.module}.covariance.linear", point | {"rho": 0.0})
     scale = conversions.scale(quantity, np.diag(largest_alike(quantity, np.diagonal(independent))))
@@ -78,7 +86,7 @@ def test_the_estimate_approaches_the_plain_conversion_corrected_to_second_order(
 @given(data=st.data())
 @share(0.2)
 def test_without_errors_there_is_no_bias_and_no_covariance(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(conversions.points(quantity)), 0.0)
+    point = shrunk(data.draw(points(quantity)), 0.0)
     result = conversions.generated(quantity)(**point)
     if quantity.is_covariance or conversions.row(quantity).startswith("bias."):
         np.testing.assert_array_equal(result, np.zeros(quantity.shape))
@@ -90,5 +98,5 @@ def test_without_errors_there_is_no_bias_and_no_covariance(quantity: Quantity, d
 @given(data=st.data())
 @share(0.4)
 def test_variances_stay_positive_down_to_the_smallest_errors(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(conversions.points(quantity)), 1e-9)
+    point = shrunk(data.draw(points(quantity)), 1e-9)
     assert (np.diagonal(conversions.generated(quantity)(**point)) > 0).all()
