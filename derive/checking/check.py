@@ -189,7 +189,10 @@ class Paper:
         conditions: Mapping[Symbol, Expr] = {}
         with suppress(FormulaError):  # in letters of the paper, or wrong: then it is told where the question is asked
             conditions = conditions_for(reference, self.given)
-        return reference, as_typed(self._read_loosely, reference, definitions, conditions)
+        symbols = symbols_for([], {}, self.world, [part.quantity for part in reference.parts])
+        declared = {name: symbols[name] for name in self.world.letters}
+        known = reference.with_symbols(declared.values())
+        return reference, as_typed(self._read_loosely, known, definitions, conditions, declared)
 
     def _read_loosely(self, names: Sequence[str]) -> Tree:
         return read_loosely(self.formula, names, self.notation, self.function)
@@ -476,16 +479,21 @@ class Question:
         findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
         wrong = tuple(one.entry for one in findings if one.outcome in _WRONG)
         account = self._print.account(wrong)
-        slips = [] if account.is_complete else attempted(self._slips_inside, lambda _: [])
+        unexplained = not account.suggestions and not account.convention
+        slips = [] if account.is_complete else attempted(lambda: self._slips_inside(plain=unexplained), lambda _: [])
         if not slips or slips[0].cost > account.cost:
             return account
         inside = (Suggestion(slip.formula, slip.words, definition=slip.definition) for slip in slips)
         edits = () if account.convention else account.suggestions
         return Account("", wrong, (*inside, *edits), slips[0].cost)
 
-    def _slips_inside(self) -> list[Slip]:
-        """Slips inside of what is worked out, of which each explains all that is wrong: no edit of an entry can."""
-        if not (self._is_compared and has_inside(self.printed)):
+    def _slips_inside(self, *, plain: bool) -> list[Slip]:
+        """Slips inside of what is worked out, of which each explains all that is wrong: no edit of an entry can.
+
+        In plain definitions too where nothing else explains it: floating point does not see all that is wrong there.
+        """
+        is_inside = has_inside(self.printed) or (plain and bool(self.printed.names.definitions))
+        if not (self._is_compared and is_inside):
             return []
         derived = self.reference.entries.map(lambda entry: under(self.conditions, entry))
         return Repair(self.printed, self.printed.names, derived, self.symbols, self.conditions).slips()

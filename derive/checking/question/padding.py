@@ -6,27 +6,30 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.tree import Array, Number, Tree
 from radartrack.derive.language.tensor import Index
 
 
 def trimmed(tree: Tree, expected: Index) -> tuple[Tree, str]:
     """The formula without rows and columns of zeros that are too many, where there are such, and what was left out."""
-    found = without_padding(tree, expected) if shape(tree) != expected else None
-    return found or (tree, "")
+    return without_padding(tree, expected) or (tree, "")
 
 
 def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:
-    """The matrix without what is zero and too many, and what was left out in words; None where that is not clear.
+    """The matrix without what is zero and too many, and what was left out; None where nothing is or that is not clear.
 
     Where more is zero than is too many, the last rows and columns are left out.
     """
-    if not isinstance(tree, Array) or len(expected) != 2 or len(shape(tree)) != 2:
+    rows = [row.entries for row in tree.entries if isinstance(row, Array)] if isinstance(tree, Array) else []
+    if (
+        not isinstance(tree, Array)
+        or len(expected) != 2
+        or len(rows) < len(tree.entries)
+        or len(set(map(len, rows))) != 1
+    ):
         return None
-    rows, columns = shape(tree)
-    surplus = rows - expected[0], columns - expected[1]
-    if min(surplus) < 0:
+    surplus = len(rows) - expected[0], len(rows[0]) - expected[1]
+    if min(surplus) < 0 or not any(surplus):
         return None
     for out_rows, out_columns in _choices(tree, surplus):
         return _without(tree, out_rows, out_columns), _spoken(out_rows, out_columns)

@@ -20,7 +20,18 @@ from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Program, Screen, Values, close
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Name, Negation, Number, Product, Quotient, Tree, children, replace_at, walk
+from radartrack.derive.formula.tree import (
+    Name,
+    Negation,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Tree,
+    children,
+    replace_at,
+    walk,
+)
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.grammar import check_tree
@@ -211,6 +222,8 @@ class _Trial:
         yield from other_numbers(node)
         if isinstance(node, Product):
             yield from _divided(node)
+        if isinstance(node, Power):
+            yield Alternative(Power(node.base, Negation(node.exponent)), "the sign of the exponent of {}", 1.4, (node,))
         if whole:
             two = Number("2")
             yield Alternative(Product((two, node)), "a missing factor 2", 1.8)

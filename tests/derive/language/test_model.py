@@ -39,7 +39,7 @@ units = st.builds(Unit, fractions, fractions, fractions)
         ({"measured": (length("predicted_sigma_beta", "range"), beta)}, "a symbol's name must occur once"),
         (
             {"deviations": POLAR.deviations[:1]},
-            "deviations must be one for each measured quantity: given 1, measured 2",
+            "deviations must be one for each measured quantity, or none: given 1, measured 2",
         ),
         ({"units": (METRE,)}, "units must be one for each output: given 1 for 2"),
         ({"correlations": {(r, r): POLAR.correlations[r, beta]}}, "two different measured quantities"),

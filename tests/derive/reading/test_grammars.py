@@ -11,7 +11,7 @@ from radartrack.derive import reading
 FOLDER = Path(reading.__file__).parent
 
 
-@pytest.mark.parametrize("name", ["text", "latex"])
+@pytest.mark.parametrize("name", ["text", "tex/latex"])
 def test_a_grammar_has_no_conflict_and_so_reads_nothing_in_two_ways(name: str, caplog: pytest.LogCaptureFixture):
     before = logger.level
     logger.addHandler(caplog.handler)

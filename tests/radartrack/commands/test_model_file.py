@@ -56,7 +56,9 @@ both = pytest.mark.parametrize("kind", ["toml", "py"])
 
 
 @pytest.mark.parametrize(
-    ("kind", "formula", "code"), [("toml", RIGHT, 0), ("py", "r*T*cos(w*T)", 1), ("toml", "r*T*sin(phi)", 2)], ids=str
+    ("kind", "formula", "code"),
+    [("toml", RIGHT, 0), ("py", "r*T*cos(w*T)", 1), ("toml", "r*T*sin(phi)", 1), ("toml", "r*T*sin(phi*t*p*q)", 2)],
+    ids=str,
 )
 def test_check_decides_of_an_own_model(
     run: Callable[..., Result], files: dict[str, Path], kind: str, formula: str, code: int

@@ -95,22 +95,23 @@ class Typed:
         entries: those of the formula.
         definitions: the trees of what is defined, in their order.
         conditions: under which both are compared.
+        declared: letters of which the paper says what they are; one may hide a symbol of the quantity.
     """
 
     reference: Reference
     entries: Tensor[Tree]
     definitions: Mapping[str, Tree]
     conditions: Mapping[Symbol, Expr]
+    declared: Mapping[str, Variable]
 
     def readings(self) -> list[Reading]:
         """What the letters may stand for, the likeliest first: with the units of the quantity, where any has them.
 
         One that makes the formula right stands alone. Nothing where the quantity has too few symbols.
         """
-        own = {symbol.name for symbol in self.reference.symbols}
-        unknown = [name for name in self.used if name not in own]
-        fixed = [name for name in self.used if name in own]
-        doubtful = [name for name in fixed if self._other_meanings(name)]
+        unknown = [name for name in self.used if name not in self._own]
+        fixed = [name for name in self.used if name in self._own]
+        doubtful = [name for name in fixed if name not in self.declared and self._other_meanings(name)]
         if any(len(name) > LONGEST for name in unknown):
             return []
         if not unknown and (not doubtful or self._fits({})):
@@ -125,11 +126,15 @@ class Typed:
 
     def forced(self) -> list[Reading]:
         """Readings as symbols that the letters cannot mean: of a formula that is known to be another model's."""
-        own = {symbol.name for symbol in self.reference.symbols}
-        unknown = [name for name in self.used if name not in own]
+        unknown = [name for name in self.used if name not in self._own]
         left = [symbol for symbol in self.reference.symbols if symbol.name not in self.used]
         pairs = dict(zip(unknown, map(Letter, left), strict=False))
         return [Reading(pairs, len(self.entries.entries), fits=False)] if len(pairs) == len(unknown) else []
+
+    @cached_property
+    def _own(self) -> dict[str, Variable]:
+        """What the names mean that need no reading."""
+        return {**{symbol.name: symbol for symbol in self.reference.symbols}, **self.declared}
 
     @cached_property
     def used(self) -> tuple[str, ...]:
@@ -187,7 +192,7 @@ class Typed:
 
     def _fits(self, letters: Letters) -> bool:
         """Whether the formula has the units of the quantity."""
-        known = {symbol.name: Dimension.of(symbol.unit) for symbol in self.reference.symbols}
+        known = {name: Dimension.of(symbol.unit) for name, symbol in self._own.items()}
         known |= {name: letter.dimension for name, letter in letters.items()}
         try:
             for name in self._needed:
@@ -211,7 +216,8 @@ class Typed:
         )
 
     def _value(self, program: Program, letters: Letters, point: Point) -> tuple[float, ...] | None:
-        known = point | {name: point[one.symbol.name] ** one.power for name, one in letters.items()}
+        known = {name: point[symbol.name] for name, symbol in self._own.items()}
+        known |= {name: point[one.symbol.name] ** one.power for name, one in letters.items()}
         for name, definition in self._definition_programs.items():
             value = definition(known)
             if value is None:
@@ -287,6 +293,7 @@ def as_typed(
     reference: Reference,
     let: Mapping[str, str],
     conditions: Mapping[Symbol, Expr],
+    declared: Mapping[str, Variable],
 ) -> Typed | None:
     """A formula before it is known what its names mean; None where it cannot be read whatever they mean.
 
@@ -297,8 +304,9 @@ def as_typed(
         reference: what it is compared with.
         let: definitions, in any order.
         conditions: of the comparison.
+        declared: letters of which the paper says what they are, of the symbols of `reference`.
     """
-    own = [symbol.name for symbol in reference.symbols]
+    own = list(dict.fromkeys([*(symbol.name for symbol in reference.symbols), *declared]))
     try:
         tree, _ = trimmed(read([*own, *let]), reference.shape)
         entries, parts = entries_of(tree, _UNREAD)
@@ -307,7 +315,7 @@ def as_typed(
         return None
     if parts or entries.shape != reference.shape or definitions.keys() & set(own):
         return None
-    return Typed(reference, entries, definitions, conditions)
+    return Typed(reference, entries, definitions, conditions, declared)
 
 
 def _needed_by(tree: Tree, let: Mapping[str, str], own: Sequence[str]) -> dict[str, Tree]:

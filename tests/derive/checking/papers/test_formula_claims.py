@@ -234,7 +234,7 @@ def test_a_wrong_sign_in_one_of_many_definitions_is_found_there(place: int):
     verdict = decided(left=right, right="t12 + 0*t1", let={**COMMON, **slip})
     assert verdict.verdict is Outcome.DIFFERS
     assert any(one.formula.startswith(f"t{place} = ") for one in verdict.suggestions)
-    assert any(one.edit.startswith(f"let t{place}: the sign of") for one in verdict.suggestions)
+    assert any(one.edit.startswith(f"in the definition of t{place}: the sign of") for one in verdict.suggestions)
 
 
 @pytest.mark.parametrize(
