@@ -42,6 +42,7 @@ VARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", 
 ROUNDING = 1e-9  # beside it, rounding errors of 1e-16 are nothing: of 1 - leverage, and of a correlation of 1
 MOST_CELLS = 2**20
 LARGEST_SUM = 1e250  # of squares of deviations below 1e100; sums of these do not overflow
+VANISHING = float(np.finfo(np.float64).tiny / np.finfo(np.float64).eps)  # a variance below it has not all its digits
 
 
 class VarianceTableError(ValueError):
@@ -423,6 +424,9 @@ def _turned(local: Floats, azimuth: Floats) -> Floats:
     x = sine * along + cosine * mixed, cosine * across
     y = cosine * along - sine * mixed, -sine * across
     entries = [a[0] * b[0] + a[1] * b[1] for a, b in ((x, x), (x, y), (y, x), (y, y))]
+    bound = np.sqrt(entries[0]) * np.sqrt(entries[3])  # which the covariance passes where a variance loses its digits
+    vanishing = np.minimum(entries[0], entries[3]) < VANISHING
+    entries[1:3] = [np.where(vanishing, np.clip(one, -bound, bound), one) for one in entries[1:3]]
     stacked: Floats = np.stack(entries, axis=-1).reshape(*azimuth.shape, 2, 2).astype(np.float64, copy=False)
     return stacked
 

@@ -18,7 +18,7 @@ from unittest import mock
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -127,6 +127,7 @@ def test_degrees_of_freedom_are_those_of_exact_arithmetic(flight: tuple[list[flo
 
 
 @given(flight=flights(), azimuth=st.floats(-7.0, 7.0), r=st.floats(0.0, 2e5))
+@example(flight=([0.0, 0.0, 5e99], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]), azimuth=5.319783519052005e-302, r=0.0)
 def test_covariances_of_cells_and_of_lookups_are_symmetric_and_positive_semidefinite(
     flight: tuple[list[float], list[float], list[float]], azimuth: float, r: float
 ) -> None:
