@@ -27,12 +27,13 @@ from tests.expressions import linear, monomials, number
 from tests.quadrature import Gaussian, Point, square
 
 Word = Callable[[Any], Tensor[Any]]
-x, y = (Variable(name, "a quantity", ONE, -2, 2) for name in ("x", "y"))
+# Names of their own: in SymPy's cache a symbol of one name is one symbol, and x is a length elsewhere.
+x, y = (Variable(name, "a quantity", ONE, -2, 2) for name in ("x_one", "y_one"))
 DEVIATIONS = (deviation(x, 0.01, 1), deviation(y, 0.01, 1))
 RHO = correlation("rho", x, y)
-VALUES = {"sigma_x": 0.25, "sigma_y": 0.375, "rho": -0.625}
-VALUES |= {"predicted_sigma_x": 0.125, "predicted_sigma_y": 0.25, "predicted_rho": 0.5}
-AT = {"x": 0.375, "y": -0.5}
+VALUES = {"sigma_x_one": 0.25, "sigma_y_one": 0.375, "rho": -0.625}
+VALUES |= {"predicted_sigma_x_one": 0.125, "predicted_sigma_y_one": 0.25, "predicted_rho": 0.5}
+AT = {"x_one": 0.375, "y_one": -0.5}
 ORDER = 12
 
 gentle = st.builds(
@@ -64,8 +65,10 @@ class Numbers:
     outputs: tuple[Expr, Expr]
 
     def gaussian(self, prefix: str = "") -> Gaussian:
-        a, b, rho = (VALUES[f"{prefix}{name}"] for name in ("sigma_x", "sigma_y", "rho"))
-        return Gaussian.of(["x", "y"], np.array([[a * a, rho * a * b], [rho * a * b, b * b]]), {"x": ORDER, "y": ORDER})
+        a, b, rho = (VALUES[f"{prefix}{name}"] for name in ("sigma_x_one", "sigma_y_one", "rho"))
+        return Gaussian.of(
+            ["x_one", "y_one"], np.array([[a * a, rho * a * b], [rho * a * b, b * b]]), {"x_one": ORDER, "y_one": ORDER}
+        )
 
     def h(self, point: Point) -> np.ndarray:
         return evaluated(Tensor((2,), self.outputs), point)
