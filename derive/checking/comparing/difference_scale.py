@@ -1,4 +1,7 @@
-"""Beside what an entry may not nearly vanish where its difference is measured against it."""
+"""Beside what an entry may not nearly vanish where its difference is measured against it.
+
+Where its terms cancel, a formula is as small as one likes, and every difference as large beside it.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from radartrack.derive.symbolic import Expr
 
 
 def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
-    """Beside the entries of its unit for one of a tensor, beside its variances for a covariance, else beside itself.
+    """Beside the entries of its unit for one of a tensor, beside its variances for a covariance, else beside its terms.
 
     Returns:
         The square of that, up to its sign: a root would be lost where rounding makes a variance negative. And what it
@@ -17,7 +20,7 @@ def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
     """
     part = reference.part
     if part is None:
-        return reference.entries[entry] ** 2, ""
+        return _beside_terms(reference.entries[entry])
     place = part.places[entry if part.shape else ()]
     whole = part.quantity.expression
     if part.quantity.is_covariance and len(place) == 2:
@@ -27,5 +30,13 @@ def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
         return whole[first, first] * whole[second, second], "the root of the product of the variances"
     unit = part.quantity.unit(place)
     beside = [one for index, one in whole.items() if part.quantity.unit(index) == unit]
-    words = "the entries of its unit together" if len(beside) > 1 else ""
-    return sp.Add(*(one**2 for one in beside)), words
+    if len(beside) == 1:
+        return _beside_terms(beside[0])
+    return sp.Add(*(one**2 for one in beside)), "the entries of its unit together"
+
+
+def _beside_terms(formula: Expr) -> tuple[Expr, str]:
+    plain = sp.unguarded(formula)
+    if not plain.is_Add:
+        return formula**2, ""
+    return sp.Add(*(term**2 for term in plain.args)), "its terms together"

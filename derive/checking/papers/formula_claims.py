@@ -45,7 +45,10 @@ def sense_of(claim: Claim) -> Sense:
 
 
 def _step(claim: Claim, left: str, right: str, world: World) -> Iterator[Verdict]:
-    question = ask_identity(left, right, given=claim.given, let=claim.let, world=world, sense=sense_of(claim))
+    sense = sense_of(claim)
+    question = ask_identity(
+        left, right, given=claim.given, let=claim.let, world=world, sense=sense, alike=claim.chain
+    )
     yield from question.answers()
 
 
