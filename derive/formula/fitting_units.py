@@ -15,7 +15,6 @@ from radartrack.derive.formula.tree import (
     Call,
     Name,
     Negation,
-    Number,
     Power,
     Product,
     Quotient,
@@ -64,60 +63,66 @@ def fitting_units(
     Returns:
         For what does not fit in any units, those of the equations that stand first.
     """
-    equations: list[_Powers] = []
-    collect = _collecting(known, letters, equations)
+    equations = _Equations(known, letters)
+    collect = Fold(equations.step)
     angles: set[str] = set()
     for trees, unit in formulas:
-        alike = [_Powers(unit)] if unit is not None else []
-        alike += [found for tree in trees if not (found := collect(tree)).free]
-        equations.extend(one.times(alike[0], Fraction(-1)) for one in alike[1:])
+        equations.alike([*([] if unit is None else [_Powers(unit)]), *map(collect, trees)])
         angles.update(*map(turned_names, trees))
     units = _solved(sorted(letters), equations)
     return {name: RADIAN if unit == ONE and name in angles else unit for name, unit in units.items()}
 
 
-def _collecting(known: Mapping[str, Unit], letters: Collection[str], equations: list[_Powers]) -> Fold[_Powers]:
-    """The powers of formulas; what they demand of each other is added to the equations, each to be a number."""
+class _Equations(list[_Powers]):
+    """What formulas demand: each is the unit of a number."""
 
-    def alike(found: Sequence[_Powers]) -> _Powers:
+    def __init__(self, known: Mapping[str, Unit], letters: Collection[str]) -> None:
+        super().__init__()
+        self._known, self._letters = known, letters
+
+    def alike(self, found: Sequence[_Powers]) -> _Powers:
+        """The one unit of several; numbers may have any."""
         fixed = [one for one in found if not one.free]
-        equations.extend(one.times(fixed[0], Fraction(-1)) for one in fixed[1:])
+        self.extend(one.times(fixed[0], Fraction(-1)) for one in fixed[1:])
         return fixed[0] if fixed else _FREE
 
-    def a_number(one: _Powers) -> None:
-        if not one.free:
-            equations.append(one)
-
-    def step(node: Tree, below: Sequence[_Powers]) -> _Powers:
+    def step(self, node: Tree, below: Sequence[_Powers]) -> _Powers:
+        """The unit of a formula from those of its parts."""
         match node:
             case Name(name):
-                return _Powers(letters={name: Fraction(1)}) if name in letters else _Powers(known.get(name, ONE))
+                return _Powers(letters={name: Fraction(1)}) if name in self._letters else self._of_name(name)
             case Sum():
-                return alike(below)
+                return self.alike(below)
             case Product() | Quotient():
-                total, *others = below
-                for other in others:
-                    total = total.times(other, Fraction(-1 if isinstance(node, Quotient) else 1))
-                return total
-            case Negation():
-                return below[0]
+                first, *others = below
+                return _product(first, others, Fraction(-1 if isinstance(node, Quotient) else 1))
             case Power(_, exponent) if (power := rational_value(exponent)) is not None:
                 return below[0].raised(power)
-            case Call("sqrt"):
-                return below[0].raised(Fraction(1, 2))
-            case Call("abs"):
+            case Negation():
                 return below[0]
-            case Call(function) if function in _ALIKE:
-                both = alike(below)
-                return both if function == "hypot" else _NUMBER
             case Power() | Call():
-                for one in below:
-                    a_number(one)
-                return _NUMBER
+                return self._of_function(node, below)
             case _:
                 return _FREE
 
-    return Fold(step)
+    def _of_name(self, name: str) -> _Powers:
+        return _Powers(self._known.get(name, ONE))
+
+    def _of_function(self, node: Power | Call, below: Sequence[_Powers]) -> _Powers:
+        function = node.function if isinstance(node, Call) else ""
+        if function in {"abs", "sqrt"}:
+            return below[0].raised(Fraction(1, 2)) if function == "sqrt" else below[0]
+        if function in _ALIKE:
+            both = self.alike(below)
+            return both if function == "hypot" else _NUMBER
+        self.extend(one for one in below if not one.free)
+        return _NUMBER
+
+
+def _product(first: _Powers, others: Iterable[_Powers], power: Fraction) -> _Powers:
+    for other in others:
+        first = first.times(other, power)
+    return first
 
 
 def _solved(letters: Sequence[str], equations: Iterable[_Powers]) -> dict[str, Unit]:
@@ -145,7 +150,9 @@ def _resolve(rows: dict[str, tuple[dict[str, Fraction], Unit]], left: dict[str, 
     solved = shares, unit ** (-1 / power)
     for one, (others, own) in list(rows.items()):
         if share := others.pop(name, None):
-            merged = {other: others.get(other, Fraction(0)) + share * shares.get(other, 0) for other in {*others, *shares}}
+            merged = {
+                other: others.get(other, Fraction(0)) + share * shares.get(other, 0) for other in {*others, *shares}
+            }
             rows[one] = {other: value for other, value in merged.items() if value}, own * solved[1] ** share
     rows[name] = solved
 

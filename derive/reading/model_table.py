@@ -185,7 +185,7 @@ class _ModelTable:
         return self._fitting[name] if name not in said else self._own(lambda: read_symbol(name, said[name]))
 
     def _fitting_symbols(self) -> dict[str, Variable]:
-        """Those of which nothing is said: of the unit in which the outputs have theirs, the catalogue's of that unit."""
+        """Those of which nothing is said: the catalogue's, or of the unit in which the outputs have theirs."""
         named = {name: None for field in ("measured", "parameters") for name in self._names(field)}
         known = {name: self._symbol(name, "symbols") for name in named if name in self._said()}
         unknown = [name for name in named if name not in known and not unusable(name)]

@@ -48,7 +48,7 @@ def find_difference(comparison: Comparison, domain: Domain) -> Values | None:
     for points in (domain.round(), others):
         for point in points:
             values = comparison.differ_at(point)
-            if values is not None and (MATTERS <= values.relative <= TELLS or points is others and not found):
+            if values is not None and (MATTERS <= values.relative <= TELLS or (points is others and not found)):
                 return values
             found += [values] if values else []
         if found and all(values.relative < MATTERS for values in found):

@@ -11,8 +11,8 @@ from radartrack.derive.language.tensor import Index
 from radartrack.derive.symbolic import Expr
 
 
-def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
-    """Beside the entries of its unit for one of a tensor, beside its variances for a covariance, else beside its terms.
+def squared_scale(reference: Reference, entry: Index) -> tuple[Expr, str]:
+    """Beside the entries of its unit for one of a tensor, beside its variances for a covariance, else beside itself.
 
     Returns:
         The square of that, up to its sign: a root would be lost where rounding makes a variance negative. And what it
@@ -20,7 +20,7 @@ def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
     """
     part = reference.part
     if part is None:
-        return _beside_terms(reference.entries[entry])
+        return reference.entries[entry] ** 2, ""
     place = part.places[entry if part.shape else ()]
     whole = part.quantity.expression
     if part.quantity.is_covariance and len(place) == 2:
@@ -30,13 +30,14 @@ def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
         return whole[first, first] * whole[second, second], "the root of the product of the variances"
     unit = part.quantity.unit(place)
     beside = [one for index, one in whole.items() if part.quantity.unit(index) == unit]
-    if len(beside) == 1:
-        return _beside_terms(beside[0])
-    return sp.Add(*(one**2 for one in beside)), "the entries of its unit together"
+    words = "the entries of its unit together" if len(beside) > 1 else ""
+    return sp.Add(*(one**2 for one in beside)), words
 
 
-def _beside_terms(formula: Expr) -> tuple[Expr, str]:
-    plain = sp.unguarded(formula)
-    if not plain.is_Add:
-        return formula**2, ""
-    return sp.Add(*(term**2 for term in plain.args)), "its terms together"
+def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
+    """Beside what an entry may not nearly vanish: its scale; its terms, where that is the entry itself and a sum."""
+    square, words = squared_scale(reference, entry)
+    formula = sp.unguarded(reference.entries[entry])
+    if words or not formula.is_Add:
+        return square, words
+    return sp.Add(*(term**2 for term in formula.args)), "its terms together"

@@ -28,11 +28,15 @@ CASES = [
 
 
 @pytest.mark.parametrize(("formulas", "unit", "found"), CASES, ids=[" = ".join(case[0]) for case in CASES])
-def test_letters_have_the_units_in_which_formulas_add_up(formulas: Sequence[str], unit: str | None, found: dict[str, str]):
+def test_letters_have_the_units_in_which_formulas_add_up(
+    formulas: Sequence[str], unit: str | None, found: dict[str, str]
+):
     trees = [read_text(formula, {*KNOWN, *found}) for formula in formulas]
     wanted = None if unit is None else read_unit(unit).unit
     units = fitting_units(KNOWN, found, [(trees, wanted)])
-    assert units == {name: ONE if one == "1" else RADIAN if one == "rad" else read_unit(one).unit for name, one in found.items()}
+    assert units == {
+        name: ONE if one == "1" else RADIAN if one == "rad" else read_unit(one).unit for name, one in found.items()
+    }
 
 
 @given(st.lists(st.integers(-3, 3), min_size=2, max_size=2), st.integers(1, 4))

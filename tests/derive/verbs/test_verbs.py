@@ -144,7 +144,15 @@ def test_a_limit_of_roots_where_both_vanish():
 
 @pytest.mark.parametrize(
     ("function", "point"),
-    [(k**2 / (k + 1), sp.oo), (sp.sqrt(k), sp.oo), (sp.sqrt(k**2 + k) - k, -sp.oo), (sp.exp(w * k), sp.oo), (1 / k, ZERO), (sp.sin(k), sp.oo), (sp.log(k), sp.oo)],
+    [
+        (k**2 / (k + 1), sp.oo),
+        (sp.sqrt(k), sp.oo),
+        (sp.sqrt(k**2 + k) - k, -sp.oo),
+        (sp.exp(w * k), sp.oo),
+        (1 / k, ZERO),
+        (sp.sin(k), sp.oo),
+        (sp.log(k), sp.oo),
+    ],
 )
 def test_a_limit_that_is_infinite_missing_or_open_is_refused(function: Expr, point: Expr):
     with pytest.raises(NoClosedForm):

@@ -14,6 +14,7 @@ from radartrack.derive.formula.fitting_units import fitting_units, turned_names
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.tree import Name, Power, Tree, bound_names, parts, rational_value
 from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.formula.unknown_names import CONSTANTS
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
@@ -89,7 +90,7 @@ def _trees(formulas: Iterable[str], names: Names) -> list[Tree]:
 def _unknown(trees: Iterable[Tree], names: Names) -> list[str]:
     """The names that stand for nothing."""
     mentioned = {name for tree in trees for name in names_of(tree) - bound_names(tree)}
-    return sorted(name for name in mentioned if name not in names and WORD.fullmatch(name))
+    return sorted(name for name in mentioned - CONSTANTS.keys() if name not in names and WORD.fullmatch(name))
 
 
 def _raised(trees: Iterable[Tree]) -> set[str]:

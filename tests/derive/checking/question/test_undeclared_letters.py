@@ -39,7 +39,9 @@ def test_what_adds_up_in_no_units_is_wrong_in_its_dimensions():
 
 
 def test_a_definition_may_have_such_letters_too():
-    assert verdict("R + 0", "(S^2 - L^2)/(2*D)", R="(S - L)*(S + L)/(2*D)", D="S - L*cos(theta)").verdict is Outcome.EQUAL
+    assert (
+        verdict("R + 0", "(S^2 - L^2)/(2*D)", R="(S - L)*(S + L)/(2*D)", D="S - L*cos(theta)").verdict is Outcome.EQUAL
+    )
 
 
 @pytest.mark.parametrize("name", ["sigma_bta", "sigma_epsilom", "sigma_epsilo"])
