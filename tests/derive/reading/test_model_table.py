@@ -69,7 +69,7 @@ def test_a_symbol_of_the_catalogue_need_not_be_declared_and_a_rate_is_found_from
         """)
     )
     units = {symbol.name: str(symbol.unit) for symbol in model.arguments}
-    assert units == {"r": "m", "beta": "rad", "speed": "m/s", "T": "s", "rate": "1/s"}
+    assert units == {"r": "m", "beta": "rad", "speed": "m/s", "T": "s", "rate": "rad/s"}
     assert model.measured[0] in models()["polar"].measured
 
 
