@@ -1,6 +1,7 @@
 """Units of letters of which nobody has said any."""
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 import pytest
 from hypothesis import given
@@ -41,7 +42,7 @@ def test_letters_have_the_units_in_which_formulas_add_up(
 
 @given(st.lists(st.integers(-3, 3), min_size=2, max_size=2), st.integers(1, 4))
 def test_a_letter_in_a_power_has_the_root_of_the_unit_that_is_asked_for(powers: list[int], power: int):
-    unit = Unit(*powers)
+    unit = Unit(*map(Fraction, powers))
     tree = read_text(f"a^{power} + 0", {"a"})
     assert fitting_units({}, ["a"], [([tree], unit**power)])["a"] in ({unit} if unit != ONE else {ONE, RADIAN})
 

@@ -95,8 +95,8 @@ def _unknown(trees: Iterable[Tree], names: Names) -> list[str]:
 
 def _raised(trees: Iterable[Tree]) -> set[str]:
     """The names that are raised to what is no number, as only positive numbers can be."""
-    powers = (node for node in parts(*trees) if isinstance(node, Power) and isinstance(node.base, Name))
-    return {node.base.name for node in powers if rational_value(node.exponent) is None}
+    powers = [node for node in parts(*trees) if isinstance(node, Power) and rational_value(node.exponent) is None]
+    return {power.base.name for power in powers if isinstance(power.base, Name)}
 
 
 def _misspelt(unknown: Iterable[str], names: Names) -> bool:
