@@ -35,9 +35,8 @@ def squared_scale(reference: Reference, entry: Index) -> tuple[Expr, str]:
 
 
 def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
-    """Beside what an entry may not nearly vanish: its scale; its terms, where that is the entry itself and a sum."""
-    square, words = squared_scale(reference, entry)
+    """Beside what an entry may not nearly vanish: its scale; for a sum that is no quantity its terms, which cancel."""
     formula = sp.unguarded(reference.entries[entry])
-    if words or not formula.is_Add:
-        return square, words
+    if reference.part is not None or not formula.is_Add:
+        return squared_scale(reference, entry)
     return sp.Add(*(term**2 for term in formula.args)), "its terms together"
