@@ -56,6 +56,7 @@ from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.model import Model
@@ -63,7 +64,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
-from radartrack.derive.reading.notation import LATEX, TEXT
+from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
@@ -192,10 +193,11 @@ class Paper:
         symbols = symbols_for([], {}, self.world, [part.quantity for part in reference.parts])
         declared = {name: symbols[name] for name in self.world.letters}
         known = reference.with_symbols(declared.values())
-        return reference, as_typed(self._read_loosely, known, definitions, conditions, declared)
+        is_code = self.notation in LANGUAGES
+        return reference, as_typed(self._read_loosely, known, definitions, conditions, declared, row_by_row=is_code)
 
-    def _read_loosely(self, names: Sequence[str]) -> Tree:
-        return read_loosely(self.formula, names, self.notation, self.function)
+    def _read_loosely(self, names: Sequence[str], shapes: Mapping[str, Shape]) -> Tree:
+        return read_loosely(self.formula, names, self.notation, self.function, shapes)
 
     def _question(self, reference: Reference, reading: Reading) -> Question:
         texts = [self.formula if self.notation == TEXT else "", *self.given.values()]

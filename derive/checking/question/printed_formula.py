@@ -12,7 +12,7 @@ from radartrack.derive.checking.question.formula_units import Dimension, WrongDi
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
-from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text
@@ -151,14 +151,16 @@ def read_printed(formula: str, names: Names, expected: Index, notation: str = TE
         inner, padding = trimmed(reading.tree, expected)
         source = formula if reading.notation in LANGUAGES else ""
         remarks = (*reading.remarks, *((padding,) if padding else ()))
-        return replace(printed(inner, names, expected), tree=reading.tree, source=source, remarks=remarks)
+        found = printed(inner, names, expected, row_by_row=bool(source))
+        return replace(found, tree=reading.tree, source=source, remarks=remarks)
     except FormulaError as error:
         raise error.within(formula) from None
 
 
-def printed(tree: Tree, names: Names, expected: Index) -> Printed:
+def printed(tree: Tree, names: Names, expected: Index, *, row_by_row: bool = False) -> Printed:
     """A formula that was read; raises as `read_printed`."""
     entries, opened = names.entries(tree)
+    entries = reshaped(entries, expected, row_by_row=row_by_row)
     if entries.shape != expected:
         raise FormulaError(f"the formula is {_spoken(entries.shape)}, the quantity is {_spoken(expected)}")
     parts = frozenset(opened) - frozenset(names)

@@ -13,16 +13,18 @@ from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
-from radartrack.derive.checking.question.formula_entries import entries_of
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
 from radartrack.derive.checking.question.letters.letter_meanings import Role, meaning_of, meanings, means
-from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.checking.question.names import WORD
+from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.tree import Name, Tree, parts
 from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
@@ -289,74 +291,94 @@ def _rank(name: str, symbol: Variable, weak: set[Variable]) -> int:
 
 
 def as_typed(
-    read: Callable[[Sequence[str]], Tree],
+    read: Callable[[Sequence[str], Mapping[str, Shape]], Tree],
     reference: Reference,
     let: Mapping[str, str],
     conditions: Mapping[Symbol, Expr],
     declared: Mapping[str, Variable],
+    *,
+    row_by_row: bool = False,
 ) -> Typed | None:
     """A formula before it is known what its names mean; None where it cannot be read whatever they mean.
 
-    So it is of a formula in which something is worked out: its parts have values only when their letters are known.
+    So it is of a formula in which something is worked out: a sum over an index has a value only when its letters are
+    known. Products of matrices and the like are written out.
 
     Args:
-        read: the formula as it is read where names are known, and others are let through.
+        read: the formula as it is read where names are known, with shapes if they are arrays, and others let through.
         reference: what it is compared with.
         let: definitions, in any order.
         conditions: of the comparison.
         declared: letters of which the paper says what they are, of the symbols of `reference`.
+        row_by_row: whether a list may be a matrix, row by row.
     """
     own = list(dict.fromkeys([*(symbol.name for symbol in reference.symbols), *declared]))
     try:
-        tree, _ = trimmed(read([*own, *let]), reference.shape)
-        entries, parts = entries_of(tree, _UNREAD)
-        definitions = _needed_by(tree, let, own)
+        known = _Definitions(let, own)
+        tree, _ = trimmed(read([*own, *let], known.shapes), reference.shape)
+        needed = known.needed_by(tree)
+        entries = written_out(tree, known.arrays)
     except (FormulaError, ValueError):
         return None
-    if parts or entries.shape != reference.shape or definitions.keys() & set(own):
+    if entries is None or needed is None:
         return None
-    return Typed(reference, entries, definitions, conditions, declared)
+    entries = reshaped(entries, reference.shape, row_by_row=row_by_row)
+    return Typed(reference, entries, needed, conditions, declared) if entries.shape == reference.shape else None
 
 
-def _needed_by(tree: Tree, let: Mapping[str, str], own: Sequence[str]) -> dict[str, Tree]:
-    """The definitions that a formula rests on, each after those that it rests on itself."""
-    found: dict[str, Tree] = {}
-    path = [(name, iter(sorted(names_of(tree) & let.keys()))) for name in [""]]
-    trees = {"": tree}
-    while path:
-        name, needed = path[-1]
-        below = next((one for one in needed if one not in found), None)
-        if below is None:
-            path.pop()
-            if name:
-                found[name] = trees[name]
-        elif below in trees:
-            raise FormulaError(f"let {below}: it is defined by itself")
-        else:
-            trees[below] = read_loosely(let[below], [*own, *let])
-            path.append((below, iter(sorted(names_of(trees[below]) & let.keys()))))
-    return found
+class _Definitions:
+    """Definitions read before it is known what the names in them mean.
 
+    Args:
+        let: the definitions, in any order.
+        own: names that are known.
 
-class _Unread:
-    """Names of which it is not known what they mean: numbers."""
+    Raises:
+        FormulaError: where one is defined by itself, or an array in one has no meaning.
+    """
 
-    def __contains__(self, name: object) -> bool:
-        return False
+    def __init__(self, let: Mapping[str, str], own: Sequence[str]) -> None:
+        self._let, self._own = let, own
+        self._trees: dict[str, Tree | None] = {}  # None for one that is worked out, or cannot be read
+        self.arrays: dict[str, Tensor[Tree]] = {}
+        for name in let:
+            self._read(name, ())
 
-    def __getitem__(self, name: str) -> Expr:
-        raise KeyError(name)
+    @property
+    def shapes(self) -> dict[str, Shape]:
+        """Of those that stand for arrays."""
+        return {name: entries.shape for name, entries in self.arrays.items()}
 
-    def read(self, tree: Tree) -> Expr:
-        """Nothing is worked out before it is known what letters mean."""
-        raise FormulaError("worked out", span=tree.span)
+    def needed_by(self, tree: Tree) -> dict[str, Tree] | None:
+        """Those of numbers on which a formula rests, each after those that it rests on; None where one has no tree."""
+        waiting = set(names_of(tree))
+        for name in reversed(self._trees):
+            if name in waiting and (own := self._trees[name]) is not None:
+                waiting |= names_of(own)
+        if any(self._trees[name] is None for name in self._trees.keys() & waiting):
+            return None
+        found = {name: one for name, one in self._trees.items() if name in waiting and name not in self.arrays}
+        return {name: one for name, one in found.items() if one is not None}
 
-    def dimension_of_part(self, node: Tree) -> Dimension:
-        """Likewise."""
-        raise FormulaError("worked out", span=node.span)
-
-
-_UNREAD = _Unread()
+    def _read(self, name: str, path: tuple[str, ...]) -> None:
+        if name in path:
+            raise FormulaError(f"let {name}: it is defined by itself")
+        if name in self._trees:
+            return
+        if name in self._own:
+            self._trees[name] = None  # the paper's meaning hides ours, which may stand in it
+            return
+        for other in sorted(set(WORD.findall(self._let[name])) & self._let.keys()):
+            self._read(other, (*path, name))
+        try:
+            tree = read_loosely(self._let[name], [*self._own, *self._let], shapes=self.shapes)
+            entries = written_out(tree, self.arrays)
+        except (FormulaError, ValueError):
+            self._trees[name] = None
+            return
+        self._trees[name] = None if entries is None else tree if entries.shape else entries.entries[0]
+        if entries is not None and entries.shape:
+            self.arrays[name] = entries
 
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:
