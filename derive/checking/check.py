@@ -422,7 +422,9 @@ class Question:
 
     def _with_other_quantities(self, verdict: Verdict) -> Verdict:
         explained = attempted(lambda: self._print.complete is not None, lambda _: False)
-        others = other_quantities(self._asked, uncorrelated=not explained) or self._other_models()
+        others = other_quantities(self._asked, uncorrelated=not explained)
+        if not others and (others := self._other_models()):
+            verdict = replace(verdict, reading=())  # its letters are said with the other model
         return replace(verdict, suggestions=(*verdict.suggestions, *others))
 
     def _other_models(self) -> tuple[Suggestion, ...]:
@@ -441,13 +443,16 @@ class Question:
         if known and count > 1:
             return replace(verdict, reason=f"{verdict.reason}, but {others[0].edit}")
         account = self._account
+        likely = account.suggestions and account.cost <= LIKELY
         if known:  # of one entry, a slip may have made the other quantity of ours
             return replace(
                 verdict,
                 reason=f"{verdict.reason}, but {others[0].edit}",
-                suggestions=(*others, *account.suggestions),
+                suggestions=(*others, *(account.suggestions if likely else ())),
                 convention=account.convention.strip(),
             )
+        if likely:  # another entry with another sign or in another convention is more to explain
+            others = tuple(one for one in others if _is_plain_entry(one.formula))
         reason = f"{verdict.reason}{_explained(account, worst, count)}"
         suggestions = (*account.suggestions, *others)
         return replace(verdict, reason=reason, suggestions=suggestions, convention=account.convention.strip())
@@ -526,6 +531,12 @@ class Question:
         return counterexample(values, entry, worst, self.symbols, measured_against(beside))
 
 
+def _is_plain_entry(quantity: str) -> bool:
+    """Whether another quantity is named without a sign before it and a convention behind it."""
+    return re.fullmatch(r"[\w.]+(?:\[[\d,:]*\])?", quantity) is not None
+
+
+LIKELY = 1.4  # the cost of one slip that print is prone to: beside it, farther explanations are only noise
 _WRONG = {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
 
 

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
+from radartrack.derive.checking.question.letters.letter_meanings import alike, means
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
@@ -123,7 +124,9 @@ def conditions_for(reference: Reference, given: Mapping[str, str], names: Names 
     for name, value in given.items():
         symbol = symbol_called(name, known, reference)
         if symbol is None:
-            raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
+            near = alike(name, reference.symbols)
+            guess = f"did you mean {near}? The" if near else "the"
+            raise FormulaError(f"given {name}: {guess} symbols of {reference.text} are {', '.join(symbols)}")
         trees[symbol], conditions[symbol] = _condition(name, value, known)
     found = resolved(conditions)
     for symbol, tree in trees.items():
@@ -172,6 +175,8 @@ def symbol_called(name: str, names: Names, reference: Reference) -> Variable | N
     if (found := next((symbol for symbol in reference.symbols if symbol.name == name), None)) is not None:
         return found
     value = names.meaning(name).value if name in names.let else names.symbols.get(name)
+    if value is None and len(meant := means(name, reference.symbols)) == 1 and meant[0][1] == 1:
+        return meant[0][0]  # as in a formula: azimuth for beta
     return value if isinstance(value, Variable) else None
 
 

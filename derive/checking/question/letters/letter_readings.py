@@ -14,7 +14,14 @@ from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
-from radartrack.derive.checking.question.letters.letter_meanings import Role, meaning_of, meanings, means
+from radartrack.derive.checking.question.letters.letter_meanings import (
+    Role,
+    alike,
+    is_word,
+    meaning_of,
+    meanings,
+    means,
+)
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
@@ -29,17 +36,19 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import SECOND
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
 LONGEST = 40  # characters of a letter; what is longer is a word
 MOST = 5040  # assignments that are tried: all of seven letters
 KEPT = 5  # assignments of a wrong formula that are looked at closely
+PER_SECOND = SECOND**-1
 STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
 
 
 @dataclass(frozen=True)
 class Letter:
-    """What a letter stands for: a symbol, or its square where the letter is a variance."""
+    """What a letter stands for: a symbol, its square where the letter is a variance, or its inverse: a time constant."""
 
     symbol: Variable
     power: int = 1
@@ -118,13 +127,39 @@ class Typed:
             return []
         if not unknown and (not doubtful or self._fits({})):
             return [AS_TYPED]
+        words = [name for name in unknown if is_word(name) and not self._means(name)]
+        found = self._readings(unknown, fixed, doubtful)
+        if words:
+            raise self._unmeant(words[0], found)
+        return found
+
+    def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
+        if not any(reading.fits for reading in found):
+            farther = self._judged(self._assignments(unknown, fixed, farther=True))
+            found = [reading for reading in farther if reading.fits and not reading.wrong] or found
         if doubtful and not any(reading.fits for reading in found):
             free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
             found = [reading for reading in free if reading.fits] or found
         fitting = [reading for reading in found if reading.fits] or found
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
+
+    def _means(self, name: str) -> bool:
+        """Whether a name has a meaning by which it is a symbol of the quantity."""
+        symbols = self.reference.symbols
+        return bool(means(name, symbols) or means(name, symbols, weak=True))
+
+    def _unmeant(self, word: str, readings: Sequence[Reading]) -> FormulaError:
+        """What to say of a word that means no symbol of the quantity, although some would fit."""
+        near = alike(word, self.reference.symbols)
+        fitting = readings[0].letters.get(word) if readings else None
+        meant = str(near or fitting or "")
+        where = next((node.span for entry in self.entries for node in parts(entry) if node == Name(word)), None)
+        guess = f": did you mean {near}?" if near else "."
+        symbols = ", ".join(symbol.name for symbol in self.reference.symbols)
+        say = f"Say what it is: --let {word}={meant}" if meant else f"Say with --let what it is of {symbols}"
+        return FormulaError(f"{word} is no name that is known here{guess} {say}", span=where)
 
     def forced(self) -> list[Reading]:
         """Readings as symbols that the letters cannot mean: of a formula that is known to be another model's."""
@@ -158,9 +193,14 @@ class Typed:
         """What a symbol of the quantity may mean if not itself."""
         return [(one, power) for one, power in means(name, self.reference.symbols) if one.name != name]
 
-    def _assignments(self, unknown: Sequence[str], fixed: Sequence[str]) -> Iterator[Letters]:
+    def _assignments(
+        self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False
+    ) -> Iterator[Letters]:
+        """What the letters may stand for; farther, also what they seldom do: that has to make the formula right."""
         taken = frozenset((name, 1) for name in fixed)
         candidates = {name: self._candidates(name, taken) for name in unknown}
+        if farther:
+            candidates = {name: self._farther(name, candidates, taken) for name in unknown}
         order = sorted(unknown, key=lambda name: len(candidates[name]))
         yield from islice(_distinct(order, candidates, taken), MOST)
 
@@ -169,10 +209,29 @@ class Typed:
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
         if strong := means(name, symbols):
             return [Letter(symbol, power, STRONG) for symbol, power in strong]
+        return self._free(name, symbols)
+
+    def _free(self, name: str, symbols: Sequence[Variable]) -> list[Letter]:
+        """What a letter without a meaning may stand for."""
         role = meanings(name).role
         weak = {symbol for symbol, _ in means(name, symbols, weak=True)}
         found = [Letter(s, _power(role), _rank(name, s, weak)) for s in symbols if _may_play(role, s)]
         return sorted(found, key=lambda letter: letter.rank)
+
+    def _farther(
+        self, name: str, candidates: Mapping[str, list[Letter]], taken: frozenset[tuple[str, int]]
+    ) -> list[Letter]:
+        """Also a time constant, a variance, and anything where another letter means the same: tau beside dt."""
+        symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
+        own = candidates[name]
+        shared = sum(1 for others in candidates.values() if others == own and own[0].rank == STRONG) if own else 0
+        if own and own[0].rank == STRONG and shared < 2:
+            return own
+        known = [*own, *(self._free(name, symbols) if shared else ())]
+        if meanings(name).role is None:
+            known += [Letter(s, -1, ANY) for s in symbols if s.unit == PER_SECOND]
+            known += [Letter(s, 2, ANY) for s in symbols if meaning_of(s).role is Role.DEVIATION]
+        return list(dict.fromkeys(known))
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
         found = []
