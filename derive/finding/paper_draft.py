@@ -16,7 +16,7 @@ from radartrack.derive.finding.formula_search import Candidate
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Name, Tree, names
+from radartrack.derive.formula.tree import Name, Tree, names
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX
 from radartrack.derive.reading.tex.author_macros import Macro, defined_macros, expanded
@@ -289,7 +289,7 @@ def _read(equation: Equation) -> Understood:
         left = read_loosely(equation.left, notation=LATEX) if equation.left else None
     except FormulaError:
         left = None
-    defines = isinstance(left, Name) and left.name not in names(tree) and not isinstance(tree, Array)
+    defines = isinstance(left, Name) and left.name not in names(tree)
     return Understood(equation, tree, name=left.name if defines and isinstance(left, Name) else "")
 
 

@@ -12,9 +12,36 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from enum import Enum
 from functools import lru_cache
+from typing import Protocol, TypeVar
 
 from radartrack.derive.formula.latex_names import GREEK
-from radartrack.derive.language.variable import Variable
+
+
+class Known(Protocol):
+    """A symbol of a quantity, as far as letters are concerned."""
+
+    @property
+    def name(self) -> str:
+        """As it is called here."""
+        ...
+
+    @property
+    def meaning(self) -> str:
+        """In the field's words."""
+        ...
+
+    @property
+    def unit(self) -> object:
+        """Its unit, which is printed as text."""
+        ...
+
+    @property
+    def is_correlation(self) -> bool:
+        """Whether it is the correlation of two errors."""
+        ...
+
+
+Symbol = TypeVar("Symbol", bound=Known)
 
 
 class Role(Enum):
@@ -157,7 +184,7 @@ def meanings(name: str) -> Meanings:
 
 
 @lru_cache(maxsize=4096)
-def meaning_of(symbol: Variable) -> Meaning:
+def meaning_of(symbol: Known) -> Meaning:
     """What a symbol of a quantity means."""
     name, predicted = symbol.name.removeprefix("predicted_"), symbol.name.startswith("predicted_")
     if symbol.is_correlation:
@@ -167,12 +194,22 @@ def meaning_of(symbol: Variable) -> Meaning:
     return Meaning(role, _OWN.get(base, ""), predicted)
 
 
-def means(name: str, symbols: Iterable[Variable], *, weak: bool = False) -> list[tuple[Variable, int]]:
+def means(name: str, symbols: Iterable[Symbol], *, weak: bool = False) -> list[tuple[Symbol, int]]:
     """The symbols that a name means, each with the power to which it is meant: 2 for a variance."""
     said, known = meanings(name), list(symbols)
     if weak:
         return list(_meant(said.weak, known))
     return list(_meant(said.strong, known)) or list(_in_words(name, known))
+
+
+def is_known_word(name: str) -> bool:
+    """Whether a name of several letters is spelled exactly as a word of known meaning."""
+    return len(name) > 1 and name in _STRONG_WORDS
+
+
+def is_angle_word(name: str) -> bool:
+    """Whether a name means an angle."""
+    return any(one.of in {"azimuth", "elevation", "heading"} for one in meanings(name).strong)
 
 
 def is_word(name: str) -> bool:
@@ -189,7 +226,7 @@ def is_word(name: str) -> bool:
     return len(letter) >= _TOLD_APART and letter not in _GREEK and letter.removeprefix("d").lower() not in _GREEK
 
 
-def alike(name: str, symbols: Iterable[Variable]) -> Variable | None:
+def alike(name: str, symbols: Iterable[Symbol]) -> Symbol | None:
     """The symbol that was perhaps meant by a name that means none, if it is spelled nearly as one that does."""
     own = {symbol.name: symbol for symbol in symbols}
     words = own | {word: symbol for word in _STRONG_WORDS for symbol, power in means(word, own.values()) if power == 1}
@@ -198,7 +235,7 @@ def alike(name: str, symbols: Iterable[Variable]) -> Variable | None:
     return words[near[0]] if near else None
 
 
-def _in_words(name: str, symbols: Iterable[Variable]) -> Iterator[tuple[Variable, int]]:
+def _in_words(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
     """The symbols that are described by the word that a name is, or that it begins with: accel, lat, height."""
     role = meanings(name).role or Role.VALUE
     word = (_of(name) if role is not Role.VALUE else name).lower()
@@ -220,7 +257,7 @@ def _of(name: str) -> str:
     return next((part for part in found.groupdict().values() if part), "") if found else name
 
 
-def _meant(said: frozenset[Meaning], symbols: Iterable[Variable]) -> Iterator[tuple[Variable, int]]:
+def _meant(said: frozenset[Meaning], symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
     for symbol in symbols:
         own = meaning_of(symbol)
         if not own.of:

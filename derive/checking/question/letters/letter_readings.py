@@ -14,14 +14,8 @@ from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
-from radartrack.derive.checking.question.letters.letter_meanings import (
-    Role,
-    alike,
-    is_word,
-    meaning_of,
-    meanings,
-    means,
-)
+from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
@@ -36,23 +30,16 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import SECOND
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
 LONGEST = 40  # characters of a letter; what is longer is a word
 MOST = 5040  # assignments that are tried: all of seven letters
 KEPT = 5  # assignments of a wrong formula that are looked at closely
-PER_SECOND = SECOND**-1
-STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
 
 
 @dataclass(frozen=True)
-class Letter:
+class Letter(Choice[Variable]):
     """What a letter stands for: a symbol, its square where the letter is a variance, or its inverse: a time constant."""
-
-    symbol: Variable
-    power: int = 1
-    rank: int = 0
 
     @property
     def value(self) -> Expr:
@@ -198,40 +185,12 @@ class Typed:
     ) -> Iterator[Letters]:
         """What the letters may stand for; farther, also what they seldom do: that has to make the formula right."""
         taken = frozenset((name, 1) for name in fixed)
-        candidates = {name: self._candidates(name, taken) for name in unknown}
+        symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
+        candidates = {name: choices(name, symbols) for name in unknown}
         if farther:
-            candidates = {name: self._farther(name, candidates, taken) for name in unknown}
-        order = sorted(unknown, key=lambda name: len(candidates[name]))
-        yield from islice(_distinct(order, candidates, taken), MOST)
-
-    def _candidates(self, name: str, taken: frozenset[tuple[str, int]]) -> list[Letter]:
-        """What a letter may stand for, the likeliest first."""
-        symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
-        if strong := means(name, symbols):
-            return [Letter(symbol, power, STRONG) for symbol, power in strong]
-        return self._free(name, symbols)
-
-    def _free(self, name: str, symbols: Sequence[Variable]) -> list[Letter]:
-        """What a letter without a meaning may stand for."""
-        role = meanings(name).role
-        weak = {symbol for symbol, _ in means(name, symbols, weak=True)}
-        found = [Letter(s, _power(role), _rank(name, s, weak)) for s in symbols if _may_play(role, s)]
-        return sorted(found, key=lambda letter: letter.rank)
-
-    def _farther(
-        self, name: str, candidates: Mapping[str, list[Letter]], taken: frozenset[tuple[str, int]]
-    ) -> list[Letter]:
-        """Also a time constant, a variance, and anything where another letter means the same: tau beside dt."""
-        symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
-        own = candidates[name]
-        shared = sum(1 for others in candidates.values() if others == own and own[0].rank == STRONG) if own else 0
-        if own and own[0].rank == STRONG and shared < 2:
-            return own
-        known = [*own, *(self._free(name, symbols) if shared else ())]
-        if meanings(name).role is None:
-            known += [Letter(s, -1, ANY) for s in symbols if s.unit == PER_SECOND]
-            known += [Letter(s, 2, ANY) for s in symbols if meaning_of(s).role is Role.DEVIATION]
-        return list(dict.fromkeys(known))
+            candidates = {name: farther_choices(name, candidates, symbols) for name in unknown}
+        for one in islice(assignments(candidates, taken), MOST):
+            yield {name: Letter(choice.symbol, choice.power, choice.rank) for name, choice in one.items()}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
         found = []
@@ -315,38 +274,6 @@ class Typed:
             values = [one([point[symbol.name] for symbol in symbols]) for one in rough]
             found.append([(value[0][0],) if value else None for value in values])
         return found
-
-
-def _distinct(
-    order: Sequence[str], candidates: Mapping[str, Sequence[Letter]], taken: frozenset[tuple[str, int]]
-) -> Iterator[dict[str, Letter]]:
-    """Every way to give the letters different meanings."""
-    if not order:
-        yield {}
-        return
-    for letter in candidates[order[0]]:
-        if (one := (letter.symbol.name, letter.power)) not in taken:
-            for rest in _distinct(order[1:], candidates, taken | {one}):
-                yield {order[0]: letter} | rest
-
-
-def _may_play(role: Role | None, symbol: Variable) -> bool:
-    own = meaning_of(symbol).role
-    if role in {Role.DEVIATION, Role.VARIANCE}:
-        return own is Role.DEVIATION
-    return own is Role.CORRELATION if role is Role.CORRELATION else True
-
-
-def _power(role: Role | None) -> int:
-    return 2 if role is Role.VARIANCE else 1
-
-
-def _rank(name: str, symbol: Variable, weak: set[Variable]) -> int:
-    if symbol in weak:
-        return WEAK
-    if name[0].lower() == symbol.name[0].lower():
-        return LIKE
-    return ANY + (meaning_of(symbol).role is not Role.VALUE)
 
 
 def as_typed(
