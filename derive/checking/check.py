@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.algebra.principal_angles import equal_angles
@@ -194,10 +194,12 @@ class Paper:
         declared = {name: symbols[name] for name in self.world.letters}
         known = reference.with_symbols(declared.values())
         is_code = self.notation in LANGUAGES
-        return reference, as_typed(self._read_loosely, known, definitions, conditions, declared, row_by_row=is_code)
+        size = math.prod(known.shape) if len(known.shape) == 1 else 1
+        read = partial(self._read_loosely, wanted=size)
+        return reference, as_typed(read, known, definitions, conditions, declared, row_by_row=is_code)
 
-    def _read_loosely(self, names: Sequence[str], shapes: Mapping[str, Shape]) -> Tree:
-        return read_loosely(self.formula, names, self.notation, self.function, shapes)
+    def _read_loosely(self, names: Sequence[str], shapes: Mapping[str, Shape], wanted: int) -> Tree:
+        return read_loosely(self.formula, names, self.notation, self.function, shapes, wanted)
 
     def _question(self, reference: Reference, reading: Reading) -> Question:
         texts = [self.formula if self.notation == TEXT else "", *self.given.values()]

@@ -18,6 +18,7 @@ def read_loosely(
     notation: str = TEXT,
     function: str = "",
     shapes: Mapping[str, Shape] = NO_SHAPES,
+    wanted: int = 1,
 ) -> Tree:
     """A formula in which other names than the known ones may occur, whatever they mean.
 
@@ -27,11 +28,12 @@ def read_loosely(
         notation: in which it is.
         function: of code, the function that is meant.
         shapes: of the names that stand for arrays.
+        wanted: of code, how many numbers it is to compute.
 
     Raises:
         FormulaError: when it cannot be read whatever they mean.
     """
-    read = read_formula(formula, notation, names, shapes, strangers=True, function=function)
+    read = read_formula(formula, notation, names, shapes, strangers=True, function=function, wanted=wanted)
     return _with_letter_e(read.tree, formula)
 
 

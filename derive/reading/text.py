@@ -21,6 +21,7 @@ from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished,
 from radartrack.derive.reading.text_hints import hint
 
 _BRACKETS = {"(": ")", "[": "]", "{": "}"}
+_LEFT_SIDE = re.compile(r"\s*[A-Za-z_]\w*\s*(?:\[[\w\s,:]*\]\s*|\([\w\s,]*\)\s*)?=(?!=)")  # P[0,1] = …, f(x) = …
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)*)")
 
 
@@ -42,14 +43,16 @@ def read_text(
     allowed = check_names(names or ())
     strangers = strangers or names is None
     check_characters(text, allowed)
+    whole = text
     try:
+        text = _LEFT_SIDE.sub(lambda found: " " * len(found.group()), text, count=1)
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
         tree = _with_transposes(_parse(text, None if strangers else allowed), shapes)
         known = allowed | bound_names(tree)
         return finished(tree, lambda node: _resolved(node, known, strangers=strangers), shapes, strangers=strangers)
     except FormulaError as error:
-        raise error.within(text) from None
+        raise error.within(whole) from None
 
 
 class _TextBuilder(TreeBuilder):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from math import prod
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
@@ -150,7 +151,7 @@ def read_printed(formula: str, names: Names, expected: Index, notation: str = TE
         NoClosedForm: when it cannot be worked out.
     """
     try:
-        reading = names.reading(formula, notation, function)
+        reading = names.reading(formula, notation, function, prod(expected) if len(expected) == 1 else 1)
         inner, padding = trimmed(reading.tree, expected)
         source = formula if reading.notation in LANGUAGES else ""
         remarks = (*reading.remarks, *((padding,) if padding else ()))
