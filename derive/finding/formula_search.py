@@ -233,7 +233,7 @@ class FormulaSearch:
 
 
 def _plainest(found: Sequence[Candidate]) -> list[Candidate]:
-    """Those that need the least to be said: no convention and no sign where there are such, a condition only if needed."""
+    """Those that need the least to be said: no convention and no sign where there are such, no needless condition."""
     exact = {one.quantity for one in found if not one.given}
     kept = [one for one in found if not one.given or one.quantity not in exact]
     for is_far in (lambda one: bool(one.convention), lambda one: one.quantity.startswith("-")):

@@ -103,9 +103,7 @@ def _of_arrays(node: Tree, below: list[Tensor[Tree]]) -> Opened:
 def _times(first: Tensor[Tree], second: Tensor[Tree]) -> Tensor[Tree]:
     """The product of arrays, of which either may be a number; a vector before a row is a column."""
     if not first.shape or not second.shape:
-        return Tensor(
-            first.shape or second.shape, tuple(_product((one, other)) for one in first for other in second)
-        )
+        return Tensor(first.shape or second.shape, tuple(_product((one, other)) for one in first for other in second))
     if len(first.shape) == 1:
         first = Tensor((*first.shape, 1), first.entries)
     rows, columns = dict(first.items()), dict(second.items())
@@ -187,4 +185,3 @@ def _sum(terms: Sequence[Tree]) -> Tree:
     """A sum without zeros."""
     kept = tuple(term for term in terms if term != ZERO) or (ZERO,)
     return kept[0] if len(kept) == 1 else Sum(kept)
-

@@ -32,9 +32,7 @@ class Choice(Generic[Symbol]):
         return self.symbol.name, self.power
 
     def __str__(self) -> str:
-        return {1: self.symbol.name, -1: f"1/{self.symbol.name}"}.get(
-            self.power, f"{self.symbol.name}**{self.power}"
-        )
+        return {1: self.symbol.name, -1: f"1/{self.symbol.name}"}.get(self.power, f"{self.symbol.name}**{self.power}")
 
 
 Taken = frozenset[tuple[str, int]]
@@ -111,4 +109,3 @@ def _rank(name: str, symbol: Known, *, weak: bool) -> int:
     if name[0].lower() == symbol.name[0].lower():
         return LIKE
     return ANY + (meaning_of(symbol).role is not Role.VALUE)
-

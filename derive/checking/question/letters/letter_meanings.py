@@ -129,17 +129,19 @@ _WEAK = {
     "baseline": "L B b",
 }
 # What a name says of how it was got, or in which unit: target_range, az_rad and rngTrue are ranges and azimuths.
-_SAYS_LITTLE = frozenset(
+_LITTLE = (
     "angle value val meas measured measurement true truth target tgt radar sensor obs observed est estimated raw rad "
-    "radians meters metres polar".split()
+    "radians meters metres polar"
 )
+_SAYS_LITTLE = frozenset(_LITTLE.split())
 _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
 # Words of the meanings of symbols that tell none apart from another.
-_COMMON_WORDS = frozenset(
+_COMMON = (
     "along axis axes between both clockwise coordinate correlation counter deviation direction each error errors from "
     "length mean measurement number other over part point points prediction predictions square standard sum than that "
-    "the third time two unit variable variance weight weighted where which with".split()
+    "the third time two unit variable variance weight weighted where which with"
 )
+_COMMON_WORDS = frozenset(_COMMON.split())
 _TOLD_APART = 3  # letters: of so many a word is one, and may begin a longer one
 _DOTTED = re.compile(r"(?:d?dot|hat|tilde|bar|prime|\d)+$")
 _GREEK = frozenset(name.lower() for name in GREEK.values()) | frozenset({"lam", "sig", "eps", "omg", "gam"})
@@ -279,7 +281,7 @@ def _words(word: str, table: dict[str, frozenset[str]]) -> frozenset[str]:
         return table[word]
     parts = [part for part in _CAMEL.sub("_", word).split("_") if part]
     telling = [part for part in parts if part.lower() not in _SAYS_LITTLE]
-    if 0 < len(telling) and (len(telling) < len(parts) or len(parts) > 1):
+    if telling and len(parts) > 1:
         plain = "_".join(telling)
         if found := table.get(plain) or table.get(plain.lower()):
             return found

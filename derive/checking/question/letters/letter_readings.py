@@ -39,7 +39,7 @@ KEPT = 5  # assignments of a wrong formula that are looked at closely
 
 @dataclass(frozen=True)
 class Letter(Choice[Variable]):
-    """What a letter stands for: a symbol, its square where the letter is a variance, or its inverse: a time constant."""
+    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant."""
 
     @property
     def value(self) -> Expr:
@@ -180,9 +180,7 @@ class Typed:
         """What a symbol of the quantity may mean if not itself."""
         return [(one, power) for one, power in means(name, self.reference.symbols) if one.name != name]
 
-    def _assignments(
-        self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False
-    ) -> Iterator[Letters]:
+    def _assignments(self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False) -> Iterator[Letters]:
         """What the letters may stand for; farther, also what they seldom do: that has to make the formula right."""
         taken = frozenset((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
