@@ -148,8 +148,8 @@ class Names(Mapping[str, Expression]):
         """A formula in these names, as typed or in LaTeX; raises as `reading`."""
         return self.reading(text, LATEX if latex else TEXT).tree
 
-    def reading(self, text: str, notation: str = TEXT, function: str = "") -> Reading:
-        """A formula in these names, in one of the `NOTATIONS`; of code, perhaps one function.
+    def reading(self, text: str, notation: str = TEXT, function: str = "", wanted: int = 1) -> Reading:
+        """A formula in these names, in one of the `NOTATIONS`; of code, perhaps one function, or several numbers.
 
         Raises:
             FormulaError, UnknownQuantity: when it cannot be read, names what there is not, or becomes too large.
@@ -161,7 +161,7 @@ class Names(Mapping[str, Expression]):
             self.meaning(word)
         self._mentioned |= mentioned
         shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=not typed)
-        found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function)
+        found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function, wanted=wanted)
         self.largeness(found.tree)
         return found
 
