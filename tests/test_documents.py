@@ -14,7 +14,9 @@ EXAMPLE = re.compile(r"^```python\n(?P<code>.*?)^```\n(?:\n```text\n(?P<output>.
 SEPARATOR = "\x1e"
 WITH_EXAMPLES = [document for document in DOCUMENTS if EXAMPLE.search(document.read_text())]
 
-OPTIONAL = re.compile(r"^(?:from|import) (polars|stonesoup)", re.MULTILINE)  # what a document shows and no extra of ours needs
+OPTIONAL = re.compile(
+    r"^(?:from|import) (polars|stonesoup)", re.MULTILINE
+)  # what a document shows and no extra of ours needs
 
 SHOWN = re.compile(r"^```console\n\$ (?P<command>[^\n]*)\n(?P<output>.*?)^```$", re.MULTILINE | re.DOTALL)
 CONSOLE = [

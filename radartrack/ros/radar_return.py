@@ -3,8 +3,8 @@
     plots = rt.ros.plots_of(scan.returns, "spherical_doppler")
     rt.convert.spherical_doppler(**plots, range_std=0.5, ..., azimuth_from="x")
 
-The message counts azimuths from the axis ahead of the radar, counter-clockwise (REP 103); a revision of it before that said
-clockwise. Which sign a receding target's Doppler velocity has, it does not say. Both can be chosen.
+The message counts azimuths from the axis ahead of the radar, counter-clockwise (REP 103); a revision of it before that
+said clockwise. Which sign a receding target's Doppler velocity has, it does not say. Both can be chosen.
 
 Source: the messages `RadarReturn` and `RadarScan` of the package radar_msgs.
 """
@@ -122,7 +122,9 @@ def returns_of(
 def _signs(turning: Turning, positive_doppler: PositiveDoppler) -> dict[str, int]:
     return {
         "azimuth": 1 if one_of("turning", turning, get_args(Turning)) == "counter_clockwise" else -1,
-        "range_rate": 1 if one_of("positive_doppler", positive_doppler, get_args(PositiveDoppler)) == "receding" else -1,
+        "range_rate": 1
+        if one_of("positive_doppler", positive_doppler, get_args(PositiveDoppler)) == "receding"
+        else -1,
     }
 
 

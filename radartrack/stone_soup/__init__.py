@@ -1,7 +1,7 @@
 """Parts for Stone Soup: measurement models, an initiator, a feeder and updaters that know the bias of radar plots.
 
-They are used where Stone Soup's own stand, and take its models and detections as they are; `stonesoup.plugins.radartrack`
-is this package. It needs the extra `stonesoup`.
+They are used where Stone Soup's own stand, and take its models and detections as they are. This package is also
+`stonesoup.plugins.radartrack`. It needs the extra `stonesoup`.
 """
 
 from radartrack.stone_soup.debiasing_feeder import DebiasedClutter, DebiasedTrueDetection, DebiasingFeeder

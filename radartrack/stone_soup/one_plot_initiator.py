@@ -23,7 +23,7 @@ StartMethod = Literal["unbiased", "posterior"]
 
 
 class OnePlotInitiator(GaussianInitiator):
-    """Starts tracks where Stone Soup's `SimpleMeasurementInitiator` does, with covariances that hold at any angle error.
+    """Starts tracks as Stone Soup's `SimpleMeasurementInitiator`, with covariances that hold at any angle error.
 
     The position is that of our conversion, whose covariance is exact; the other components are those of the prior
     state. A range rate is then used by a second-order extended update, with what its error has in common with that of

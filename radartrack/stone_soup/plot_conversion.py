@@ -42,7 +42,7 @@ class PositionAndRangeRate(MeasurementModel, GaussianModel, ReversibleModel):
         """The covariance of what is measured."""
         return self.noise_covar
 
-    def function(self, state: Any, noise: Any = False, **_: Any) -> Any:
+    def function(self, state: Any, noise: Any = False, **_: Any) -> Any:  # noqa: FBT002 - as in Stone Soup
         """What is measured of states."""
         if isinstance(noise, bool) or noise is None:
             noise = self.rvs(num_samples=state.state_vector.shape[1]) if noise else 0

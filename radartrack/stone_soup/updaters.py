@@ -26,7 +26,11 @@ class SecondOrderUpdater(ExtendedKalmanUpdater):
 
     @lru_cache  # noqa: B019 - as in Stone Soup: hypothesisers ask again for each detection
     def predict_measurement(
-        self, predicted_state: Any, measurement_model: Any = None, measurement_noise: bool = True, **kwargs: Any
+        self,
+        predicted_state: Any,
+        measurement_model: Any = None,
+        measurement_noise: bool = True,  # noqa: FBT001, FBT002 - as in Stone Soup
+        **kwargs: Any,
     ) -> Any:
         """What will be measured, with its covariance.
 

@@ -12,7 +12,7 @@ from radartrack.tables.unit_factors import Unit
 MOST_TOLD = 5  # rows in a message; the error has them all
 
 
-class BadRows(ValueError):  # noqa: N818 - it says what there is
+class BadRows(ValueError):
     """Some rows of a table cannot be converted.
 
     Attributes:
@@ -38,9 +38,7 @@ class BadRows(ValueError):  # noqa: N818 - it says what there is
         return f"{len(self.rows)} of {self.total} rows cannot be converted: {'; '.join(told)}{more}"
 
 
-def problems(
-    sensor: Sensor, values: Mapping[str, RealArray], count: int, units: Mapping[str, Unit]
-) -> dict[int, str]:
+def problems(sensor: Sensor, values: Mapping[str, RealArray], count: int, units: Mapping[str, Unit]) -> dict[int, str]:
     """What is wrong with rows that cannot be converted, by their numbers.
 
     Args:
@@ -72,9 +70,7 @@ def problems(
     return found
 
 
-def scattered(
-    convert: Callable[[NDArray[np.bool_]], Sequence[RealArray]], good: NDArray[np.bool_]
-) -> list[RealArray]:
+def scattered(convert: Callable[[NDArray[np.bool_]], Sequence[RealArray]], good: NDArray[np.bool_]) -> list[RealArray]:
     """What is converted of the good rows, NaN in the others."""
     full = []
     for array in convert(good):

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from radartrack._arrays.validation import RealArray
-from radartrack._conversion.sensors import AzimuthFrom, SensorName
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
 from radartrack.tables.bad_rows import BadRows
 from radartrack.tables.plot_columns import BadRowsWord, Columns, Method, PlotColumns
 
@@ -78,7 +78,9 @@ def _of_table(frame: Frame, chosen: PlotColumns) -> Frame:
         raise TypeError(f"frame must be {LIBRARIES}; got {reprlib.repr(type(frame).__name__)}") from None
     if not isinstance(table, nw.DataFrame):
         how = "collect it first, or convert files with `radartrack convert`, which streams them"
-        raise TypeError(f"frame must be a table in memory; got {type(frame).__name__}, which is not computed yet: {how}")
+        raise TypeError(
+            f"frame must be a table in memory; got {type(frame).__name__}, which is not computed yet: {how}"
+        )
     chosen.require_room(table.columns)
     numbers = {column: _numbers(table[column], nw, name) for name, column in chosen.needed.items()}
     try:
@@ -119,8 +121,6 @@ def _with_columns(table: Any, found: Columns, chosen: PlotColumns, nw: Any) -> A
 
 def _units_of(dataset: Any, columns: Mapping[str, str | float], sensor: str) -> dict[str, str]:
     """What the variables of a dataset say of their units."""
-    from radartrack._conversion.sensors import SENSORS
-
     found = {}
     for name in SENSORS[sensor].arguments if sensor in SENSORS else ():
         column = columns.get(name, name)

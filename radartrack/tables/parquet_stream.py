@@ -21,7 +21,7 @@ TOLD = 20  # bad rows that are remembered; all are counted, and marked in the fi
 AHEAD = 2  # batches that wait to be written
 
 
-class NoPlots(ValueError):  # noqa: N818 - it says what there is
+class NoPlots(ValueError):
     """A file is no table of plots."""
 
 

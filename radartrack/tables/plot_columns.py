@@ -81,7 +81,9 @@ class PlotColumns:
             raise ValueError(f"columns must name a column for at least one argument; got {reprlib.repr(found)}")
         for name, source in found.items():
             if not isinstance(source, str):
-                value = np.asarray(real_number(f"columns[{name!r}]", source) * (read[name].factor if name in read else 1))
+                value = np.asarray(
+                    real_number(f"columns[{name!r}]", source) * (read[name].factor if name in read else 1)
+                )
                 require_within(name, value, arguments[name].domain)
         return cls(
             model.module,

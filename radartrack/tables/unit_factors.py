@@ -48,7 +48,9 @@ def read_unit(name: str, unit: object, domain: Domain) -> Unit:
     except pint.UndefinedUnitError:
         raise ValueError(f"the unit of {name} must be {allowed}; pint knows no unit {unit!r}") from None
     except (pint.DimensionalityError, pint.OffsetUnitCalculusError):
-        raise ValueError(f"the unit of {name} must be {allowed}; got {unit!r}, which is one of something else") from None
+        raise ValueError(
+            f"the unit of {name} must be {allowed}; got {unit!r}, which is one of something else"
+        ) from None
 
 
 def _example(wanted: str) -> str:

@@ -1,6 +1,6 @@
 """Stone Soup's models at generic places, turned, shifted and moving, and targets before them."""
 
-import datetime
+import datetime as dt
 from typing import Any
 
 import numpy as np
@@ -8,7 +8,7 @@ from stonesoup.types.array import CovarianceMatrix, StateVector
 from stonesoup.types.detection import Detection
 from stonesoup.types.state import State
 
-TIME = datetime.datetime(2026, 1, 1, tzinfo=datetime.UTC)
+TIME = dt.datetime(2026, 1, 1, tzinfo=dt.UTC)
 SHIFT, MOTION = np.array([[300.0], [-200.0], [40.0]]), np.array([[30.0], [-8.0], [3.0]])
 TILTED, TURNED = np.array([[0.2], [-0.3], [0.7]]), np.array([[0.0], [0.0], [0.7]])
 PLANE = {"ndim_state": 4, "mapping": (0, 2)}

@@ -12,10 +12,10 @@ import radartrack as rt
 for _library in ("narwhals", "pandas", "pint", "polars", "pyarrow", "xarray"):
     pytest.importorskip(_library, reason=f"tables are tested with {_library}")
 
-import pandas as pd
-import polars as pl
-import pyarrow as pa
-import xarray as xr
+import pandas as pd  # noqa: E402
+import polars as pl  # noqa: E402
+import pyarrow as pa  # noqa: E402
+import xarray as xr  # noqa: E402
 
 COUNT = 7
 NAUTICAL_MILE, KNOT = 1852.0, 1852.0 / 3600.0
@@ -77,7 +77,9 @@ def test_a_table_of_the_same_library_has_the_old_columns_and_what_the_conversion
         np.testing.assert_allclose(column(found, first), mean[:, i], rtol=1e-12)
         for j, second in enumerate(names[i:], i):
             entries = column(found, f"cov_{first}_{second}")
-            np.testing.assert_allclose(entries, covariance[:, i, j], rtol=1e-9, atol=1e-9 * abs(covariance[:, i, j]).max())
+            np.testing.assert_allclose(
+                entries, covariance[:, i, j], rtol=1e-9, atol=1e-9 * abs(covariance[:, i, j]).max()
+            )
     pairs = ("x_x", "x_y", "x_eta", "y_y", "y_eta", "eta_eta")
     assert kind_columns(found) == [*plots(), *names, *(f"cov_{pair}" for pair in pairs)]
 
@@ -120,7 +122,9 @@ def test_marked_rows_stay_without_numbers_and_the_others_are_as_if_alone(library
 
 
 def test_missing_values_of_each_library_are_bad_rows() -> None:
-    polars = pl.DataFrame({"r": [1, None, 3], "azimuth": [0.1, 0.2, None], "range_std": [1] * 3, "azimuth_std": [0.1] * 3})
+    polars = pl.DataFrame(
+        {"r": [1, None, 3], "azimuth": [0.1, 0.2, None], "range_std": [1] * 3, "azimuth_std": [0.1] * 3}
+    )
     nullable = polars.to_pandas().convert_dtypes()
     for table in (polars, polars.to_arrow(), nullable):
         with pytest.raises(rt.tables.BadRows) as caught:
@@ -144,7 +148,7 @@ def test_variables_of_several_dimensions_are_broadcast_and_have_the_units_they_s
     found = rt.tables.convert(scan, "polar", {"range_std": 50.0, "azimuth_std": 0.02})
     wanted = rt.convert.polar(np.array([2e4, 4e4])[:, np.newaxis], np.deg2rad([10.0, 200.0, 350.0]), 50.0, 0.02).mean
     np.testing.assert_allclose(found["x"].transpose("gate", "beam"), wanted[..., 0], rtol=1e-12)
-    with pytest.raises(rt.tables.BadRows, match="entry gate=1, beam=0|entry beam=0, gate=1"):
+    with pytest.raises(rt.tables.BadRows, match=r"entry gate=1, beam=0|entry beam=0, gate=1"):
         rt.tables.convert(scan.assign(r=("gate", [20.0, -1.0])), "polar", {"range_std": 50.0, "azimuth_std": 0.02})
 
 
@@ -200,5 +204,5 @@ def test_a_column_is_not_written_over_and_a_prefix_makes_room() -> None:
 def test_what_is_no_table_in_memory_is_refused() -> None:
     with pytest.raises(TypeError, match="LazyFrame, which is not computed yet: collect it first"):
         rt.tables.convert(pl.LazyFrame(plots()), "polar_doppler", COLUMNS, UNITS)
-    with pytest.raises(TypeError, match="frame must be a table of pandas, polars, pyarrow .*; got 'dict'"):
+    with pytest.raises(TypeError, match=r"frame must be a table of pandas, polars, pyarrow .*; got 'dict'"):
         rt.tables.convert(plots(), "polar_doppler", COLUMNS, UNITS)

@@ -191,7 +191,9 @@ plot_files.one_file(Path(sys.argv[1]), Path(sys.argv[2]), chosen, None, step)
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
 def test_killed_in_the_middle_it_leaves_what_was_there(tmp_path: Path) -> None:
     source, target = tmp_path / "in.parquet", tmp_path / "out.parquet"
-    radians = table().set_column(1, "azimuth", pa.array(np.zeros(ROWS))).set_column(2, "elevation", pa.array(np.zeros(ROWS)))
+    radians = (
+        table().set_column(1, "azimuth", pa.array(np.zeros(ROWS))).set_column(2, "elevation", pa.array(np.zeros(ROWS)))
+    )
     pq.write_table(radians, source)
     target.write_text("before")
     killed = subprocess.run([sys.executable, "-c", KILLED, source, target], check=False, capture_output=True)
