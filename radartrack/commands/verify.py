@@ -73,7 +73,7 @@ def verify(
     from radartrack.verification.campaign import FULL, QUICK, Campaign, report
     from radartrack.verification.engines import Unreachable
 
-    where = _engine(engine, scheduler, workers)
+    where = chosen_engine(engine, scheduler, workers)
     declared = _declared(model)
     chosen = _chosen(names or [], declared.quantities or catalogue())
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
@@ -176,7 +176,12 @@ def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity]) -> list
     return list(found) if patterns else known
 
 
-def _engine(name: EngineName, scheduler: str | None, workers: int | None) -> Engine:
+def chosen_engine(name: EngineName, scheduler: str | None, workers: int | None) -> Engine:
+    """Who does the work.
+
+    Raises:
+        typer.BadParameter: for options that do not go together, and without what is needed.
+    """
     from radartrack.verification.engines import Dask, Local
 
     if name is EngineName.LOCAL:
