@@ -38,6 +38,10 @@ class ExpressionCode(ABC):
         (sign, text), *rest = pieces
         return [text if sign == "+" else f"-{text}", *(f"{sign} {text}" for sign, text in rest)]
 
+    def name(self, symbol: str) -> str:
+        """What a symbol is called."""
+        return symbol
+
     @abstractmethod
     def number(self, value: int | float) -> str:
         """A number that a double holds, or the whole number nearest to which it rounds."""
@@ -64,7 +68,7 @@ class ExpressionCode(ABC):
 
     def _code(self, expression: Expr) -> Code:
         if isinstance(expression, sp.Symbol):
-            return expression.name, ATOM
+            return self.name(expression.name), ATOM
         if isinstance(expression, sp.Add):
             return " ".join(self.terms(expression)), SUM
         if isinstance(expression, sp.Mul | sp.Rational):

@@ -155,6 +155,19 @@ def assignments(pairs: Iterable[tuple[str, Expr]]) -> list[str]:
 
 def docstring(quantity: Quantity, accuracy: str) -> str:
     """Name, definition, conditioning, source, shapes, units, domain and measured error."""
+    shape = ", ".join(map(str, quantity.shape))
+    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
+    return _escaped(documentation(quantity, returns, [f"Accuracy: {accuracy}"]))
+
+
+def documentation(quantity: Quantity, returns: str, accuracy: Sequence[str]) -> str:
+    """What is said of a function in any language.
+
+    Args:
+        quantity: what it computes.
+        returns: what it gives back.
+        accuracy: sentences on its errors.
+    """
     meaning = quantity.meaning[0].upper() + quantity.meaning[1:]
     facts = [
         f"Name: {quantity.name}.",
@@ -163,18 +176,22 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         f"Source: {quantity.source.reference}.",
     ]
     arguments = [f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols]
-    shape = ", ".join(map(str, quantity.shape))
-    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
     scale = "the sizes of the terms" if quantity.is_difference else quantity.measured_against
     against = f" Errors are measured against {scale}." if scale else ""
+    *earlier, last = accuracy
     sections = [
         f"{meaning}.",
         "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
         *(["\n".join(["Args:", *arguments])] if arguments else []),
         "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
-        "\n".join(textwrap.wrap(f"Accuracy: {accuracy}{against}", WIDTH - 4)),
+        "\n".join(line for said in [*earlier, f"{last}{against}"] for line in textwrap.wrap(said, WIDTH - 4)),
     ]
-    return _escaped("\n\n".join(sections))
+    return "\n\n".join(sections)
+
+
+def wrapped(text: str) -> str:
+    """In lines."""
+    return "\n".join(textwrap.wrap(text, WIDTH - 4))
 
 
 def _escaped(text: str) -> str:
