@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from hashlib import sha256
 
 from radartrack.derive.language.quantity import Quantity
-from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.writing.c99 import c_elementary
 from radartrack.derive.writing.c99.c_expression import PREFIX
-from radartrack.derive.writing.c99.c_function import CFunction, Output, function, in_comment, of_quantity
+from radartrack.derive.writing.c99.c_function import CFunction, Output, function, in_comment
 from radartrack.derive.writing.conversion_functions import conversion_of
 from radartrack.derive.writing.expression_code import NotWritable
-from radartrack.derive.writing.numpy_writer import VERSION, Function, body, documentation, wrapped
+from radartrack.derive.writing.numpy_writer import VERSION, Function, documentation, wrapped
 
 ALL = "radartrack.h"
 CONVERSIONS = "convert"  # the family of mean and covariance together
@@ -61,11 +60,6 @@ class ConversionInC:
         """With what it is as a comment."""
         said = f"{self.title}.\n\n{wrapped(f'{self.meaning}.')}\n\nArguments and accuracy are those of the covariance."
         return self.written.text(said)
-
-
-def quantity_in_c(quantity: Quantity, form: StableForm) -> QuantityInC:
-    """A quantity as it is rewritten."""
-    return QuantityInC(quantity, Function(quantity, body(quantity, form)), of_quantity(quantity, form))
 
 
 def conversion_in_c(quantities: Mapping[str, Quantity], model: str, method: str) -> ConversionInC:
@@ -122,7 +116,7 @@ def _header(family: str, title: str, texts: Sequence[str], functions: Sequence[C
 
 
 def _guarded(family: str, title: str, digest: str, inside: str) -> str:
-    guard = f"RADARTRACK_{family.upper()}_H" if family else "RADARTRACK_H"
+    guard = f"RADARTRACK_{family}_H" if family else "RADARTRACK_H"
     said = f"{title}.\n\nWritten by radartrack regenerate, generator {VERSION}, derivation {digest}; not to be edited."
     return f"{in_comment(said)}\n#ifndef {guard}\n#define {guard}\n\n{inside}\n#endif\n"
 
