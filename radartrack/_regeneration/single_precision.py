@@ -13,16 +13,11 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.verification.domain_points import Points
+from radartrack.verification.error_in_ulp import SINGLE, in_single
 from radartrack.verification.program_compilation import compiled
 from radartrack.verification.subject import scale_of
 
 Array = npt.NDArray[np.float64]
-ULP = 2.0**29  # of single precision, in those of double
-
-
-def in_single(points: Points) -> Points:
-    """The points that single precision has closest to these."""
-    return {name: values.astype(np.float32).astype(np.float64) for name, values in points.items()}
 
 
 def error_in_single(function: Callable[..., Any], quantity: Quantity, points: Points) -> tuple[float, int]:
@@ -40,7 +35,7 @@ def error_in_single(function: Callable[..., Any], quantity: Quantity, points: Po
         exact = _values(function, quantity, some)
         found = _values(function, quantity, {name: v.astype(np.float32) for name, v in some.items()})
         scale = _scale(quantity, some, exact)
-        wrong = np.where(found == exact, 0.0, np.abs(found - exact) / (np.spacing(scale) * ULP))
+        wrong = np.where(found == exact, 0.0, np.abs(found - exact) / (np.spacing(scale) * SINGLE))
     return float(np.where(np.isfinite(wrong), wrong, np.inf).max()), int(within.size)
 
 

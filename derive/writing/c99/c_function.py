@@ -12,7 +12,7 @@ from math import prod
 from radartrack.derive import symbolic as sp
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import StableForm
-from radartrack.derive.language.tensor import Index
+from radartrack.derive.language.tensor import Index, indices
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.writing.c99.c_expression import PREFIX, CExpression
 from radartrack.derive.writing.numpy_writer import INDENT, WIDTH
@@ -44,10 +44,25 @@ class Output:
     Attributes:
         name: of the argument.
         shape: of the tensor, which is filled in row-major order.
+        is_flat: whether it has one index; else, to be read, as many as the tensor.
     """
 
     name: str
     shape: Index
+    is_flat: bool = True
+
+    @property
+    def declared(self) -> str:
+        """As an argument."""
+        return f"{self.name}[{self.size}]" if self.is_flat else self._at(self.shape)
+
+    @property
+    def places(self) -> list[str]:
+        """Its elements in order."""
+        return [self._at((n,) if self.is_flat else index) for n, index in enumerate(indices(self.shape))]
+
+    def _at(self, index: Index) -> str:
+        return self.name + "".join(f"[{i}]" for i in index)
 
     @property
     def size(self) -> int:
@@ -77,6 +92,11 @@ class CFunction:
         kinds = ("", BATCH) if self.arguments else ("",)
         return [f"{self.name}{kind}{suffix}" for kind in kinds for suffix in ("", SINGLE)]
 
+    @property
+    def size(self) -> int:
+        """How many numbers it computes."""
+        return sum(one.size for one in self.outputs) or 1
+
     @cached_property
     def digest(self) -> str:
         """What identifies the code."""
@@ -98,7 +118,7 @@ class CFunction:
     def _for_one(self, suffix: str) -> str:
         real = real_of(suffix)
         given = [f"{real} {name}" for name in self.arguments]
-        filled = [f"{real} {one.name}[{one.size}]" for one in self.outputs]
+        filled = [f"{real} {one.declared}" for one in self.outputs]
         kind = "void" if self.outputs else real
         signature = _signature(kind, f"{self.name}{suffix}", [*given, *filled])
         return f"{signature}\n{{\n{textwrap.indent(self.bodies[bool(suffix)], INDENT)}\n}}\n"
@@ -151,7 +171,7 @@ def body(
     if not outputs:
         yield _assignment("return", statements.results[0], language)
         return
-    places = [f"{one.name}[{place}]" for one in outputs for place in range(one.size)]
+    places = [place for one in outputs for place in one.places]
     for target, value in first_or_known(zip(places, statements.results, strict=True)):
         yield _assignment(f"{target} =", value, language)
 
@@ -160,7 +180,7 @@ def listing(statements: Statements, symbols: Iterable[str], name: str, shape: In
     """A function in double precision, to be read."""
     names = _free_names([*symbols, *(definition for definition, _ in statements.definitions)])
     arguments = tuple(names[symbol] for symbol in symbols)
-    outputs = (Output(RESULT, shape),) if shape else ()
+    outputs = (Output(RESULT, shape, is_flat=False),) if shape else ()
     lines = "\n".join(body(statements, arguments, outputs, replace(language, names=names)))
     return CFunction(name, arguments, outputs, (lines, ""))._for_one("")  # noqa: SLF001 - a part of the same
 
