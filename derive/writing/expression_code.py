@@ -43,7 +43,7 @@ class ExpressionCode(ABC):
         return symbol
 
     @abstractmethod
-    def number(self, value: int | float) -> str:
+    def number(self, value: float) -> str:
         """A number that a double holds, or the whole number nearest to which it rounds."""
 
     @abstractmethod

@@ -36,7 +36,7 @@ HELPERS: dict[type[Expr], str] = {sp.remainder: "_remainder", sp.stumpff: "_stum
 class _NumPy(ExpressionCode):
     language = "NumPy"
 
-    def number(self, value: int | float) -> str:
+    def number(self, value: float) -> str:
         return f"{value}.0" if isinstance(value, int) else repr(value)
 
     def constant(self, expression: Expr) -> str:

@@ -81,7 +81,11 @@ def c(quantity: Quantity, index: Index | None = None) -> str:
     name = "_".join([quantity.module, quantity.function, *map(str, index or ())])
     symbols = [symbol.name for symbol in quantity.symbols]
     written = listing(statements, symbols, name, shape, CExpression(name_of=in_listing))
-    return "\n".join(["#include <math.h>\n", c_elementary.helpers("", "", written), written]).replace("\n\n\n", "\n\n").rstrip()
+    return (
+        "\n".join(["#include <math.h>\n", c_elementary.helpers("", "", written), written])
+        .replace("\n\n\n", "\n\n")
+        .rstrip()
+    )
 
 
 def _computed(quantity: Quantity, index: Index | None) -> tuple[Statements, Index]:

@@ -38,7 +38,9 @@ def derive(quantities: Mapping[str, Quantity], step: Step) -> CDerivation:
     """The code of all quantities and their conversions; `step` is told each name as its turn comes."""
     done = regeneration.worked_out(quantities, step, Writer(written, c_header.conversion_in_c))
     found = [one for one in done.values() if isinstance(one, ConversionInC)]
-    in_c = [QuantityInC(quantity, Function(quantity, done[name][0]), done[name][1]) for name, quantity in quantities.items()]
+    in_c = [
+        QuantityInC(quantity, Function(quantity, done[name][0]), done[name][1]) for name, quantity in quantities.items()
+    ]
     return CDerivation(in_c, found)
 
 
@@ -51,7 +53,9 @@ def written(quantity: Quantity) -> tuple[str, CFunction]:
 def names(quantities: Mapping[str, Quantity]) -> set[str]:
     """Of the files that are written for quantities, before anything is derived."""
     conversions = conversions_of(quantities)
-    families = {quantity.module for quantity in quantities.values()} | ({c_header.CONVERSIONS} if conversions else set())
+    families = {quantity.module for quantity in quantities.values()} | (
+        {c_header.CONVERSIONS} if conversions else set()
+    )
     example = {EXAMPLE} if ("polar", "unbiased") in conversions else set()
     fixed = {c_header.ALL, c_elementary.NAME, regeneration.RECORD, written_files.RECORD}
     return fixed | PACKAGE | example | {c_header.header_name(family) for family in families}

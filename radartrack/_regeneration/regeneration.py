@@ -274,7 +274,9 @@ def _accuracy(row: Mapping[str, Any]) -> Accuracy:
     known = Accuracy(str(row["code"]), float(row["ulp"]))
     if single is None:
         return known
-    return replace(known, single=math.nan if single["ulp"] is None else float(single["ulp"]), single_points=int(single["points"]))
+    return replace(
+        known, single=math.nan if single["ulp"] is None else float(single["ulp"]), single_points=int(single["points"])
+    )
 
 
 def read_records(directory: Path, quantities: Mapping[str, Quantity]) -> list[Record]:

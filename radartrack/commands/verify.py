@@ -31,7 +31,14 @@ if TYPE_CHECKING:
 
 CHECKPOINT = "radartrack-verify.jsonl"
 PLAIN_WIDTH = 140  # in a file or a pipe
-PATHS = {"function": "f", "arrays": "a", "one plot": "1", "machine code": "m", "C": "c", "C single": "s"}  # in the table
+PATHS = {
+    "function": "f",
+    "arrays": "a",
+    "one plot": "1",
+    "machine code": "m",
+    "C": "c",
+    "C single": "s",
+}  # in the table
 INTERRUPTED = 130
 
 
@@ -49,7 +56,7 @@ class EngineName(StrEnum):
     DASK = "dask"
 
 
-def verify(
+def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     names: Annotated[list[str] | None, typer.Argument(help="Quantities or parts of names; without any, all.")] = None,
     full: Annotated[bool, typer.Option("--full", help="100 000 points, 100 000 000 draws, and mutants.")] = False,
     draws: Annotated[int | None, typer.Option(help="Draws at each point of the simulation.", min=1)] = None,

@@ -116,9 +116,7 @@ def helpers(suffix: str, prefix: str, statements: str | None = None) -> str:
     """The helpers in one precision, or those of them that statements call; they call what has this prefix."""
     real = "float" if suffix else "double"
     names = {name: f"{prefix}{'fabs' if name == 'abs' else name}{suffix}" for name in CALLED}
-    wanted = (
-        text for name, text in HELPERS.items() if statements is None or f"{PREFIX}{name}{suffix}(" in statements
-    )
+    wanted = (text for name, text in HELPERS.items() if statements is None or f"{PREFIX}{name}{suffix}(" in statements)
     return "\n".join(text.format(real=real, f=suffix, **names) for text in wanted)
 
 

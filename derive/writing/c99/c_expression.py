@@ -73,7 +73,7 @@ class CExpression(ExpressionCode):
         """What a symbol is called."""
         return self.names.get(symbol, symbol)
 
-    def number(self, value: int | float) -> str:
+    def number(self, value: float) -> str:
         """With the point that makes it no integer, and the suffix of the type."""
         return (f"{value}.0" if isinstance(value, int) else repr(value)) + self.suffix
 

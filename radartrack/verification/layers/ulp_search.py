@@ -59,14 +59,20 @@ class Accuracy:
         strong = self._errors(function, quantity, strong_points, exact)
         within = int(np.count_nonzero(~np.isnan(found)))
         if not within:
-            return Outcome.not_applicable(NAME, "everywhere in the domain something leaves the range of single precision")
+            return Outcome.not_applicable(
+                NAME, "everywhere in the domain something leaves the range of single precision"
+            )
         found, strong = np.nan_to_num(found, posinf=np.inf), np.nan_to_num(strong, posinf=np.inf)
         bound = BOUNDS.get(quantity.module, BOUND_ELSEWHERE)
         if quantity.name not in catalogue():
             found = found / self._conditions(function, quantity, tried, found > bound)
             strong = strong / self._conditions(function, quantity, strong_points, strong > bound)
         place = ", ".join(f"{name}={float(values[found.argmax()])!r}" for name, values in tried.items())
-        counted = f"{within} of {len(found)} points, where nothing leaves its range" if self.single else f"{len(found)} points"
+        counted = (
+            f"{within} of {len(found)} points, where nothing leaves its range"
+            if self.single
+            else f"{len(found)} points"
+        )
         return Outcome.measured(
             NAME,
             max(float(found.max()), float(strong.max()) / ALLOWANCE),
@@ -79,9 +85,7 @@ class Accuracy:
         """The points as the precision has them."""
         return in_single(points) if self.single else points
 
-    def _errors(
-        self, function: Function, quantity: Quantity, points: Points, exact: Exact
-    ) -> npt.NDArray[np.float64]:
+    def _errors(self, function: Function, quantity: Quantity, points: Points, exact: Exact) -> npt.NDArray[np.float64]:
         """In ulp of the precision; NaN where something leaves the range of single precision."""
         found = errors(function, quantity, points, exact)
         if not self.single:
