@@ -22,122 +22,17 @@ RESULT = "result"
 COUNT, PLACE = "n", "i"  # of the points of a batch
 SINGLE = "f"  # behind the names of functions in single precision
 BATCH = "_n"
-OPERATORS = [
-    "and",
-    "and_eq",
-    "bitand",
-    "bitor",
-    "compl",
-    "not",
-    "not_eq",
-    "or",
-    "or_eq",
-    "xor",
-    "xor_eq",
-]  # in C++, by name
-WORDS_OF_C = [
-    "auto",
-    "break",
-    "case",
-    "char",
-    "const",
-    "continue",
-    "default",
-    "do",
-    "double",
-    "else",
-    "enum",
-    "extern",
-    "float",
-    "for",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "register",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "struct",
-    "switch",
-    "typedef",
-    "union",
-    "unsigned",
-    "void",
-    "volatile",
-    "while",
-]
-WORDS_OF_CPP = [
-    "alignas",
-    "alignof",
-    "asm",
-    "bool",
-    "catch",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "concept",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "const_cast",
-    "decltype",
-    "delete",
-    "dynamic_cast",
-    "explicit",
-    "export",
-    "false",
-    "friend",
-    "mutable",
-    "namespace",
-    "new",
-    "noexcept",
-    "nullptr",
-    "operator",
-    "private",
-    "protected",
-    "public",
-    "reinterpret_cast",
-    "requires",
-    "static_assert",
-    "static_cast",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "true",
-    "try",
-    "typeid",
-    "typename",
-    "using",
-    "virtual",
-    "wchar_t",
-]
-MACROS = [
-    "EOF",
-    "HUGE_VAL",
-    "HUGE_VALF",
-    "HUGE_VALL",
-    "I",
-    "INFINITY",
-    "NAN",
-    "NULL",
-    "assert",
-    "errno",
-    "linux",
-    "math_errhandling",
-    "offsetof",
-    "unix",
-]
-TAKEN = frozenset([*WORDS_OF_C, *WORDS_OF_CPP, *OPERATORS, *MACROS, RESULT, "mean", "covariance", COUNT, PLACE])
+WORDS = """
+    auto break case char const continue default do double else enum extern float for goto if inline int long register
+    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+    alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class co_await co_return co_yield
+    compl concept consteval constexpr constinit const_cast decltype delete dynamic_cast explicit export false friend
+    mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public reinterpret_cast
+    requires static_assert static_cast template this thread_local throw true try typeid typename using virtual wchar_t
+    xor xor_eq
+    EOF HUGE_VAL HUGE_VALF HUGE_VALL I INFINITY NAN NULL assert errno linux math_errhandling offsetof unix
+"""  # of C99 and C++20, and what headers may define
+TAKEN = frozenset([*WORDS.split(), RESULT, "mean", "covariance", COUNT, PLACE])
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,13 @@ from tests import conversions
 from tests.written import module_of
 
 POLAR = [find(f"polar.{row}") for row in ("map", "hessian", "bias.truth", "covariance.averaged", "std.position")]
-FORMATS = {"text": quantity_text.text, "latex": quantity_text.latex, "python": quantity_text.python}
-COMMENTS = {"text": "", "latex": "% ", "python": "# "}
+FORMATS = {
+    "text": quantity_text.text,
+    "latex": quantity_text.latex,
+    "python": quantity_text.python,
+    "c": quantity_text.c,
+}
+COMMENTS = {"text": "", "latex": "% ", "python": "# ", "c": "// "}
 
 
 def show(*arguments: str) -> str:
