@@ -1,13 +1,35 @@
 /*
- * The unbiased conversion of polar plots with independent errors as one would program it from print (Mo et al. 1998):
- * one sine, one cosine, one exponential a plot; and its covariance averaged over the truth (Lerro & Bar-Shalom 1993).
- * Digits cancel in both where errors are small.
+ * Loops as one would write them by hand for polar plots. `unbiased_by_hand` has the same formulas as the generated
+ * code, `unbiased_as_printed` those of the paper (Mo et al. 1998) for independent errors: one sine, one cosine and one
+ * exponential a plot, and digits cancel.
  */
 #include <math.h>
 #include <stddef.h>
 
 void unbiased_by_hand(size_t n, const double *r, const double *beta, const double *sigma_r, const double *sigma_beta,
                       const double *rho, double *mean, double *covariance)
+{
+    size_t i;
+    for (i = 0; i < n; ++i) {
+        const double c = cos(beta[i]), s = sin(beta[i]), v = sigma_beta[i] * sigma_beta[i];
+        const double r_2 = r[i] * r[i], v_r = sigma_r[i] * sigma_r[i], k = rho[i] * sigma_beta[i] * sigma_r[i];
+        const double e = exp(-0.5 * v), a = e * e, q = -expm1(-v), once = 1.0 / a, k_2 = k * k, a_3 = a * a * a;
+        const double along = 0.5 * (2.0 + a) * r_2 * q * q * once + 0.5 * v_r * (1.0 + a * a) - 2.0 * a * a * k_2;
+        const double across = k_2 * (1.0 + 2.0 * a + 2.0 * a_3) * once + (1.0 + a) * q * 0.5 * (r_2 + v_r);
+        const double mixed =
+            a * a * v_r - (r_2 * q * (a * (a - q) - q * q) + k_2 * (1.0 + 2.0 * a + 4.0 * a_3)) * once;
+        const double turned = r[i] * k * (a * (a * (a - 3.0 * q) - 3.0 * q * q) - q * q * q) * once;
+        mean[2 * i] = (r[i] * c + k * s) / e;
+        mean[2 * i + 1] = (r[i] * s - k * c) / e;
+        covariance[4 * i] = c * c * along + s * s * across - 2.0 * c * s * turned;
+        covariance[4 * i + 1] = covariance[4 * i + 2] = c * s * mixed + (c * c - s * s) * turned;
+        covariance[4 * i + 3] = s * s * along + c * c * across + 2.0 * c * s * turned;
+    }
+}
+
+void unbiased_as_printed(size_t n, const double *r, const double *beta, const double *sigma_r,
+                         const double *sigma_beta,
+                         const double *rho, double *mean, double *covariance)
 {
     size_t i;
     (void)rho;
@@ -21,26 +43,5 @@ void unbiased_by_hand(size_t n, const double *r, const double *beta, const doubl
         covariance[4 * i] = less * c * c + twice * (1.0 + lambda_4 * cos_2);
         covariance[4 * i + 1] = covariance[4 * i + 2] = less * c * s + twice * lambda_4 * sin_2;
         covariance[4 * i + 3] = less * s * s + twice * (1.0 - lambda_4 * cos_2);
-    }
-}
-
-void averaged_by_hand(size_t n, const double *r, const double *beta, const double *sigma_r, const double *sigma_beta,
-                      const double *rho, double *mean, double *covariance)
-{
-    size_t i;
-    (void)rho;
-    for (i = 0; i < n; ++i) {
-        const double c = cos(beta[i]), s = sin(beta[i]), r_2 = r[i] * r[i], v_r = sigma_r[i] * sigma_r[i];
-        const double v_beta = sigma_beta[i] * sigma_beta[i], once = exp(-v_beta), twice = exp(-2.0 * v_beta);
-        const double bias = once - exp(-0.5 * v_beta);
-        const double ch = 0.5 * (1.0 / once + once), ch_2 = 0.5 * (1.0 / twice + twice);
-        const double sh = 0.5 * (1.0 / once - once), sh_2 = 0.5 * (1.0 / twice - twice);
-        const double even = r_2 * (ch_2 - ch) + v_r * (2.0 * ch_2 - ch);
-        const double odd = r_2 * (sh_2 - sh) + v_r * (2.0 * sh_2 - sh), fourth = twice * twice;
-        mean[2 * i] = r[i] * c * (1.0 - bias);
-        mean[2 * i + 1] = r[i] * s * (1.0 - bias);
-        covariance[4 * i] = twice * (c * c * even + s * s * odd);
-        covariance[4 * i + 1] = covariance[4 * i + 2] = s * c * fourth * (v_r + (r_2 + v_r) * (1.0 - 1.0 / once));
-        covariance[4 * i + 3] = twice * (s * s * even + c * c * odd);
     }
 }

@@ -169,7 +169,7 @@ def conversion_of(quantities: Mapping[str, Quantity], model: str, method: str) -
     covariance = quantities[quantity_of(quantities, model, words.covariance)]
     bias = quantities[quantity_of(quantities, model, words.bias)] if words.bias else None
     mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
-    form = beside(_together(mean, form_of(covariance)), covariance)
+    form = beside(_with_squared_exponentials(_together(mean, form_of(covariance))), covariance)
     given = {symbol: nested(value) for symbol, value in form.definitions.items()}
     statements = joined(*with_common_parts(given, form.entries.map_distinct(nested)))
     symbols = tuple(symbol.name for symbol in covariance.symbols)
@@ -226,6 +226,16 @@ def _together(first: StableForm, second: StableForm) -> StableForm:
     second = second.renamed({symbol: sp.Symbol(f"{symbol.name}_2", real=True) for symbol in clashes})
     entries = (*first.entries, *second.entries)
     return StableForm({**first.definitions, **second.definitions}, Tensor((len(entries),), entries))
+
+
+def _with_squared_exponentials(form: StableForm) -> StableForm:
+    """The same with e^(2x) as the square of e^x where both are there: an exponential less, for a rounding more."""
+    known = {value.args[0]: symbol for symbol, value in form.definitions.items() if isinstance(value, sp.exp)}
+    definitions = {
+        symbol: known[value.args[0] / 2] ** 2 if isinstance(value, sp.exp) and value.args[0] / 2 in known else value
+        for symbol, value in form.definitions.items()
+    }
+    return StableForm(definitions, form.entries, form.arbitrary)
 
 
 def _places(name: str, shape: Index) -> list[str]:
