@@ -60,7 +60,7 @@ ROWS = (
         "TestSphericalDoppler::test_fast", "TestSphericalDoppler::test_fused", "≤ 0.7"),
     Row("C, `radartrack_convert_polar_unbiased_n`, 1e6 plots", "the same formulas in a loop of C by hand, one thread",
         "TestCPolar::test_ours", "TestCPolar::test_by_hand", "≤ 1.0"),
-    Row("C, `radartrack_convert_polar_unbiased_n`, 1e6 plots", "the formulas as printed, without correlation; digits cancel",
+    Row("C, `radartrack_convert_polar_unbiased_n`, 1e6 plots", "as printed, without correlation; digits cancel",
         "TestCPolar::test_ours", "TestCPolar::test_as_printed", "–"),
     Row("`convert.polar`, one plot", "Stone Soup's",
         "TestOnePlot::test_numpy", "TestOnePlot::test_stone_soup", "≥ 10 times faster", faster=True),

@@ -32,7 +32,9 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
         f"{c_elementary.header()}\n{written.text('')}\n"
         f"void unbiased(size_t n, {TAKEN}, double *m, double *v) {{ {entrance} }}\n"
     )
-    subprocess.run([*(compiler() or ["cc"]), *FLAGS, "ours.c", "hand_written.c", "-o", "all.so", "-lm"], cwd=folder, check=True)
+    subprocess.run(
+        [*(compiler() or ["cc"]), *FLAGS, "ours.c", "hand_written.c", "-o", "all.so", "-lm"], cwd=folder, check=True
+    )
     return ctypes.CDLL(str(folder / "all.so"))
 
 

@@ -324,7 +324,8 @@ def measured(module: ModuleType, function: Function, known: Accuracy) -> Accurac
     quantity = function.quantity
     ulp = measure(module, quantity) if math.isnan(known.ulp) else known.ulp
     single, points = error_in_single(getattr(module, quantity.function), quantity, sample(quantity, POINTS))
-    return Accuracy(function.digest, ulp, _rounded_up(single), points)
+    everywhere = points if quantity.symbols else POINTS * points
+    return Accuracy(function.digest, ulp, _rounded_up(single), everywhere)
 
 
 def measure(module: ModuleType, quantity: Quantity) -> float:

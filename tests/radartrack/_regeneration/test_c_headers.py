@@ -44,20 +44,28 @@ def regenerate(*arguments: str | Path) -> Result:
     return CliRunner().invoke(app, ["regenerate", *map(str, arguments)])
 
 
-@pytest.fixture
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
+def make_small(patch: pytest.MonkeyPatch) -> None:
     """A catalogue of four quantities, derived in this process and measured at few points."""
-    monkeypatch.setattr(regeneration, "catalogue", dict)
-    monkeypatch.setattr(catalogue_module, "catalogue", lambda: SMALL)
-    monkeypatch.setattr(regeneration, "POINTS", 40)
+    patch.setattr(regeneration, "catalogue", dict)
+    patch.setattr(catalogue_module, "catalogue", lambda: SMALL)
+    patch.setattr(regeneration, "POINTS", 40)
 
 
-@pytest.fixture
-def out(small: None, tmp_path: Path) -> Path:  # noqa: ARG001 - in this order
-    out = tmp_path / "include"
-    result = regenerate("--language", "c", "--out", out)
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("written") / "include"
+    with pytest.MonkeyPatch.context() as patch:
+        make_small(patch)
+        result = regenerate("--language", "c", "--out", out)
     assert result.exit_code == 0, result.output
     return out
+
+
+@pytest.fixture
+def out(written: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """What was written, where a test may spoil it."""
+    make_small(monkeypatch)
+    return Path(shutil.copytree(written, tmp_path / "include"))
 
 
 def contents(folder: Path) -> dict[str, bytes]:
