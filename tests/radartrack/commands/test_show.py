@@ -42,6 +42,14 @@ def test_heading_and_formula_are_shown_for_the_whole_and_for_every_entry(quantit
         assert all(line.startswith(COMMENTS[kind]) for line in heading.splitlines())
 
 
+@pytest.mark.parametrize("name", ["polar.covariance.averaged", "polar.bias.truth[0]", "polar.unbiased.covariance[0,1]"])
+def test_what_is_shown_as_c_is_read_back_and_proved_equal(name: str):
+    pytest.importorskip("tree_sitter_c")
+    result = CliRunner().invoke(app, ["check", name, show(name, "--format", "c"), "--code", "c"])
+    assert result.exit_code == 0, result.output
+    assert "equal, proved" in result.output
+
+
 @pytest.mark.parametrize("quantity", [q for q in catalogue().values() if q.module == "observe"], ids=conversions.ids)
 def test_code_holds_all_that_it_uses(quantity: Quantity, tmp_path: Path):
     code = show(quantity.name, "--format", "python")
