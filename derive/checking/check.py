@@ -275,7 +275,7 @@ def ask_identity(
     letters = undeclared_letters(alike or [left, right], names, world.letters)
     names = names.with_symbols(letters)
     reference = of_formula(left, names).with_symbols(names.symbols.values())
-    printed = read_printed(right, names, reference.shape)
+    printed = read_printed(right, names.fixing(names.tree(left)), reference.shape)
     remarks = (*printed.remarks, *([assumed(letters)] if letters else []))
     return asked(reference, replace(printed, remarks=remarks), given or {}, world, sense)
 
