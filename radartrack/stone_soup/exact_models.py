@@ -25,14 +25,14 @@ class Exact:
 
         Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter.
         """
-        return Geometry.of(self).look(state.state_vector).jacobian
+        return Geometry.of(self).jacobian(state.state_vector)
 
     def hessian(self, state: Any, **_: Any) -> RealArray:
         """The second derivatives at a state, shape (measured, components, components).
 
         Source: Bar-Shalom, Willett & Tian 2011, second-order extended Kalman filter.
         """
-        return Geometry.of(self).look(state.state_vector).hessian
+        return Geometry.of(self).hessian(state.state_vector)
 
 
 class Reversible(Exact):

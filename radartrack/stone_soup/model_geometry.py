@@ -1,21 +1,19 @@
 """How a measurement model of Stone Soup looks at a state: through which of our sensors, from where, turned how."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
 from stonesoup.models.measurement import nonlinear
 
-from radartrack import observe
 from radartrack._arrays.validation import RealArray
 from radartrack._conversion.sensors import SENSORS, Sensor
-from radartrack._observation.sights import SIGHTS, SightName
-
-Kind = tuple[SightName, tuple[str, ...]]
+from radartrack._observation.sights import SIGHTS, Kind, SightName
 
 # What a model measures, in its order, of what one of our sensors does.
-KINDS: Mapping[type, Kind] = {
+KINDS: Mapping[type, tuple[SightName, tuple[str, ...]]] = {
     nonlinear.Cartesian2DToBearing: ("bearing", ("azimuth",)),
     nonlinear.CartesianToBearingRange: ("polar", ("azimuth", "r")),
     nonlinear.CartesianToBearingRangeRate2D: ("polar_doppler", ("azimuth", "r", "range_rate")),
@@ -82,22 +80,46 @@ class Geometry:
         sensor = next((one for name, one in SENSORS.items() if name == self.sight), None)
         return sensor if sensor is not None and set(sensor.coordinates) == set(self.outputs) else None
 
-    @property
+    @cached_property
     def turn(self) -> RealArray:
         """From components of the state, about the sensor, to those in its axes."""
-        return np.kron(np.eye(len(self.places) // self.axes), self.rotation)
+        size, axes = len(self.places), self.axes
+        turn = np.zeros((size, size))
+        for first in range(0, size, axes):
+            turn[first : first + axes, first : first + axes] = self.rotation
+        return turn
 
-    def look(self, state_vector: Any) -> observe.Observed:
-        """What is measured of a state, shape (m,), and its derivatives by all its components."""
+    def measurement(self, state_vector: Any) -> RealArray:
+        """What is measured of a state, shape (m,)."""
+        return self._evaluated("map", _flat(state_vector))
+
+    def jacobian(self, state_vector: Any) -> RealArray:
+        """Its first derivatives by all components of the state, shape (m, n); 0 where there are none."""
         vector = _flat(state_vector)
-        see: Callable[..., observe.Observed] = getattr(observe, self.sight)
-        measured, jacobian, hessian = see(self.turn @ (vector[self.places] - self.origin), azimuth_from="x")
-        rows = [SIGHTS[self.sight].outputs.index(name) for name in self.outputs]
-        full = np.zeros((len(rows), len(vector)))
-        full[:, self.places] = jacobian[rows] @ self.turn
-        curved = np.zeros((len(rows), len(vector), len(vector)))
-        curved[np.ix_(range(len(rows)), self.places, self.places)] = self.turn.T @ hessian[rows] @ self.turn
-        return observe.Observed(measured[rows], full, curved)
+        derivatives = self._evaluated("jacobian", vector)
+        full = np.zeros((len(derivatives), len(vector)))
+        full[:, self.places] = derivatives @ self.turn
+        return full
+
+    def hessian(self, state_vector: Any) -> RealArray:
+        """Its second derivatives by all components of the state, shape (m, n, n); 0 where there are none."""
+        vector = _flat(state_vector)
+        derivatives = self._evaluated("hessian", vector)
+        full = np.zeros((len(derivatives), len(vector), len(vector)))
+        full[np.ix_(range(len(full)), self.places, self.places)] = self.turn.T @ derivatives @ self.turn
+        return full
+
+    def _evaluated(self, kind: Kind, vector: RealArray) -> RealArray:
+        """By the components in the axes of the sensor, which counts azimuths from its x axis."""
+        sight = SIGHTS[self.sight]
+        places = sight.order("x")
+        local = self.turn @ (vector[self.places] - self.origin) + 0.0  # -0.0 would turn an azimuth of pi into -pi
+        components = [local[place] for place in places]
+        rows = [sight.outputs.index(name) for name in self.outputs]
+        if kind == "map":
+            return sight.evaluate(kind, components, {})[rows]
+        found = sight.evaluate(kind, sight.off_poles(components, {}), {})[rows]
+        return found[:, places] if kind == "jacobian" else found[:, places][:, :, places]
 
 
 def _flat(vector: Any) -> RealArray:

@@ -98,7 +98,7 @@ def _with_rate(
     of = np.zeros(len(geometry.outputs))
     of[[geometry.outputs.index("range_rate"), geometry.outputs.index("r")]] = 1.0, -multiple
     shift, jacobian, spread = moments(model, mean, covariance)
-    expected = of @ (geometry.look(mean).measurement + shift)
+    expected = of @ (geometry.measurement(mean) + shift)
     along = covariance @ jacobian.T @ of
     variance = of @ (jacobian @ along) + of @ spread @ of + own_std**2 * (1 - correlation**2)
     gain = along / variance

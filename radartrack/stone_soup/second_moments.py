@@ -45,5 +45,5 @@ def _derivatives(model: Any, mean: Any) -> tuple[RealArray, RealArray]:
         return matrix, np.zeros((*matrix.shape, matrix.shape[1]))
     if hasattr(model, "hessian") and not hasattr(model, "rotation_matrix"):
         return model.jacobian(State(mean)), model.hessian(State(mean))
-    _, jacobian, hessian = Geometry.of(model).look(mean)
-    return jacobian, hessian
+    geometry = Geometry.of(model)
+    return geometry.jacobian(mean), geometry.hessian(mean)

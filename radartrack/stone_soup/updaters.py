@@ -98,7 +98,7 @@ def _predicted(model: Any, prediction: Any) -> tuple[RealArray, RealArray]:
     covariance = seen.jacobian @ np.asarray(prediction.covar, dtype=np.float64) @ seen.jacobian.T + seen.spread
     sensor = geometry.sensor
     places = [geometry.outputs.index(name) for name in sensor.coordinates] if sensor is not None else []
-    mean = geometry.look(prediction.mean).measurement + seen.shift
+    mean = geometry.measurement(prediction.mean) + seen.shift
     return mean[places][np.newaxis], covariance[np.ix_(places, places)][np.newaxis]
 
 

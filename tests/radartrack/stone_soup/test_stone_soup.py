@@ -206,13 +206,13 @@ def test_a_range_rate_narrows_the_velocity_along_the_line_of_sight() -> None:
 
 def test_what_the_errors_of_range_and_range_rate_have_in_common_is_used_once() -> None:
     """As our own first state of a track, which is exact, has it: the sensor at rest at the origin, not turned."""
-    correlated = np.array(noise(0.02, 50, 2), dtype=float)
+    correlated = np.array(noise(0.002, 50, 2), dtype=float)
     correlated[1, 2] = correlated[2, 1] = 0.6 * 50 * 2
     model = nonlinear.CartesianToBearingRangeRate2D(**PLANE, noise_covar=correlated)
     plot = StateVector([[0.4], [3e4], [-70.0]])
     detection = Detection(plot, timestamp=TIME, measurement_model=model)
     [track] = stone_soup.OnePlotInitiator(prior(model)).initiate({detection}, TIME)
-    measured = {"r": 3e4, "azimuth": 0.4, "range_rate": -70.0, "range_std": 50.0, "azimuth_std": 0.02}
+    measured = {"r": 3e4, "azimuth": 0.4, "range_rate": -70.0, "range_std": 50.0, "azimuth_std": 0.002}
     exact = rt.initiate.one_plot("polar_doppler", measured | {"range_rate_std": 2.0, "correlation": 0.6}, SPEED)
     order = [0, 2, 1, 3]
     deviations = np.sqrt(np.diagonal(exact.covariance))
