@@ -48,7 +48,14 @@ def test_a_slip_is_noticed(path: str, monkeypatch: pytest.MonkeyPatch):
 @needs_compiler
 @pytest.mark.parametrize("path", PATHS)
 @pytest.mark.parametrize(
-    "name", ["polar.covariance.averaged", "observe.polar.jacobian", "line.slope", "motion.plane.observation"]
+    "name",
+    [
+        "polar.covariance.averaged",
+        "observe.polar.jacobian",
+        "line.slope",
+        "motion.plane.observation",
+        "line.folded_mean_factor",
+    ],
 )
 def test_it_computes_what_numpy_does_at_arguments_that_broadcast(name: str, path: str):
     quantity = find(name)
