@@ -93,7 +93,8 @@ int main(void)
 
 
 def _call(name: str, given: str, kind: str) -> str:
-    arrays, passed = [], []
+    arrays: list[str] = []
+    passed: list[str] = []
     for argument in given.replace("\n", " ").split(","):
         words = argument.split()
         if len(words) < 2:

@@ -72,8 +72,8 @@ def texts(derivation: CDerivation, record: Record) -> Files:
         files = c_header.headers(derivation.quantities, derivation.conversions, accuracy)
     except NotWritable as error:
         raise NotDerived(str(error)) from None
-    every = [*derivation.quantities, *derivation.conversions]
-    defined = frozenset(name for one in every for name in one.written.names)
+    every = [one.written for one in derivation.quantities] + [one.written for one in derivation.conversions]
+    defined = frozenset(name for one in every for name in one.names)
     files |= c_package.package(regeneration.own_version(), defined)
     files[regeneration.RECORD] = regeneration.record_text(record)
     return files | {written_files.RECORD: written_files.record(files)}

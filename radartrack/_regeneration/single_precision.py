@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -55,7 +55,9 @@ def _within_range(
     return places
 
 
-def _values(function: Callable[..., Any], quantity: Quantity, points: Points) -> Array:
+def _values(
+    function: Callable[..., Any], quantity: Quantity, points: Mapping[str, npt.NDArray[np.floating[Any]]]
+) -> Array:
     named = {symbol.name: points[symbol.name] for symbol in quantity.symbols}
     values = np.asarray(function(**named)).astype(np.float64)
     return np.broadcast_to(values, (len(next(iter(points.values()))) if points else 1, *quantity.shape))

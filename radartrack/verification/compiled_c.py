@@ -74,7 +74,7 @@ class InC:
         pointers = [column.ctypes.data_as(ctypes.c_void_p) for column in [*columns, found, flags]]
         run = getattr(self._library, f"run{'f' if self.path == SINGLE else ''}")
         run(ctypes.c_size_t(count), *pointers)
-        return found.astype(np.float64).reshape(*shape, *self.quantity.shape), flags.reshape(shape)
+        return found.astype(np.float64).reshape((*shape, *self.quantity.shape)), flags.reshape(shape)
 
     @cached_property
     def _library(self) -> ctypes.CDLL:

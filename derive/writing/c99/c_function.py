@@ -102,8 +102,8 @@ class CFunction:
 
     def text(self, comment: str) -> str:
         """The definitions under a comment."""
-        singly, doubly = (self._for_one(suffix) for suffix in ("", SINGLE))
-        written = [f"{in_comment(comment)}\n{singly}", f"/* {self.name} in single precision */\n{doubly}"]
+        double, single = (self.for_one(suffix) for suffix in ("", SINGLE))
+        written = [f"{in_comment(comment)}\n{double}", f"/* {self.name} in single precision */\n{single}"]
         if self.arguments:
             filled = " and ".join(f"{one.name}[{COUNT} * {one.size}]" for one in self.outputs) or f"{RESULT}[{COUNT}]"
             said = f"{self.name} at {COUNT} points: arguments [{COUNT}], {filled}, one point after the other"
@@ -113,7 +113,8 @@ class CFunction:
             ]
         return "\n".join(written)
 
-    def _for_one(self, suffix: str) -> str:
+    def for_one(self, suffix: str) -> str:
+        """The definition in one precision, for one point."""
         real = real_of(suffix)
         given = [f"{real} {name}" for name in self.arguments]
         filled = [f"{real} {one.declared}" for one in self.outputs]
@@ -180,7 +181,7 @@ def listing(statements: Statements, symbols: Iterable[str], name: str, shape: In
     arguments = tuple(names[symbol] for symbol in symbols)
     outputs = (Output(RESULT, shape, is_flat=False),) if shape else ()
     lines = "\n".join(body(statements, arguments, outputs, replace(language, names=names)))
-    return CFunction(name, arguments, outputs, (lines, ""))._for_one("")  # noqa: SLF001 - a part of the same
+    return CFunction(name, arguments, outputs, (lines, "")).for_one("")
 
 
 def in_comment(text: str) -> str:

@@ -1,6 +1,7 @@
 """The layers along compiled C: right code passes in both precisions, and a slip is noticed in both."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -47,11 +48,18 @@ def test_a_slip_is_noticed(path: str, monkeypatch: pytest.MonkeyPatch):
 @needs_compiler
 @pytest.mark.parametrize("path", PATHS)
 @pytest.mark.parametrize(
-    "name", ["polar.covariance.averaged", "observe.polar.jacobian", "line.slope", "motion.plane.observation"]
+    "name",
+    [
+        "polar.covariance.averaged",
+        "observe.polar.jacobian",
+        "line.slope",
+        "motion.plane.observation",
+        "line.folded_mean_factor",
+    ],
 )
 def test_it_computes_what_numpy_does_at_arguments_that_broadcast(name: str, path: str):
     quantity = find(name)
-    points = {key: values.reshape(2, 3) for key, values in coarse(quantity, 6).items()}
+    points: dict[str, Any] = {key: values.reshape(2, 3) for key, values in coarse(quantity, 6).items()}
     if len(points) > 1:
         points["rho" if "rho" in points else next(iter(points))] = np.float64(0.5)
     expected = generated(quantity)(**points)

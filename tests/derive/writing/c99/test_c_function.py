@@ -7,14 +7,14 @@ import sympy
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.writing.c99 import c_elementary
-from radartrack.derive.writing.c99.c_function import Output, function, in_comment
+from radartrack.derive.writing.c99.c_function import CFunction, Output, function, in_comment
 from radartrack.derive.writing.statements import Statements
 from tests.c_programs import LANGUAGES, WARNINGS, needs_compiler, run
 
 new, count, other, name = (sympy.Symbol(text, real=True) for text in ("new", "n", "n_", "radartrack_sin"))
 
 
-def awkward():
+def awkward() -> CFunction:
     """A function whose symbols are words of C++, its own names, and one that is not used."""
     statements = Statements(
         (("double", new + count), ("radartrack_exp", sp.sin(sympy.Symbol("double", real=True)))),
