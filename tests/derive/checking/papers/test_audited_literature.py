@@ -43,6 +43,8 @@ WRONG = {
     "filterpy.ghk.variance.prediction": "differs",
     "filterpy.ghk.batch": "differs",
     "python_robotics.ekf.jacobian": "differs",
+    "python_robotics.ekf_scale.jacobian": "differs",
+    "python_robotics.slam.covariance": "wrong_dimensions",
     "autoware.bicycle.map": "differs",
     "autoware.bicycle.noise": "differs",
 }
@@ -260,15 +262,28 @@ def batch(at: Point) -> Values:
 
 
 def robot_jacobian(at: Point) -> Values:
-    T, yaw, v = at["T"], at["yaw"], at["speed_in"]
+    """Of a state whose last component scales the speed, or is one that nothing rests on."""
+    T, yaw, v, scale = at["T"], at["yaw"], at["speed_in"], at.get("scale", 1.0)
+    c, s = np.cos(yaw), np.sin(yaw)
 
     def motion(state: np.ndarray) -> np.ndarray:
-        return np.array([state[0] + T * np.cos(state[2]) * v, state[1] + T * np.sin(state[2]) * v, state[2], v])
+        step = T * v * state[4]
+        return np.array([state[0] + step * np.cos(state[2]), state[1] + step * np.sin(state[2]), state[2], v, state[4]])
 
-    state, step = np.array([0.0, 0.0, yaw, 1.0]), 1e-5
-    columns = [(motion(state + step * one) - motion(state - step * one)) / (2 * step) for one in np.eye(4)]
-    printed = [[1, 0, -T * v * np.sin(yaw), T * np.cos(yaw)], [0, 1, T * v * np.cos(yaw), T * np.sin(yaw)]]
-    return np.array([*printed, [0, 0, 1, 0], [0, 0, 0, 1]]), np.array(columns).T
+    state, step = np.array([0.0, 0.0, yaw, 1.0, scale]), 1e-5
+    columns = [(motion(state + step * one) - motion(state - step * one)) / (2 * step) for one in np.eye(5)]
+    printed = [[1, 0, -T * v * scale * s, T * scale * c, T * v * c], [0, 1, T * v * scale * c, T * scale * s, T * v * s]]
+    kept = slice(5 if "scale" in at else 4)
+    return np.array([*printed, *np.eye(5)[2:]])[kept, kept], np.array(columns).T[kept, kept]
+
+
+def slam_covariance(at: Point) -> Values:
+    """By points at ± √3 deviations along each axis, which a linear motion carries on."""
+    T, yaw, v = at["T"], at["yaw"], at["speed_in"]
+    deviations = np.diag([at["s_x"], at["s_y"], at["s_yaw"]])
+    G = np.array([[1, 0, -T * v * np.sin(yaw)], [0, 1, T * v * np.cos(yaw)], [0, 0, 1]])
+    moved = [sign * np.sqrt(3) * (one + one[2] * T * v * np.array([-np.sin(yaw), np.cos(yaw), 0])) for one in deviations for sign in (1, -1)]
+    return G.T @ deviations**2 @ G, np.array(moved).T @ np.array(moved) / 6
 
 
 def bicycle(at: Point) -> Values:
@@ -311,6 +326,8 @@ ORACLES: Mapping[str, Callable[[Point], Values]] = {
     "filterpy.ghk.variance.prediction": one_of(ghk_variances, 2),
     "filterpy.ghk.batch": batch,
     "python_robotics.ekf.jacobian": robot_jacobian,
+    "python_robotics.ekf_scale.jacobian": robot_jacobian,
+    "python_robotics.slam.covariance": slam_covariance,
     "autoware.bicycle.map": bicycle,
     "autoware.bicycle.noise": bicycle_noise,
 }
