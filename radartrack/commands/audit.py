@@ -79,7 +79,9 @@ def chosen(files: list[Path] | None) -> list[Path]:
     for one in files or [Path("papers")]:
         found = [one] if one.exists() or one.suffix else shipped(str(one))
         if not found:
-            raise ClaimsError(f"{one}: no such file, and no claims are shipped by this name: {', '.join(shipped_names())}")
+            raise ClaimsError(
+                f"{one}: no such file, and no claims are shipped by this name: {', '.join(shipped_names())}"
+            )
         paths += found
     return paths
 

@@ -276,7 +276,9 @@ def shipped(name: str = "papers") -> list[Path]:
     """
     if name == "papers":
         return sorted(SHIPPED.glob("*.toml"))
-    return sorted(path for path in SHIPPED.rglob("*.toml") if name in {path.stem, *path.relative_to(SHIPPED).parts[:-1]})
+    return sorted(
+        path for path in SHIPPED.rglob("*.toml") if name in {path.stem, *path.relative_to(SHIPPED).parts[:-1]}
+    )
 
 
 def shipped_names() -> list[str]:

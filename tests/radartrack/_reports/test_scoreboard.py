@@ -49,7 +49,9 @@ def test_what_a_claim_is_rated(claim: Claim, expected: Rating) -> None:
 @pytest.fixture(scope="module")
 def html() -> str:
     paper = ClaimsFile("a.toml", "Smith 2001", (RIGHT, ORDER, OPEN), seen="on page 3")
-    library = ClaimsFile("b.toml", "A <library>", (WRONG,), kind="library", url="https://example.org/b", commit="c" * 40)
+    library = ClaimsFile(
+        "b.toml", "A <library>", (WRONG,), kind="library", url="https://example.org/b", commit="c" * 40
+    )
     audits = [{**one.told, "claims": [told(claim) for claim in one.claims]} for one in (paper, library)]
     return audit_page.page(audits)
 

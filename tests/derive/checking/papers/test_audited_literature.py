@@ -4,6 +4,7 @@ What differs is computed a second time without the engine: the printed formula i
 differences, sums over fine steps or random draws.
 """
 
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -89,6 +90,16 @@ def test_what_is_wrong_says_what_a_radar_sees_and_has_a_page() -> None:
         assert (Path(__file__).parents[4] / "docs" / "findings" / f"{claim.finding}.md").is_file()
 
 
+def test_the_scoreboard_of_the_documents_has_these_verdicts() -> None:
+    page = (Path(__file__).parents[4] / "docs" / "scoreboard.html").read_text(encoding="utf-8")
+    told = {name: verdict for verdict, name in re.findall(r'<article class="(\w+)" id="([^"]+)">', page)}
+    expected = {
+        name: "undecided" if claim.undecided else {**WRONG, **OTHER_CONVENTION}.get(name, "equal")
+        for name, (_, claim) in ALL_CLAIMS.items()
+    }
+    assert told == expected, "make scoreboard writes the page anew"
+
+
 # What is called wrong, computed without the engine.
 
 
@@ -131,7 +142,9 @@ def second_order(at: Point) -> Values:
     with_range = (u / w) ** 2 * s_r * s_u + (v / w) ** 2 * s_r * s_v
     mixed = r**2 / 2 * (u**2 * v**2 / w**6 - (u**2 + v**2) / w**4 - 1 / w**2) * s_u * s_v
     squares = [r**2 / 2 * (one**4 / w**6 + 2 * one**2 / w**4 + 1 / w**2) for one in (u, v)]
-    return np.array(linear + with_range + mixed + squares[0] * s_u**2 + squares[1] * s_v**2), np.array(variance_of_z(at))
+    return np.array(linear + with_range + mixed + squares[0] * s_u**2 + squares[1] * s_v**2), np.array(
+        variance_of_z(at)
+    )
 
 
 def second_order_of_2009(at: Point) -> Values:
@@ -195,7 +208,9 @@ def equation_of_turn(at: Point) -> Values:
     printed = np.array([[0, 1, 0, 0], [0, 0, -omega, 0], [0, 0, 0, 1], [omega, 0, 0, 0]])
     step = 1e-6
     s, c = np.sin(omega * step), np.cos(omega * step)
-    after = np.array([[1, s / omega, 0, (c - 1) / omega], [0, c, 0, -s], [0, (1 - c) / omega, 1, s / omega], [0, s, 0, c]])
+    after = np.array(
+        [[1, s / omega, 0, (c - 1) / omega], [0, c, 0, -s], [0, (1 - c) / omega, 1, s / omega], [0, s, 0, c]]
+    )
     assert after == pytest.approx(turned(at, step), abs=1e-12)
     return printed, (after - np.eye(4)) / step
 
@@ -218,7 +233,7 @@ def elevation_rate(at: Point) -> Values:
 
 
 def fading_gains(at: Point) -> np.ndarray:
-    """What the filter of order 1 does with residuals: the matrix that carries its state on, and what a residual adds."""
+    """Of the filter of order 1: the matrix that carries its state on, and beside it what a residual adds."""
     b, T = at["theta"], at["T"]
     gain = np.array([1 - b**2, (1 - b) ** 2 / T])
     return np.column_stack([(np.eye(2) - np.outer(gain, [1, 0])) @ [[1, T], [0, 1]], gain])
@@ -272,7 +287,8 @@ def robot_jacobian(at: Point) -> Values:
 
     state, step = np.array([0.0, 0.0, yaw, 1.0, scale]), 1e-5
     columns = [(motion(state + step * one) - motion(state - step * one)) / (2 * step) for one in np.eye(5)]
-    printed = [[1, 0, -T * v * scale * s, T * scale * c, T * v * c], [0, 1, T * v * scale * c, T * scale * s, T * v * s]]
+    along, across = [T * scale * c, T * v * c], [T * scale * s, T * v * s]
+    printed = [[1, 0, -T * v * scale * s, *along], [0, 1, T * v * scale * c, *across]]
     kept = slice(5 if "scale" in at else 4)
     return np.array([*printed, *np.eye(5)[2:]])[kept, kept], np.array(columns).T[kept, kept]
 
@@ -282,7 +298,8 @@ def slam_covariance(at: Point) -> Values:
     T, yaw, v = at["T"], at["yaw"], at["speed_in"]
     deviations = np.diag([at["s_x"], at["s_y"], at["s_yaw"]])
     G = np.array([[1, 0, -T * v * np.sin(yaw)], [0, 1, T * v * np.cos(yaw)], [0, 0, 1]])
-    moved = [sign * np.sqrt(3) * (one + one[2] * T * v * np.array([-np.sin(yaw), np.cos(yaw), 0])) for one in deviations for sign in (1, -1)]
+    side = T * v * np.array([-np.sin(yaw), np.cos(yaw), 0])
+    moved = [sign * np.sqrt(3) * (one + one[2] * side) for one in deviations for sign in (1, -1)]
     return G.T @ deviations**2 @ G, np.array(moved).T @ np.array(moved) / 6
 
 
