@@ -11,7 +11,7 @@ from typing import Any
 
 from radartrack._reports import audit_text, experiment_section
 from radartrack._reports.experiment_section import Experiment
-from radartrack._system import terminal
+from radartrack._system import harmless_text
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c1e21; --paper: #fcfcfa; --line: #d8d8d2; --dim: #63666b;
@@ -44,7 +44,7 @@ nav a { color: inherit; }
 
 def page(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experiment] = ()) -> str:
     """The whole page for some papers, after any experiments; what comes from files is escaped and made harmless."""
-    audits = terminal.shown(audits)
+    audits = harmless_text.shown(audits)
     title = "Reproduction of papers" if experiments else "Audit of printed formulas"
     sections = [experiment_section.section(experiment) for experiment in experiments]
     sections += [_paper(audit, number) for number, audit in enumerate(audits)]
