@@ -5,6 +5,7 @@ import marshal
 import warnings
 import zipfile
 from pathlib import PurePosixPath
+from types import CodeType
 
 NOT_SHIPPED = {"_system/terminal.py", "_system/output_files.py", "_reports/audit_table.py"}  # they need a terminal
 
@@ -20,9 +21,14 @@ def packed(archive):
             if path.suffix != ".py":
                 files[place] = content
             elif "/".join(path.parts[-2:]) not in NOT_SHIPPED:
-                code = compile(content, place, "exec", dont_inherit=True, optimize=2)  # documentation is half of it
+                code = _bare(compile(content, place, "exec", dont_inherit=True, optimize=2))
                 is_package = path.name == "__init__.py"
                 name = ".".join(path.parent.parts if is_package else path.with_suffix("").parts)
                 modules[name] = (is_package, place, marshal.dumps(code))
     return marshal.dumps((modules, files))
 
+
+def _bare(code):
+    """Without documentation and line numbers, which are half of what would be sent."""
+    inner = tuple(_bare(one) if isinstance(one, CodeType) else one for one in code.co_consts)
+    return code.replace(co_linetable=b"", co_consts=inner)
