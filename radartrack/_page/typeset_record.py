@@ -49,7 +49,7 @@ def applied(record: Mapping[str, Any], suggestion: Mapping[str, Any]) -> dict[st
     """
     formula = suggestion["formula"]
     if suggestion["definition"]:
-        return {"let": {suggestion["definition"]: formula}}
+        return {"let": {suggestion["definition"]: formula.partition(" = ")[2]}}
     if suggestion["edit"].startswith("this is "):
         return {"quantity": formula}
     tree = mathml.tree_of(formula)

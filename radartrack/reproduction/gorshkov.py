@@ -62,7 +62,8 @@ def reproduce(trials: int = TRIALS, seed: int = 0, step: Step = silent) -> Repro
 def _found(findings: Sequence[Finding]) -> str:
     """What the figures show, in a sentence or two."""
     agree = sum(finding.verdict == "agrees" for finding in findings)
-    others = "; ".join(finding.what[0].lower() + finding.what[1:] for finding in findings if finding.verdict != "agrees")
+    wrong = (finding.what for finding in findings if finding.verdict != "agrees")
+    others = "; ".join(what[0].lower() + what[1:] for what in wrong)
     rest = f" What differs: {others}." if others else ""
     return f"{agree} of {len(findings)} statements hold, by simulation and by the closed forms.{rest}"
 

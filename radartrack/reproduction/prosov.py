@@ -75,7 +75,8 @@ def reproduce(
     tables["map_fits"] = _fits(tables["map"], mapped_trials)
     step("Prosov: F as printed")
     findings = (*_findings(tables, trials), _printed_transition(trials // 10, seed))
-    return Reproduction("prosov", TITLE, tables, findings, _found(tables["figures_1_2"]), f"prosov_figure_{DEGREES[-1]}")
+    found = _found(tables["figures_1_2"])
+    return Reproduction("prosov", TITLE, tables, findings, found, f"prosov_figure_{DEGREES[-1]}")
 
 
 def _found(rows: Table) -> str:
@@ -83,9 +84,9 @@ def _found(rows: Table) -> str:
     last = rows.where(azimuth_std_deg=DEGREES[-1])
     printed, right = (last.where(method=version).column("delta_x_percent")[-1] for version in VERSIONS)
     return (
-        f"The bias correction (10) is printed with the wrong sign, and as printed it changes the filter’s error of x by "
-        f"{number(printed)} % at {DEGREES[-1]}°; with the sign put right, by {number(right)} %. Plots that are weighed by "
-        "covariances computed from themselves add a bias of their own, which the wrong sign takes away."
+        "The bias correction (10) is printed with the wrong sign, and as printed it changes the filter’s error of x by "
+        f"{number(printed)} % at {DEGREES[-1]}°; with the sign put right, by {number(right)} %. Plots that are weighed "
+        "by covariances computed from themselves add a bias of their own, which the wrong sign takes away."
     )
 
 

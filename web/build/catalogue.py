@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from book_sections import sections
+
 from radartrack.derive.catalogue import catalogue
 
 TEMML = Path(__file__).with_name("typeset.mjs")

@@ -17,6 +17,9 @@ for (const name of RUNTIME) cpSync(join(pyodide, name), join(target, "python", n
 cpSync(join(modules, "mathlive", "LICENSE.txt"), join(target, "LICENSE.mathlive.txt"));
 for (const name of ["index.html", "icon.svg"]) cpSync(join(source, name), join(target, name));
 cpSync(join(modules, "mathlive", "fonts"), join(target, "fonts"), { recursive: true });
+const mathematics = join(modules, "@fontsource", "noto-sans-math");
+cpSync(join(mathematics, "files", "noto-sans-math-latin-400-normal.woff2"), join(target, "fonts", "noto-sans-math-latin-400-normal.woff2"));
+cpSync(join(mathematics, "LICENSE"), join(target, "LICENSE.noto.txt"));
 
 const { info } = JSON.parse(readFileSync(join(pyodide, "pyodide-lock.json"), "utf8"));
 const bundle = (entries, define, extra = {}) =>

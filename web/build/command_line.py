@@ -27,7 +27,8 @@ def _command(name: str, command: Any) -> Iterator[str]:
     for one in command.params:
         said = str(getattr(one, "help", "") or "").replace("|", "\\|").replace("\n", " ")
         default = one.default
-        shown = f" By default {default}." if isinstance(default, str | int | float) and default not in {"", False} else ""
+        has_default = isinstance(default, str | int | float) and default not in {"", False}
+        shown = f" By default {default}." if has_default else ""
         yield f"| {_name(one)} | {said}{shown} |"
 
 

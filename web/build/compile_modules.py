@@ -1,6 +1,7 @@
 """Compiles an archive of sources for this Python, which is that of the browser; run by `compile_modules.mjs`."""
 
-import json
+from __future__ import annotations
+
 import marshal
 import warnings
 import zipfile
@@ -10,9 +11,10 @@ from types import CodeType
 NOT_SHIPPED = {"_system/terminal.py", "_system/output_files.py", "_reports/audit_table.py"}  # they need a terminal
 
 
-def packed(archive):
+def packed(archive: str) -> bytes:
     """Modules by name, as whether they are packages, where they were and what they do; and files by place."""
-    modules, files = {}, {}
+    modules: dict[str, tuple[bool, str, bytes]] = {}
+    files: dict[str, bytes] = {}
     with zipfile.ZipFile(archive) as sources, warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of other people's escapes in strings
         for place in sources.namelist():
@@ -28,7 +30,7 @@ def packed(archive):
     return marshal.dumps((modules, files))
 
 
-def _bare(code):
+def _bare(code: CodeType) -> CodeType:
     """Without documentation and line numbers, which are half of what would be sent."""
     inner = tuple(_bare(one) if isinstance(one, CodeType) else one for one in code.co_consts)
     return code.replace(co_linetable=b"", co_consts=inner)

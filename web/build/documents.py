@@ -32,7 +32,10 @@ EXPLANATIONS = ("one_idea", "proved", "way_of_a_formula", "reproduction", "bench
 BEFORE = ("tutorial", *GUIDES, *EXPLANATIONS)
 PUBLIC = ("convert", "observe", "kalman", "initiate", "finite_sample_filter", "line", "variance_table", "fusion",
           "simulate", "consistency", "validity", "testing")  # fmt: skip
-LINK = re.compile(r"(?<!!)\[(?P<words>(?:[^\[\]]|\[[^\]]*\])*)\]\((?!https?:|mailto:)(?P<target>[^)#\s]*)(?P<anchor>#[^)\s]*)?\)")
+LINK = re.compile(
+    r"(?<!!)\[(?P<words>(?:[^\[\]]|\[[^\]]*\])*)\]"
+    r"\((?!https?:|mailto:)(?P<target>[^)#\s]*)(?P<anchor>#[^)\s]*)?\)"
+)
 TITLE = re.compile(r"^# (.+)$", re.MULTILINE)
 
 Pages = dict[str, str]
@@ -160,8 +163,8 @@ def _title(text: str) -> str:
 
 def _of_formulas(look: str) -> str:
     """The part of the common look that is about formulas."""
-    return "".join(line + "\n" for line in look.splitlines() if line.startswith((".array", "math[")))
+    return "".join(line + "\n" for line in look.splitlines() if line.startswith((".array", ".tml-", "math[")))
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main(Path(sys.argv[1]).resolve())

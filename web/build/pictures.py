@@ -21,9 +21,10 @@ def main(target: str) -> None:
     random = np.random.default_rng(1)
     ranges = RANGE + RANGE_STD * random.standard_normal(PLOTS)
     azimuths = AZIMUTH + AZIMUTH_STD * random.standard_normal(PLOTS)
+    x, y = ranges * np.sin(azimuths) / 1e3, ranges * np.cos(azimuths) / 1e3
     figure = Figure(figsize=(7.2, 3.4), layout="constrained")
     axes = figure.subplots()
-    axes.plot(ranges * np.sin(azimuths) / 1e3, ranges * np.cos(azimuths) / 1e3, ".", color="#9aa0a6", ms=2, label="where the target may be")
+    axes.plot(x, y, ".", color="#9aa0a6", ms=2, label="where the target may be")
     for method, (label, colour, line) in METHODS.items():
         found = rt.convert.polar(
             RANGE, AZIMUTH, range_std=RANGE_STD, azimuth_std=AZIMUTH_STD, azimuth_from="y", method=method

@@ -14,8 +14,10 @@ from importlib.util import find_spec
 from pathlib import Path, PurePosixPath
 
 DISTRIBUTIONS = ("sympy", "mpmath", "lark")
-NOT_NEEDED = {"tests", "benchmarks", "testing", "physics", "diffgeom", "crypto", "categories", "stats", "sandbox", "vector",
-              "liealgebras", "holonomic", "codegen", "autolev", "fortran", "latex", "c", "tools", "__pyinstaller"}  # fmt: skip
+NOT_NEEDED = {
+    "tests", "benchmarks", "testing", "physics", "diffgeom", "crypto", "categories", "stats", "sandbox", "vector",
+    "liealgebras", "holonomic", "codegen", "autolev", "fortran", "latex", "c", "tools", "__pyinstaller",
+}  # fmt: skip
 OF_LIBRARY = ("derive", "_page", "_reports", "_system", "generated")
 CODE_TO_IMPORT = {"generated"}  # NumPy, which the page does without
 SUFFIXES = {".py", ".lark", ".toml", ".json", ".css"}

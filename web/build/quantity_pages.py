@@ -30,10 +30,12 @@ def quantity_page(section: Section) -> str:
     """All that is known of a quantity, in Markdown."""
     text = _RELATED.sub(lambda found: f"[{found['name']}]({found['name']}.md)", section.text)
     used = _USED.search(section.text)
-    rows = [section.symbols[name] for name in re.findall(r"`(\w+)`", used["names"] if used else "") if name in section.symbols]
+    symbols = re.findall(r"`(\w+)`", used["names"]) if used else []
+    rows = [section.symbols[name] for name in symbols if name in section.symbols]
     table = ["| symbol | | meaning | unit |", "|---|---|---|---|", *rows] if rows else []
     check = f'<a class="md-button" href="../../check/#quantity={quote(section.name)}">Check a formula against this</a>'
-    return "\n".join([f"# {section.name}\n", text, "", *table, "", check, "", _code(section.name), _commands(section.name)])
+    parts = [f"# {section.name}\n", text, "", *table, "", check, "", _code(section.name), _commands(section.name)]
+    return "\n".join(parts)
 
 
 def _meaning(section: Section) -> str:

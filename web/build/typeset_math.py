@@ -1,4 +1,4 @@
-"""Replaces the formulas of Markdown pages by MathML: blocks fenced as `math`, and those in line as code hosts write them."""
+"""Replaces the formulas of Markdown pages, fenced as `math` or in line as code hosts write them, by MathML."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ export const EXAMPLES: [string, Question][] = [
     { ...none, quantity: "polar.jacobian", formula: "\\begin{pmatrix} \\cos\\beta & -r\\sin\\beta \\\\ \\sin\\beta & r\\sin\\beta \\end{pmatrix}", notation: "latex" },
   ],
   [
-    "The gain of the range rate in Python",
+    "What a Doppler radar sees, in Python",
     { ...none, quantity: "observe.polar_doppler.map", formula: "[math.hypot(x, y), math.atan2(y, x), (x*vx + y*vy)/math.hypot(x, y)]", notation: "python" },
   ],
   [

@@ -30,7 +30,7 @@ export class Details {
       isWrong && verdict.counterexample
         ? this.#part("numbers", verdict.counterexample.point, () => this.#numbers(verdict))
         : null,
-      this.#part("said", [verdict.said, verdict.at_worst], () => said(verdict)),
+      this.#part("said", [verdict.said, verdict.at_worst], () => said(verdict, isWrong)),
     ];
     this.box.replaceChildren(...nodes.filter((node): node is HTMLElement => node !== null));
   }
@@ -56,7 +56,6 @@ export class Details {
     return section(
       `For example${entry}`,
       numbers(this.engine, this.question, example.point, example.entry),
-      verdict.at_worst ? element("p", { class: "hint" }, `At worst ${verdict.at_worst}.`) : null,
     );
   }
 
@@ -87,8 +86,9 @@ function printed(verdict: Verdict, isWrong: boolean): HTMLElement | null {
   return section("Read as", box);
 }
 
-function said(verdict: Verdict): HTMLElement | null {
-  const items = verdict.said.flatMap(([heading, text]) => [element("dt", {}, heading), element("dd", {}, text)]);
+function said(verdict: Verdict, isWrong: boolean): HTMLElement | null {
+  const worst: [string, string][] = isWrong && verdict.at_worst ? [["at worst", verdict.at_worst]] : [];
+  const items = [...worst, ...verdict.said].flatMap(([heading, text]) => [element("dt", {}, heading), element("dd", {}, text)]);
   return items.length ? element("dl", { class: "said" }, ...items) : null;
 }
 

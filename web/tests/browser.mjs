@@ -37,6 +37,9 @@ export async function page(context, address) {
   made.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) complaints.push(message.text());
   });
+  made.on("response", (response) => {
+    if (response.status() >= 400) complaints.push(`${response.status()} ${response.url()}`);
+  });
   made.on("pageerror", (error) => complaints.push(String(error)));
   made.on("request", (request) => {
     if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) complaints.push(`asked ${request.url()}`);
