@@ -77,8 +77,8 @@ def _found(rows: Table) -> str:
     speeds, estimates = rows.column("speed_m_s"), rows.column("printed_m")
     return (
         f"(9) does not measure the deviation: of {TRUE_STD:g} m it makes {number(estimates[0])} m at "
-        f"{speeds[0]:g} m/s and {number(estimates[-1], 3)} m at {speeds[-1]:g} m/s. Whether fusing by scatter is better "
-        "than by error propagation depends on the situation, which the paper does not give."
+        f"{speeds[0]:g} m/s and {number(estimates[-1], 3)} m at {speeds[-1]:g} m/s. Whether fusing by scatter is "
+        "better than by error propagation depends on the situation, which the paper does not give."
     )
 
 
