@@ -11,6 +11,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import Expression, Verb
 from radartrack.derive.language.matrix import Matrix, Vector, diagonal, identity, outer, trace
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.verbs.chi_square import probability, quantile
 from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian, taylor
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
@@ -106,6 +107,8 @@ def _symbols(verb: str, argument: Expression) -> list[Symbol]:
 
 VERBS: Mapping[str, Verb] = MappingProxyType(
     {
+        "chi2cdf": entrywise(probability),
+        "chi2inv": entrywise(quantile),
         "det": lambda arguments: determinant(_matrix(arguments[0])),
         "diag": _diag,
         "diff": entrywise(_diff),

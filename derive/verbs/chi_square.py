@@ -1,0 +1,67 @@
+"""The chi-square distribution in formulas: its probabilities in closed form, and its quantiles, which are gates.
+
+For a whole number n of degrees of freedom integration by parts ends: the probability below x is 1 − e^(−x/2) Σ (x/2)^k/k!
+over k < n/2 for an even n, and erf √(x/2) − e^(−x/2) Σ (x/2)^(k − 1/2)/Γ(k + 1/2) over k < n/2 for an odd one. Quantiles
+have a closed form for two degrees alone; others are numbers, to as many digits as no print has.
+"""
+
+from __future__ import annotations
+
+import mpmath
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.symbolic import Expr
+
+MOST_DEGREES = 1000
+DIGITS = 60  # of a quantile; what is compared with it has fewer
+HALF = sp.Rational(1, 2)
+
+
+def probability(value: Expr, degrees: Expr) -> Expr:
+    """The probability with which a chi-square variable is at most a value.
+
+    Raises:
+        FormulaError: the degrees of freedom are no whole number from 1 on, or too many.
+    """
+    n, half = _degrees(degrees), value / 2
+    if n % 2 == 0:
+        terms = [half**k / sp.factorial(k) for k in range(n // 2)]
+        return 1 - sp.exp(-half) * sp.Add(*terms)
+    at = sp.Integer(1) / sp.sqrt(sp.pi)  # over Γ(k + 1/2), k being 0
+    terms = []
+    for k in range(1, n // 2 + 1):
+        at = at / (sp.Integer(2 * k - 1) * HALF)
+        terms.append(at * sp.sqrt(half) * half ** (k - 1))
+    return sp.erf(sp.sqrt(half)) - sp.exp(-half) * sp.Add(*terms)
+
+
+def quantile(below: Expr, degrees: Expr) -> Expr:
+    """The value that a chi-square variable does not exceed with a probability: a gate for a NIS or a NEES.
+
+    Raises:
+        FormulaError: as `probability`, or the probability is no rational number between 0 and 1.
+    """
+    n = _degrees(degrees)
+    if n == 2:
+        return -2 * sp.log(1 - below)
+    if not isinstance(below, sp.Rational) or not 0 < below < 1:
+        raise FormulaError(f"chi2inv takes a probability between 0 and 1 as a number; given {below}")
+    with mpmath.workdps(DIGITS + 10):
+        wanted = mpmath.mpf(int(below.p)) / int(below.q)
+        low, high = mpmath.mpf(0), mpmath.mpf(n)
+        while _below(high, n) < wanted:
+            low, high = high, 2 * high
+        # The Illinois rule keeps the root between both ends, as Newton's steps in a tail do not.
+        root = mpmath.findroot(lambda x: _below(x, n) - wanted, (low, high), solver="anderson", verify=False)
+        return sp.Rational(mpmath.nstr(root, DIGITS))
+
+
+def _below(value: mpmath.mpf, degrees: int) -> mpmath.mpf:
+    return mpmath.gammainc(mpmath.mpf(degrees) / 2, 0, value / 2, regularized=True)
+
+
+def _degrees(degrees: Expr) -> int:
+    if not isinstance(degrees, sp.Integer) or not 1 <= int(degrees) <= MOST_DEGREES:
+        raise FormulaError(f"degrees of freedom are a whole number from 1 to {MOST_DEGREES}; given {degrees}")
+    return int(degrees)
