@@ -12,8 +12,8 @@ def quantile(probability: float, degrees_of_freedom: float) -> float:
     """The value below which a chi-square variable falls with a given probability.
 
     Found by halving an interval of logarithms until it cannot be halved, from the smaller of both tails. For
-    probabilities from 1e-9 to 1 - 1e-9 the relative error is below 1e-8 up to ten thousand degrees of freedom, and below
-    1e-7 up to a million.
+    probabilities from 1e-9 to 1 - 1e-9 the relative error is below 1e-8 up to ten thousand degrees of freedom, and
+    below 1e-7 up to a million.
 
     Args:
         probability: between 0 and 1, both excluded.

@@ -8,8 +8,8 @@ answer depends on what is held fixed, and most disagreement between published co
 - "measurement": one measurement is given, and the targets that may have caused it scatter about it;
 - "prediction": targets scatter about a prediction, and measurements about the targets.
 
-Of a filter `nees` and `nis` are the errors and the innovations squared over their covariances, chi-square variables where
-the filter is consistent. `gate` is what they seldom exceed, and `band` holds their average over runs.
+Of a filter `nees` and `nis` are the errors and the innovations squared over their covariances, chi-square variables
+where the filter is consistent. `gate` is what they seldom exceed, and `band` holds their average over runs.
 """
 
 import math

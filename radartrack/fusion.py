@@ -317,8 +317,8 @@ def covariance_intersection(
 
     Raises:
         TypeError: an argument is not made of real numbers, or the criterion is no text.
-        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, a weight is not from 0 to
-            1, the word is unknown, or the shapes do not fit.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, a weight is not from 0
+            to 1, the word is unknown, or the shapes do not fit.
 
     Source: Julier & Uhlmann 1997, doi:10.1109/ACC.1997.609105.
     """
@@ -404,9 +404,9 @@ def registration(
     """Constant biases of range and azimuth of several radars, from targets that two or more of them see.
 
     Positions and biases are estimated together, by least squares in range and azimuth (Gauss and Newton), each target's
-    position being taken out before the biases are found. That is the most likely answer for Gaussian errors. Angle errors
-    bend positions; what is left of that in the biases is of the order of the square of an azimuth's deviation times the
-    range, and does not shrink with more targets.
+    position being taken out before the biases are found. That is the most likely answer for Gaussian errors. Angle
+    errors bend positions; what is left of that in the biases is of the order of the square of an azimuth's deviation
+    times the range, and does not shrink with more targets.
 
     Args:
         r: ranges [m], shape (..., radars, targets); NaN where a radar does not see a target.

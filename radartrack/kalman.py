@@ -106,9 +106,7 @@ def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
     return motion(POLYNOMIAL[whole_number("degree", degree, 0, len(POLYNOMIAL) - 1)], period, intensity=intensity)
 
 
-def motion(
-    name: str, period: float, *, axes: int = 1, grouped: Grouping = "axis", **parameters: float
-) -> Motion:
+def motion(name: str, period: float, *, axes: int = 1, grouped: Grouping = "axis", **parameters: float) -> Motion:
     """A linear motion by its name, from scan to scan.
 
     | name | of each axis | parameters |

@@ -41,7 +41,11 @@ sigma_w = Variable(
     1e3,
 )
 sigma_a = Variable(
-    "sigma_w", "standard deviation of the acceleration along the heading, constant over a period", METRE / SECOND**2, 1e-6, 1e3
+    "sigma_w",
+    "standard deviation of the acceleration along the heading, constant over a period",
+    METRE / SECOND**2,
+    1e-6,
+    1e3,
 )
 sigma_omega = Variable(
     "sigma_omega",

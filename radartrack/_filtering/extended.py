@@ -31,9 +31,7 @@ class Look(NamedTuple):
     site: dict[str, RealArray]
     noise: RealArray
 
-    def observation(
-        self, mean: RealArray, covariance: RealArray, measured: RealArray, own: slice
-    ) -> Observation:
+    def observation(self, mean: RealArray, covariance: RealArray, measured: RealArray, own: slice) -> Observation:
         """What some tracks, with means (n, tracks), learn of the error of the mean from measurements (m, tracks)."""
         sight, places = self.sight, self.places
         site = {symbol: array[own] if array.ndim else array for symbol, array in self.site.items()}

@@ -59,7 +59,9 @@ def test_the_nees_of_a_kalman_filter_lies_in_its_band() -> None:
     truth = generator.multivariate_normal(np.zeros(2), start, runs)
     truth = truth @ moves.transition.T + generator.multivariate_normal(np.zeros(2), moves.process_noise, runs)
     plots = truth[:, :1] + 8.0 * generator.standard_normal((runs, 1))
-    belief = kalman.update(kalman.predict(kalman.Belief(np.zeros((runs, 2)), start), moves), plots, [[1.0, 0.0]], [[64.0]])
+    belief = kalman.update(
+        kalman.predict(kalman.Belief(np.zeros((runs, 2)), start), moves), plots, [[1.0, 0.0]], [[64.0]]
+    )
     low, high = consistency.band(2, runs, 0.9999)
     assert low <= consistency.nees(belief.mean, belief.covariance, truth).mean() <= high
     too_sure = consistency.nees(belief.mean, belief.covariance / 1.3, truth).mean()

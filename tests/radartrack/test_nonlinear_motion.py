@@ -26,7 +26,7 @@ def start(name: str) -> Belief:
 
 
 def pushed(name: str, states: Any, accelerations: Any, period: float, steps: int = 400) -> Any:
-    """The state a period later, by steps of the differential equation (midpoints), accelerations along the last axis."""
+    """The state a period later, by midpoint steps of the differential equation; accelerations on the last axis."""
 
     def rate(state: Any) -> Any:
         if name == "ctrv":
@@ -78,7 +78,7 @@ def test_a_prediction_is_that_of_the_books_for_each_of_many_tracks(name: str, or
 
 def test_the_second_order_tells_where_a_turning_target_will_be() -> None:
     generator = np.random.default_rng(1)
-    belief = Belief(STATES["ctrv"], np.diag([50.0, 60.0, 4.0, 0.3, 0.1]) ** 2)
+    belief = Belief(STATES["ctrv"], np.diag([5.0, 5.0, 4.0, 0.2, 0.05]) ** 2)
     draws = generator.multivariate_normal(belief.mean, belief.covariance, 4000)
     accelerations = generator.standard_normal((4000, 2)) * [3.0, 0.01]
     later = pushed("ctrv", draws, accelerations, 2.0, 40)
@@ -157,9 +157,7 @@ def test_a_run_with_a_sensor_is_predictions_and_updates_in_turn(order: Any) -> N
         (lambda: kalman.nonlinear_motion("ctrv", 0.0, std=1.0, turn_std=0.1), "period must be more than 0"),
         (lambda: kalman.predict(Belief(np.zeros(4), np.eye(4)), moves("ctrv")), "the 5 components of the motion"),
         (
-            lambda: kalman.predict(
-                Belief(np.zeros(5), np.eye(5)), NonlinearMotion(5, *[lambda states: states] * 4)
-            ),
+            lambda: kalman.predict(Belief(np.zeros(5), np.eye(5)), NonlinearMotion(5, *[lambda states: states] * 4)),
             r"jacobian must give floats of shape \(1, 5, 5\)",
         ),
         (lambda: kalman.run_with("polar", start("ctrv"), moves("ctrv"), [1.0, 2.0], np.eye(2)), "scans"),

@@ -105,9 +105,7 @@ def _cross_updated(at: At) -> Tensor[Number]:
     column = mpmath.matrix([at["T"] ** 2 / 2, at["T"]])
     before = mpmath.matrix([[at["cross_00"], at["cross_01"]], [at["cross_10"], at["cross_11"]]])
     moved = transition * before * transition.T + at["sigma_w"] ** 2 * column * column.T
-    first, second = (
-        mpmath.matrix([[1 - at[f"alpha_{j}"], 0], [-at[f"beta_{j}"] / at["T"], 1]]) for j in (1, 2)
-    )
+    first, second = (mpmath.matrix([[1 - at[f"alpha_{j}"], 0], [-at[f"beta_{j}"] / at["T"], 1]]) for j in (1, 2))
     found = first * moved * second.T
     return Tensor.build((2, 2), lambda m, n: found[m, n])
 
