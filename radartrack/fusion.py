@@ -44,6 +44,26 @@ from radartrack.generated import fusion as formulas
 from radartrack.generated import spherical
 from radartrack.line import COORDINATE, TIME, WEIGHT
 
+__all__ = [
+    "Filtered",
+    "Fused",
+    "Intersection",
+    "Motion",
+    "Registration",
+    "covariance_intersection",
+    "cross_covariances",
+    "fuse",
+    "fuse_correlated",
+    "fuse_lines",
+    "fuse_plots",
+    "position_std",
+    "propagated_covariance",
+    "registration",
+    "stated_std",
+    "steady_cross_covariance",
+    "weights",
+]
+
 Floats: TypeAlias = NDArray[np.float64]
 FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 

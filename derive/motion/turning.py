@@ -243,8 +243,8 @@ def quantities() -> Iterator[Quantity]:
         ),
         Bent(
             "ctrv",
-            "(x, y, speed, heading, omega) at constant turn rate and velocity, with accelerations along the heading and "
-            "of the turn",
+            "(x, y, speed, heading, omega) at constant turn rate and velocity, with accelerations along the heading "
+            "and of the turn",
             (x, y, v, heading, omega),
             (T, v, heading, omega, sigma_a, sigma_omega),
             lambda: noise_of_ctrv(weighed),
@@ -270,7 +270,8 @@ class Bent:
         units = tuple(variable.unit for variable in self.state)
         return Quantity(
             name=f"motion.{self.motion}.process_noise.piecewise",
-            meaning=f"covariance of the process noise of {self.text} that are noise, constant over a period, to first order",
+            meaning=f"covariance of the process noise of {self.text} that are noise, constant over a period, to first "
+            "order",
             axes=(units, units),
             symbols=self.symbols,
             conditioning=Conditioning.NONE,

@@ -2,7 +2,7 @@
 
 With K₁ and K₂ the gains of two filters, the cross covariance of their errors goes from scan to scan by
 X ← (1 − K₁ H) (F X Fᵀ + Q) (1 − K₂ H)ᵀ. The measurement errors, which are independent, do not enter. Of two α-β
-filters in the steady state the solution is rational in the roots w = √(1 + 8/λ) of both tracking indices, and symmetric.
+filters in the steady state the solution is rational in the roots w = √(1 + 8/λ) of both indices, and symmetric.
 
 Weights of two correlated errors are those of least variance again. Of errors whose correlation is not known,
 covariance intersection (Julier & Uhlmann) weighs information: whatever the correlation, the true covariance is not
@@ -24,8 +24,7 @@ from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.motion.polynomial_motion import motion
-from radartrack.derive.motion.steady_state import ALPHA_BETA, solved
-from radartrack.derive.motion.steady_state import w as ROOT
+from radartrack.derive.motion.steady_state import ALPHA_BETA, solved, w
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tracks.fusion_weights import plane_covariance, sigma
 from radartrack.derive.tracks.least_squares_line import root_of_linear
@@ -79,7 +78,7 @@ def steady() -> Matrix:
         NotProved: when it does not.
     """
     one = sp.Integer(1)
-    first, second = (_gain(w) for w in (w_1, w_2))
+    first, second = map(_gain, (w_1, w_2))
     noise = rows(motion(2).piecewise_noise(one).map(lambda entry: entry.xreplace({T: one})))
     of_positions, mixed, of_velocities = (sp.Symbol(f"cross_{n}", real=True) for n in range(3))
     unknown = ((of_positions, mixed), (mixed, of_velocities))  # symmetric, as the proof confirms
@@ -103,20 +102,20 @@ def steady_form() -> StableForm:
         T**2 * both * (w_1**2 + w_2**2 + w_1 * w_2 + w_2 + excess_1) / (2 * sum_of_roots * spread),
     )
     definitions: dict[sp.Symbol, Expr] = {}
-    for w, excess, index in zip((w_1, w_2), (excess_1, excess_2), indices, strict=True):
-        definitions |= {w: sp.sqrt(1 + 8 / index), excess: 8 / (index * (w + 1))}
+    for root, excess, index in zip((w_1, w_2), (excess_1, excess_2), indices, strict=True):
+        definitions |= {root: sp.sqrt(1 + 8 / index), excess: 8 / (index * (root + 1))}
     return StableForm(definitions, Tensor((2, 2), tuple(sigma_w**2 * entry for entry in entries)))
 
 
 def steady_over_indices() -> Tensor[Expr]:
     """In metres and seconds, over the tracking indices."""
-    roots = {w: sp.sqrt(1 + 8 / index) for w, index in zip((w_1, w_2), indices, strict=True)}
+    roots = {root: sp.sqrt(1 + 8 / index) for root, index in zip((w_1, w_2), indices, strict=True)}
     found = steady()
     return Tensor.build((2, 2), lambda m, n: sigma_w**2 * T ** (4 - m - n) * found[m][n].xreplace(roots))
 
 
-def _gain(w: Expr) -> tuple[Expr, Expr]:
-    alpha, beta = (gain.xreplace({ROOT: w}) for gain in ALPHA_BETA.gain)
+def _gain(root: Expr) -> tuple[Expr, Expr]:
+    alpha, beta = (gain.xreplace({w: root}) for gain in ALPHA_BETA.gain)
     return alpha, beta
 
 
@@ -164,19 +163,22 @@ def _of_difference() -> Expr:
 def intersection() -> Tensor[Expr]:
     """(w P1^-1 + (1 - w) P2^-1)^-1 in the plane."""
     (first, _), (second, _) = plane_covariance(1), plane_covariance(2)
-    inverse = (share * first.inv() + (1 - share) * second.inv()).inv()
+    inverse = (first.inv() * share + second.inv() * (1 - share)).inv()
     return Tensor((2, 2), tuple(sp.cancel(entry) for entry in inverse))
 
 
 def intersection_form() -> StableForm:
-    """(w |P2| P1 + (1 - w) |P1| P2) over a sum of one sign: the adjugate of an inverse is the matrix over its determinant."""
+    """(w |P2| P1 + (1 - w) |P1| P2) over a sum of one sign.
+
+    The adjugate of an inverse is the matrix over its determinant.
+    """
     (first, (x_1, y_1, rho_1)), (second, (x_2, y_2, rho_2)) = plane_covariance(1), plane_covariance(2)
     of_first, of_second = ((x * y) ** 2 * (1 - r) * (1 + r) for x, y, r in ((x_1, y_1, rho_1), (x_2, y_2, rho_2)))
     unlike = ((1 - rho_1) * (1 + rho_2) + (1 + rho_1) * (1 - rho_2)) / 2  # 1 - rho_1 rho_2
     mixed = (x_1 * y_2 - y_1 * x_2) ** 2 + 2 * x_1 * y_1 * x_2 * y_2 * unlike
     left = 1 - share
     total = share**2 * of_second + left**2 * of_first + share * left * mixed
-    weighed = share * of_second * first + left * of_first * second
+    weighed = first * (share * of_second) + second * (left * of_first)
     return StableForm({}, Tensor((2, 2), tuple(entry / total for entry in weighed)))
 
 

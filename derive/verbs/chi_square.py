@@ -1,11 +1,14 @@
 """The chi-square distribution in formulas: its probabilities in closed form, and its quantiles, which are gates.
 
-For a whole number n of degrees of freedom integration by parts ends: the probability below x is 1 − e^(−x/2) Σ (x/2)^k/k!
-over k < n/2 for an even n, and erf √(x/2) − e^(−x/2) Σ (x/2)^(k − 1/2)/Γ(k + 1/2) over k < n/2 for an odd one. Quantiles
-have a closed form for two degrees alone; others are numbers, to as many digits as no print has.
+For a whole number n of degrees of freedom integration by parts ends. The probability below x is
+1 − e^(−x/2) Σ (x/2)^k/k! over k < n/2 for an even n, and erf √(x/2) − e^(−x/2) Σ (x/2)^(k − 1/2)/Γ(k + 1/2) over
+0 < k < n/2 for an odd one. Quantiles have a closed form for two degrees alone; others are numbers, to as many digits
+as no print has.
 """
 
 from __future__ import annotations
+
+from math import factorial
 
 import mpmath
 
@@ -26,7 +29,7 @@ def probability(value: Expr, degrees: Expr) -> Expr:
     """
     n, half = _degrees(degrees), value / 2
     if n % 2 == 0:
-        terms = [half**k / sp.factorial(k) for k in range(n // 2)]
+        terms = [half**k / sp.Integer(factorial(k)) for k in range(n // 2)]
         return 1 - sp.exp(-half) * sp.Add(*terms)
     at = sp.Integer(1) / sp.sqrt(sp.pi)  # over Γ(k + 1/2), k being 0
     terms = []

@@ -224,7 +224,7 @@ GOOD = np.stack([np.eye(2), 2 * np.eye(2)])
     ("call", "message"),
     [
         (lambda: fusion.covariance_intersection(np.zeros((3, 2)), GOOD), r"mean must have shape \(\.\.\., 2, d\)"),
-        (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, "area"), "criterion must be one of"),  # type: ignore[arg-type]
+        (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, "area"), "criterion must be one of"),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD * [[[1, 0], [0, 0]]]), "positive definite"),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, weight=1.5), "weight must be from 0 to 1"),
         (lambda: fusion.fuse_correlated(np.zeros((2, 2)), GOOD, 2 * np.eye(2)), "covariance with cross_covariance"),

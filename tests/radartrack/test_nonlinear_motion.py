@@ -84,7 +84,7 @@ def test_the_second_order_tells_where_a_turning_target_will_be() -> None:
     later = pushed("ctrv", draws, accelerations, 2.0, 40)
     ratios = []
     for order in (1, 2):
-        predicted = kalman.predict(belief, moves("ctrv"), order)  # type: ignore[arg-type]
+        predicted = kalman.predict(belief, moves("ctrv"), order)
         ratios.append(consistency.nees(predicted.mean, predicted.covariance, later).mean() / 5)
     assert abs(ratios[1] - 1) < 0.06
     assert ratios[0] > 1.15
@@ -107,7 +107,7 @@ def test_a_linear_motion_as_functions_is_filtered_as_its_matrices_are() -> None:
     sees = np.array([[1.0, 0, 0, 0], [0, 0, 1.0, 0]])
     expected = kalman.run(belief, linear, plots, sees, 25.0 * np.eye(2))
     for order in (1, 2):
-        got = kalman.run(belief, functions, plots, sees, 25.0 * np.eye(2), order)  # type: ignore[arg-type]
+        got = kalman.run(belief, functions, plots, sees, 25.0 * np.eye(2), order)
         np.testing.assert_allclose(got.mean, expected.mean, rtol=1e-9, atol=1e-9)
         np.testing.assert_allclose(got.covariance, expected.covariance, rtol=1e-9, atol=1e-9)
 
