@@ -8,6 +8,7 @@ from functools import cache
 
 from radartrack.derive.finite_sample import fading_memory, filter_quantities
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments import taylor_quantities
 from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion, steady_state, turning
@@ -53,6 +54,18 @@ class UnknownQuantity(KeyError):
 def catalogue() -> dict[str, Quantity]:
     """All quantities, in the order in which they are listed and written; nothing is derived yet."""
     return {quantity.name: quantity for family in FAMILIES for quantity in family()}
+
+
+@cache
+def common_symbols() -> dict[str, Variable]:
+    """The symbols of the catalogue that have one unit wherever they occur."""
+    found: dict[str, Variable] = {}
+    different: set[str] = set()
+    for quantity in catalogue().values():
+        for symbol in quantity.symbols:
+            if found.setdefault(symbol.name, symbol).unit != symbol.unit:
+                different.add(symbol.name)
+    return {name: symbol for name, symbol in found.items() if name not in different}
 
 
 def find(name: str) -> Quantity:

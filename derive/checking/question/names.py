@@ -6,12 +6,12 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.catalogue import UnknownQuantity, catalogue
+from radartrack.derive.catalogue import UnknownQuantity, catalogue, common_symbols
 from radartrack.derive.checking.question.formula_entries import entries_of
 from radartrack.derive.checking.question.formula_units import (
     NOTHING,
@@ -118,6 +118,10 @@ class Names(Mapping[str, Expression]):
     def knowing(self, more: Mapping[str, Meaning]) -> Names:
         """The same names and more."""
         return Names(self.symbols, self.let, self._world, {**self._known, **more}) if more else self
+
+    def with_symbols(self, more: Mapping[str, Variable]) -> Names:
+        """The same names and symbols more; what was worked out without them is worked out again."""
+        return Names({**self.symbols, **more}, self.let, self._world) if more else self
 
     def meaning(self, name: str) -> Meaning:
         """What a name stands for.
@@ -373,18 +377,6 @@ def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[s
     """The letters of formulas that mean one thing in all of the catalogue, such as r: no paper need declare them."""
     words = {word for text in _with_definitions(texts, let) for word in WORD.findall(text)}
     return {name: symbol for name, symbol in common_symbols().items() if name in words}
-
-
-@cache
-def common_symbols() -> dict[str, Variable]:
-    """The symbols of the catalogue that have one unit wherever they occur."""
-    found: dict[str, Variable] = {}
-    different: set[str] = set()
-    for quantity in catalogue().values():
-        for symbol in quantity.symbols:
-            if found.setdefault(symbol.name, symbol).unit != symbol.unit:
-                different.add(symbol.name)
-    return {name: symbol for name, symbol in found.items() if name not in different}
 
 
 def _found(name: str, world: World) -> Quantity | None:

@@ -120,9 +120,39 @@ def test_limits(function: Expr, point: Expr, value: Expr | int):
     assert proved_equal(limit(function, k, point), ZERO + value)
 
 
+ROOTS_AT_INFINITY = {
+    "a difference": sp.sqrt(k**2 + k) - k,
+    "two radicands": sp.sqrt(k**2 + a * k) - sp.sqrt(k**2 + w * k),
+    "a cube root": k * ((k**3 + a * k) ** sp.Rational(1, 3) - k),
+    "a quotient": k / sp.sqrt(k**2 + a**2),
+    "a root of a quotient": sp.sqrt((4 * k**3 + 1) / (k**3 + k)),
+    "a steady gain by its tracking index": 1 - ((4 + k - sp.sqrt(8 * k + k**2)) / 4) ** 2,
+    "inside a cosine": sp.cos(a * (sp.sqrt(k + 1) - sp.sqrt(k)) * sp.sqrt(k)),
+}
+
+
+@pytest.mark.parametrize("function", ROOTS_AT_INFINITY.values(), ids=ROOTS_AT_INFINITY)
+def test_a_limit_of_roots_is_what_they_come_to_far_out(function: Expr):
+    exact = {symbol: sympy.Rational(str(value)) for symbol, value in VALUES.items()}
+    far = sympy.N(function.xreplace({**exact, k: sympy.Integer(10) ** 24}), 30)
+    assert abs(sympy.N(limit(function, k, sp.oo).xreplace(exact), 30) - far) < 1e-20
+
+
+def test_a_limit_of_roots_where_both_vanish():
+    assert proved_equal(limit((sp.sqrt(a**2 + k**2) - a) / k**2, k, ZERO), 1 / (2 * a))
+
+
 @pytest.mark.parametrize(
     ("function", "point"),
-    [(k**2 / (k + 1), sp.oo), (sp.exp(w * k), sp.oo), (1 / k, ZERO), (sp.sin(k), sp.oo), (sp.log(k), sp.oo)],
+    [
+        (k**2 / (k + 1), sp.oo),
+        (sp.sqrt(k), sp.oo),
+        (sp.sqrt(k**2 + k) - k, -sp.oo),
+        (sp.exp(w * k), sp.oo),
+        (1 / k, ZERO),
+        (sp.sin(k), sp.oo),
+        (sp.log(k), sp.oo),
+    ],
 )
 def test_a_limit_that_is_infinite_missing_or_open_is_refused(function: Expr, point: Expr):
     with pytest.raises(NoClosedForm):
