@@ -11,7 +11,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import Expression, Verb
 from radartrack.derive.language.matrix import Matrix, Vector, diagonal, identity, outer, trace
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.chi_square import probability, quantile
+from radartrack.derive.verbs.gates import probability, quantile
 from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian, taylor
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
