@@ -477,7 +477,7 @@ def _size_of_two(points: Floats, errors: Floats) -> int:
     """The number of components of two estimates."""
     if points.ndim < 2 or points.shape[-2] != 2 or not points.shape[-1]:
         raise ValueError(f"mean must have shape (..., 2, d), with d from 1; got {points.shape}")
-    size = points.shape[-1]
+    size: int = points.shape[-1]
     require_trailing_shape("covariance", errors, (2, size, size))
     return size
 

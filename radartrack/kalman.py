@@ -37,8 +37,8 @@ from radartrack._filtering.beliefs import (
 )
 from radartrack._filtering.extended import Look
 from radartrack._filtering.factors import refined, updated
-from radartrack._filtering.nonlinear_motion import GROUPINGS, Grouping, NonlinearMotion, known_motion
 from radartrack._filtering.moved_beliefs import predicted
+from radartrack._filtering.nonlinear_motion import GROUPINGS, Grouping, NonlinearMotion, known_motion
 from radartrack._filtering.whitening import sensors, whitened
 from radartrack._observation.sights import SIGHTS, SightName, site_of
 

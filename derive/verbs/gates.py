@@ -15,9 +15,11 @@ import mpmath
 from radartrack.derive import symbolic as sp
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.symbolic import Expr
+from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 MOST_DEGREES = 1000
 DIGITS = 60  # of a quantile; what is compared with it has fewer
+MOST_STEPS = 2000  # halvings down to a quantile of 1e-600; Newton takes a dozen
 HALF = sp.Rational(1, 2)
 
 
@@ -44,6 +46,7 @@ def quantile(below: Expr, degrees: Expr) -> Expr:
 
     Raises:
         FormulaError: as `probability`, or the probability is no rational number between 0 and 1.
+        NoClosedForm: the quantile is less than a number has digits for.
     """
     n = _degrees(degrees)
     if n == 2:
@@ -51,13 +54,27 @@ def quantile(below: Expr, degrees: Expr) -> Expr:
     if not isinstance(below, sp.Rational) or not 0 < below < 1:
         raise FormulaError(f"chi2inv takes a probability between 0 and 1 as a number; given {below}")
     with mpmath.workdps(DIGITS + 10):
-        wanted = mpmath.mpf(int(below.p)) / int(below.q)
-        low, high = mpmath.mpf(0), mpmath.mpf(n)
-        while _below(high, n) < wanted:
-            low, high = high, 2 * high
-        # The Illinois rule keeps the root between both ends, as Newton's steps in a tail do not.
-        root = mpmath.findroot(lambda x: _below(x, n) - wanted, (low, high), solver="anderson", verify=False)
-        return sp.Rational(mpmath.nstr(root, DIGITS))
+        return sp.Rational(mpmath.nstr(_root(mpmath.mpf(int(below.p)) / int(below.q), n), DIGITS))
+
+
+def _root(wanted: mpmath.mpf, degrees: int) -> mpmath.mpf:
+    """By Newton's steps on the probability, and halves of the interval where one would leave it, as they do in a tail."""
+    low, high = mpmath.mpf(0), mpmath.mpf(degrees)
+    while _below(high, degrees) < wanted:
+        low, high = high, 2 * high
+    half = mpmath.mpf(degrees) / 2
+    value = (low + high) / 2
+    for _ in range(MOST_STEPS):
+        excess = _below(value, degrees) - wanted
+        low, high = (value, high) if excess < 0 else (low, value)
+        density = mpmath.exp((half - 1) * mpmath.log(value) - value / 2 - half * mpmath.log(2) - mpmath.loggamma(half))
+        following = value - excess / density
+        if not low <= following <= high:
+            following = (low + high) / 2
+        if abs(following - value) <= value * mpmath.mpf(10) ** (1 - DIGITS):
+            return following
+        value = following
+    raise NoClosedForm("the quantile is too small to be found")
 
 
 def _below(value: mpmath.mpf, degrees: int) -> mpmath.mpf:

@@ -11,10 +11,10 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import Expression, Verb
 from radartrack.derive.language.matrix import Matrix, Vector, diagonal, identity, outer, trace
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.gates import probability, quantile
 from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian, taylor
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
+from radartrack.derive.verbs.gates import probability, quantile
 from radartrack.derive.verbs.integrals import integrated
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.matrix_exponential import exponential

@@ -101,7 +101,9 @@ def known_motion(name: str, period: float, std: float, turn_std: float, grouped:
             if function.startswith("process_noise"):
                 components = {name: components[name] for name in known.in_noise} | deviations
             found = formula(**components, T=T)
-            return found[(..., *np.ix_(*(order,) * axes))]
+            for axis in range(-axes, 0):
+                found = np.take(found, order, axis=axis)
+            return found
 
         return values
 

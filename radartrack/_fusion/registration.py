@@ -105,8 +105,8 @@ def _step(
     )
     columns = white[..., np.newaxis] * np.eye(count)
     whole = np.concatenate([slopes, columns[..., unknown], left[..., np.newaxis]], axis=-1)
-    factor = np.linalg.qr(whole, mode="r")
-    told = np.swapaxes(seen, -1, -2).any(axis=-1)
+    factor = _triangle(whole)
+    told = np.asarray(np.swapaxes(seen, -1, -2).any(axis=-1))
     rest = factor[..., 2:, 2:]
     stacked = rest.reshape(*others, targets * rest.shape[-2], rest.shape[-1])
     change, covariance = _solved(stacked)
@@ -117,7 +117,7 @@ def _step(
     full, spread = np.zeros((*others, count)), np.zeros((*others, count, count))
     full[..., unknown] = change
     places = np.flatnonzero(unknown)
-    spread[(..., *np.ix_(places, places))] = covariance
+    spread[..., places[:, np.newaxis], places] = covariance
     return _Step(moved, full.reshape(*others, radars, 2), spread)
 
 
@@ -132,7 +132,7 @@ def _solved(rows: Floats) -> tuple[Floats, Floats]:
     if rows.shape[-2] < size or not (scale > 0).all():
         raise undetermined
     scaled = np.concatenate([rows[..., :size] / scale[..., np.newaxis, :], rows[..., size:]], axis=-1)
-    factor = np.linalg.qr(scaled, mode="r")
+    factor = _triangle(scaled)
     triangle = factor[..., :size, :size]
     sizes = np.linalg.svd(triangle, compute_uv=False)
     if not (sizes[..., -1] > SINGULAR * sizes[..., 0]).all():
@@ -140,3 +140,8 @@ def _solved(rows: Floats) -> tuple[Floats, Floats]:
     root = np.linalg.solve(triangle, np.broadcast_to(np.eye(size), triangle.shape)) / scale[..., :, np.newaxis]
     change: Floats = (root @ factor[..., :size, size:])[..., 0]
     return change, root @ np.swapaxes(root, -1, -2)
+
+
+def _triangle(rows: Floats) -> Floats:
+    """R of an orthogonal factorisation."""
+    return np.asarray(np.linalg.qr(rows, mode="r"), np.float64)

@@ -1,7 +1,7 @@
 """Correlated tracks, covariance intersection and registration, beside dense algebra, searches and simulation."""
 
 import math
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -133,7 +133,7 @@ def test_the_steady_cross_covariance_is_the_closed_form_and_what_the_recursion_c
     closed = formulas.cross_covariance_steady(**indices, sigma_w=SIGMA_W, T=PERIOD)
     assert np.allclose(steady, closed, rtol=1e-11)
     scans = [one._replace(covariance=np.broadcast_to(one.covariance, (300, 2, 2))) for one in filters]
-    assert np.allclose(fusion.cross_covariances(moves, *scans)[-1], closed, rtol=1e-9)
+    assert np.allclose(fusion.cross_covariances(moves, scans[0], scans[1])[-1], closed, rtol=1e-9)
 
 
 def test_the_cross_covariance_is_that_of_simulated_filters_also_with_plots_missing() -> None:
@@ -158,7 +158,7 @@ def test_the_cross_covariance_is_that_of_simulated_filters_also_with_plots_missi
         track = kalman.run(kalman.Belief(first, start), moves, measured, H, [[std**2]])
         errors.append(track.mean[:, -1] - truths[-1])
         filters.append(fusion.Filtered(track.covariance[0], H, [[std**2]], seen if j else True))
-    got = fusion.cross_covariances(moves, *filters)[-1]
+    got = fusion.cross_covariances(moves, filters[0], filters[1])[-1]
     products = errors[0][:, :, np.newaxis] * errors[1][:, np.newaxis]
     band = 4.5 * products.std(axis=0) / math.sqrt(runs)
     assert (np.abs(products.mean(axis=0) - got) <= band).all()
@@ -224,7 +224,10 @@ GOOD = np.stack([np.eye(2), 2 * np.eye(2)])
     ("call", "message"),
     [
         (lambda: fusion.covariance_intersection(np.zeros((3, 2)), GOOD), r"mean must have shape \(\.\.\., 2, d\)"),
-        (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, "area"), "criterion must be one of"),
+        (
+            lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, cast("Any", "area")),
+            "criterion must be one of",
+        ),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD * [[[1, 0], [0, 0]]]), "positive definite"),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, weight=1.5), "weight must be from 0 to 1"),
         (lambda: fusion.fuse_correlated(np.zeros((2, 2)), GOOD, 2 * np.eye(2)), "covariance with cross_covariance"),
