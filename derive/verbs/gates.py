@@ -58,7 +58,7 @@ def quantile(below: Expr, degrees: Expr) -> Expr:
 
 
 def _root(wanted: mpmath.mpf, degrees: int) -> mpmath.mpf:
-    """By Newton's steps on the probability, and halves of the interval where one would leave it, as they do in a tail."""
+    """By Newton's steps on the probability, and halves of the interval where a step would leave it, as in a tail."""
     low, high = mpmath.mpf(0), mpmath.mpf(degrees)
     while _below(high, degrees) < wanted:
         low, high = high, 2 * high

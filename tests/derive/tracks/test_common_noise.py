@@ -9,10 +9,11 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.motion.steady_state import ALPHA_BETA, w
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.tracks import common_noise
-from radartrack.derive.tracks.common_noise import sigma, w_1, w_2
+from radartrack.derive.tracks.common_noise import w_1, w_2
+from radartrack.derive.tracks.fusion_weights import sigma
 
 
-def at(quantity: str, **values: object) -> Tensor[Expr]:
+def at(quantity: str, **values: int) -> Tensor[Expr]:
     numbers = {symbol: sp.Rational(values[symbol.name]) for symbol in find(quantity).symbols if symbol.name in values}
     return find(quantity).expression.map(lambda entry: entry.xreplace(numbers))
 
