@@ -118,7 +118,7 @@ def geodetic_jacobian_form() -> StableForm:
     """The same steps back; on the axis no direction is east, and the longitude has no derivative."""
     rows = (
         [sp.ratio(axis, to_meridian_centre) for axis in NORTH],
-        [sp.ratio(axis, to_axis * cos_latitude) for axis in EAST],
+        [sp.ratio(axis, to_axis * cos_latitude) if axis.free_symbols else axis for axis in EAST],
         UP,
     )
     return written(Tensor.build((3, 3), lambda row, column: rows[row][column]))
