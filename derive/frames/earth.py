@@ -46,7 +46,7 @@ squared_eccentricity, root = _named("squared_eccentricity"), sp.Symbol("root", p
 lift, drop = _named("lift"), _named("drop")
 to_axis, to_equator, to_meridian_centre = _named("to_axis"), _named("to_equator"), _named("to_meridian_centre")
 
-# Distances along the normal: to the axis and to the plane of the equator, and to the centre of the meridian's curvature.
+# Distances along the normal: to the axis, to the plane of the equator, and to the centre of the meridian's curvature.
 NORMAL = {
     cos_latitude: cos(latitude),
     sin_latitude: sin(latitude),
@@ -71,7 +71,7 @@ def written(entries: Tensor[Expr]) -> StableForm:
 
 
 def meridian() -> tuple[Expr, Expr]:
-    """Distance from the axis, and from the plane of the equator, from the support function of the meridian's ellipse."""
+    """Distances from the axis and from the plane of the equator, by the support function of the meridian's ellipse."""
     outward, along = sp.Symbol("outward", positive=True), sp.Symbol("along", real=True)
     support = semi_major_axis * sp.sqrt(outward**2 + (1 - flattening) ** 2 * along**2)
     normal = {outward: cos(latitude), along: sin(latitude)}

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from radartrack.derive.bibliography import cite
 from radartrack.derive.frames import earth
-from radartrack.derive.language.matrix import Matrix, Vector, inner, product, transposed
+from radartrack.derive.language.matrix import Matrix, Vector, inner, product
 from radartrack.derive.language.quantity import Conditioning, Quantity
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor

@@ -1,4 +1,4 @@
-"""Frames with axes that stand on each other: of the Earth, of a site, of an antenna, of a face; at rest or under way."""
+"""Frames whose axes stand on each other: of the Earth, a site, an antenna, a face; at rest or under way."""
 
 from dataclasses import dataclass, field
 from typing import overload
@@ -62,7 +62,7 @@ class Frame:
         products = arrays["axes"] @ np.swapaxes(arrays["axes"], -1, -2)
         if np.abs(products - np.eye(3)).max(initial=0.0) > SQUARE:
             raise ValueError("axes must have length one and stand on each other; got axes that do not")
-        broadcast_shape(self._batches())
+        broadcast_shape({name: arrays[name][(..., *[0] * (1 + (name == "axes")))] for name in arrays})
 
     def rotation(self, other: "Frame") -> RealArray:
         """What turns components along these axes into components along the other's, shape (..., 3, 3)."""
@@ -112,7 +112,7 @@ class Frame:
         dtype = np.dtype(np.float32 if single else np.float64)
         values = np.asarray(arrays["mean"], np.float64)
         _require_states(values)
-        broadcast_shape({"mean": values[..., 0]} | self._batches() | other._batches())
+        broadcast_shape({"mean": values[..., 0], "this frame": _number(self), "the other frame": _number(other)})
         offsets = (self.origin - other.origin, self.velocity - other.velocity, np.zeros(3))
         parts = [
             _rotated(other.axes, _rotated(np.swapaxes(self.axes, -1, -2), values[..., first : first + 3]) + offset)
@@ -145,10 +145,6 @@ class Frame:
     def from_ecef(self, mean: ArrayLike, covariance: ArrayLike | None = None) -> RealArray | Belief:
         """`ECEF.to(self, ...)`."""
         return ECEF.to(self, mean, covariance)  # type: ignore[arg-type]
-
-    def _batches(self) -> dict[str, RealArray]:
-        """An entry of each attribute, whose shapes are those of the frames."""
-        return {"origin": self.origin[..., 0], "axes": self.axes[..., 0, 0], "velocity": self.velocity[..., 0]}
 
 
 ECEF = Frame(np.zeros(3), np.eye(3))
@@ -274,6 +270,11 @@ def _require_states(values: RealArray) -> None:
         raise ValueError(f"mean must have {allowed}; got shape {values.shape}")
     require_within("positions of mean", values[..., :3], COORDINATE)
     require_within("rates of mean", values[..., 3:], RATE)
+
+
+def _number(frame: Frame) -> RealArray:
+    """One for each of the frames."""
+    return np.asarray(frame.origin[..., 0] + frame.velocity[..., 0] + frame.axes[..., 0, 0])
 
 
 def _rotated(axes: RealArray, vectors: RealArray) -> RealArray:

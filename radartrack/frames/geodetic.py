@@ -94,14 +94,13 @@ def ecef_from_geodetic(
 
     """
     where = _read_geodetic(latitude, longitude, height)
-    position = _ecef(where, ellipsoid)
+    position = _formula("ecef_from_geodetic_map", where, ellipsoid)
     dtype = _type(latitude, longitude, height, covariance)
     if covariance is None:
         return position.astype(dtype, copy=False)
     errors = _read_covariance(covariance, position)
-    return Belief(
-        position.astype(dtype, copy=False), _through(_formula("ecef_from_geodetic_jacobian", where, ellipsoid), errors, dtype)
-    )
+    jacobian = _formula("ecef_from_geodetic_jacobian", where, ellipsoid)
+    return Belief(position.astype(dtype, copy=False), _through(jacobian, errors, dtype))
 
 
 @overload
@@ -186,10 +185,6 @@ def _located(positions: RealArray, places: tuple[RealArray, ...], ellipsoid: Ell
     latitude[...] = np.where(z < 0, -northern, northern)
     longitude[...] = np.arctan2(y, x)
     height[...] = ellipsoid.height_along((x, y, up), np.cos(northern), np.sin(northern))
-
-
-def _ecef(where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:
-    return _formula("ecef_from_geodetic_map", where, ellipsoid)
 
 
 def _formula(name: str, where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:

@@ -66,7 +66,9 @@ class Ellipsoid:
         sine = np.where(k > 0, _over(Q, k), np.sqrt(np.maximum(1.0 - cosine**2, 0.0)))
         return cosine * ratio, sine
 
-    def height_along(self, position: tuple[RealArray, RealArray, RealArray], cosine: RealArray, sine: RealArray) -> RealArray:
+    def height_along(
+        self, position: tuple[RealArray, RealArray, RealArray], cosine: RealArray, sine: RealArray
+    ) -> RealArray:
         """How far a position is outside, along a normal of this direction in its meridian.
 
         It is n'x less the support function of the ellipsoid, which is the least where n is right: an error of the

@@ -61,9 +61,7 @@ def _turned(vector: Vector, about: Vector, by: Number) -> Vector:
     """By Rodrigues' formula."""
     along = mpmath.fdot(about, vector) * (1 - mpmath.cos(by))
     across = _cross(about, vector)
-    return [
-        v * mpmath.cos(by) + c * mpmath.sin(by) + a * along for v, c, a in zip(vector, across, about, strict=True)
-    ]
+    return [v * mpmath.cos(by) + c * mpmath.sin(by) + a * along for v, c, a in zip(vector, across, about, strict=True)]
 
 
 def _antenna(at: At) -> list[Vector]:
