@@ -1,0 +1,243 @@
+"""Bounds of the error of a generated function over its whole domain: boxes are split until the bound is good enough."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from radartrack.verification.rounding.domain_boxes import (
+    Argument,
+    Case,
+    Coordinates,
+    cases,
+    coordinates,
+    given,
+)
+from radartrack.verification.rounding.enclosures import Array, Enclosure, total
+from radartrack.verification.rounding.error_rules import NotAnalysed, Value
+from radartrack.verification.rounding.statements import Index, evaluated
+
+BATCH = 2048
+SAMPLES = 300
+MARGIN = 1.0 + 1e-6  # of a bound, over what floating point gave; the checker rounds outward
+SHARP = 1.2  # a box is good enough when its bound is within this of the worst point's
+WORST_FIRST = 256
+
+
+class NotProved(ValueError):
+    """No finite bound was found."""
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """What is to be shown of a function.
+
+    Attributes:
+        function: its definition.
+        arguments: with their domains.
+        shape: of an entry's index.
+        scale: "covariance", "terms", or "norm": what errors are measured against.
+        groups: for "norm", of each entry in row-major order the positions whose norm it is measured against.
+    """
+
+    function: ast.FunctionDef
+    arguments: Sequence[Argument]
+    shape: Index
+    scale: str
+    groups: Sequence[Sequence[int]]
+
+
+@dataclass
+class Proof:
+    """A bound and the boxes that it holds on.
+
+    Attributes:
+        bound: in ulp of the scale.
+        trees: case → its splits, in the order in which they are met; "." is a box that is not split, a letter the
+            coordinate that is halved.
+        boxes: how many there are.
+        at_points: the worst bound that the rules give at single points: what splitting cannot go below.
+    """
+
+    bound: float
+    trees: dict[str, str]
+    boxes: int
+    at_points: float
+
+
+def figures(theorem: Theorem, case: Case, place: Coordinates, low: Array, high: Array) -> Array:
+    """The bound on each box, in ulp of the scale; minus infinity where a box is outside of the domain."""
+    found = [
+        _figures(theorem, case, place, low[i : i + BATCH], high[i : i + BATCH]) for i in range(0, len(low), BATCH)
+    ]
+    return np.concatenate(found)
+
+
+def _figures(theorem: Theorem, case: Case, place: Coordinates, low: Array, high: Array) -> Array:
+    with np.errstate(all="ignore"):
+        start = given(theorem.arguments, case, place, low, high)
+        entries = evaluated(theorem.function, start)
+        values = [entries[index] for index in np.ndindex(theorem.shape)]
+        worst = np.zeros(len(low))
+        for position, value in enumerate(values):
+            if value is not None and not value.is_exact:
+                worst = np.fmax(worst, _figure(theorem, values, position, value))
+    worst = np.where(np.isnan(worst), np.inf, worst)
+    return np.where(start.empty, -np.inf, worst)
+
+
+def _figure(theorem: Theorem, values: Sequence[Value | None], position: int, value: Value) -> Array:
+    if theorem.scale == "covariance":
+        n = theorem.shape[-1]
+        row, column = divmod(position, n)
+        if row == column:
+            return _nan_is_infinite(value.relative)
+        first, second = values[row * n + row], values[column * n + column]
+        if first is None or second is None:
+            return np.full_like(value.relative, np.inf)
+        scale = (first.size * second.size).power(0.5)
+    elif theorem.scale == "terms":
+        scale = value.terms
+    else:
+        peers = [values[i] for i in theorem.groups[position]]
+        if len(peers) == 1:
+            return _nan_is_infinite(value.relative)
+        sizes = [peer.size.power(2.0) for peer in peers if peer is not None]
+        scale = total(sizes).power(0.5)
+    if value.error is None:
+        return np.zeros_like(value.relative)
+    return np.fmin(_nan_is_infinite(np.exp((value.error / scale).high)), _nan_is_infinite(value.relative))
+
+
+def _nan_is_infinite(values: Array) -> Array:
+    return np.where(np.isnan(values), np.inf, values)
+
+
+def proved(theorem: Theorem, *, correlated: bool = False, most: int = 4000, sharp: float = SHARP) -> Proof:
+    """A bound over the whole domain.
+
+    Args:
+        theorem: what is to be shown.
+        correlated: whether correlations go up to 0.99 in size; they are zero otherwise.
+        most: how many boxes there may be.
+        sharp: how far above the worst point's a box's bound may be.
+
+    Raises:
+        NotAnalysed: a statement holds what there is no rule for.
+        NotProved: no finite bound was found.
+    """
+    chosen = [(case, coordinates(theorem.arguments, case)) for case in cases(theorem.arguments, correlated=correlated)]
+    at_points = max(_at_points(theorem, case, place) for case, place in chosen)
+    target = sharp * at_points
+    trees, bound, boxes = {}, 0.0, 0
+    for case, place in chosen:
+        forest = _Forest(theorem, case, place)
+        forest.split(target, most - boxes)
+        bound = max(bound, forest.bound)
+        boxes += len(forest.figures)
+        trees[case.text] = forest.text
+        if not math.isfinite(bound):
+            raise NotProved(f"no bound in {boxes} boxes; {case.text}")
+    return Proof(bound * MARGIN, trees, boxes, at_points)
+
+
+def _at_points(theorem: Theorem, case: Case, place: Coordinates) -> float:
+    generator = np.random.Generator(np.random.Philox(11))
+    points = place.low + (place.high - place.low) * generator.random((SAMPLES, len(place.low)))
+    found = figures(theorem, case, place, points, points)
+    return float(found[np.isfinite(found)].max(initial=0.0))
+
+
+class _Forest:
+    """Boxes of one case, the tree of their splits, and the bound on each."""
+
+    def __init__(self, theorem: Theorem, case: Case, place: Coordinates) -> None:
+        self.theorem, self.case, self.place = theorem, case, place
+        self.low, self.high = place.low[np.newaxis].copy(), place.high[np.newaxis].copy()
+        self.paths = [""]
+        self.splits: dict[str, int] = {}
+        self.figures = figures(theorem, case, place, self.low, self.high)
+
+    @property
+    def bound(self) -> float:
+        return float(self.figures.max())
+
+    @property
+    def text(self) -> str:
+        """The tree in preorder."""
+        stack, letters = [""], []
+        while stack:
+            path = stack.pop()
+            axis = self.splits.get(path)
+            letters.append("." if axis is None else chr(ord("a") + axis))
+            if axis is not None:
+                stack += [path + "1", path + "0"]
+        return "".join(letters)
+
+    def split(self, target: float, most: int) -> None:
+        """Halve the boxes above the target, worst first, until none is left or there are too many."""
+        while len(self.figures) < most:
+            over = np.flatnonzero(self.figures > target)
+            if not len(over):
+                return
+            worst = over[np.argsort(-self.figures[over], kind="stable")][: min(WORST_FIRST, most - len(self.figures))]
+            if not len(worst) or not self.place.low.size:
+                return
+            self._halve(worst)
+
+    def _halve(self, which: np.ndarray) -> None:
+        low, high = self.low[which], self.high[which]
+        axes = low.shape[1]
+        middle = (low + high) / 2
+        best = np.full(len(which), np.inf)
+        axis_of = np.argmax(high - low, axis=1)
+        both = np.full((len(which), 2), np.inf)
+        for axis in range(axes):
+            first_high, second_low = high.copy(), low.copy()
+            first_high[:, axis] = second_low[:, axis] = middle[:, axis]
+            first = figures(self.theorem, self.case, self.place, low, first_high)
+            second = figures(self.theorem, self.case, self.place, second_low, high)
+            cost = np.maximum(first, second) * (1 + 1e-3 * (np.minimum(first, second) > 0))
+            cost = np.where(np.isinf(np.maximum(first, second)) & np.isneginf(np.minimum(first, second)), 1e300, cost)
+            better = cost < best
+            axis_of = np.where(better, axis, axis_of)
+            best = np.where(better, cost, best)
+            both = np.where(better[:, np.newaxis], np.stack([first, second], axis=1), both)
+        rows = np.arange(len(which))
+        first_high, second_low = high.copy(), low.copy()
+        first_high[rows, axis_of] = second_low[rows, axis_of] = middle[rows, axis_of]
+        unknown = np.isinf(best)
+        if unknown.any():
+            both[unknown, 0] = figures(self.theorem, self.case, self.place, low[unknown], first_high[unknown])
+            both[unknown, 1] = figures(self.theorem, self.case, self.place, second_low[unknown], high[unknown])
+        paths = [self.paths[i] for i in which]
+        for path, axis in zip(paths, axis_of, strict=True):
+            self.splits[path] = int(axis)
+        keep = np.ones(len(self.figures), dtype=bool)
+        keep[which] = False
+        kept = [path for path, stays in zip(self.paths, keep, strict=True) if stays]
+        self.paths = kept + [path + "0" for path in paths] + [path + "1" for path in paths]
+        self.low = np.concatenate([self.low[keep], low, second_low])
+        self.high = np.concatenate([self.high[keep], first_high, high])
+        self.figures = np.concatenate([self.figures[keep], both[:, 0], both[:, 1]])
+
+
+def theorem_arguments(symbols: Sequence[object], units: Mapping[str, str]) -> list[Argument]:
+    """The arguments of a quantity."""
+    found = []
+    for symbol in symbols:
+        kind = _kind(symbol)
+        found.append(Argument(symbol.name, float(symbol.low), float(symbol.high), units[symbol.name], kind))  # type: ignore[attr-defined]
+    return found
+
+
+def _kind(symbol: object) -> str:
+    if symbol.is_correlation:  # type: ignore[attr-defined]
+        return "correlation"
+    if symbol.is_angle:  # type: ignore[attr-defined]
+        return "angle"
+    return "signed" if symbol.low < 0 else "positive"  # type: ignore[attr-defined]
