@@ -1,8 +1,6 @@
-"""The domain of a function as boxes in coordinates in which formulas of tracking are nearly flat.
+"""The domain of a function as boxes in coordinates in which bounds of errors are nearly flat.
 
-Every coordinate is a logarithm. Of symbols that share a unit all but the first count from it, and deviations of angles
-count from the first deviation by its range: what a formula depends on is such quotients, and where it does not depend
-on a coordinate, a box may be as wide as the domain.
+Every coordinate is a logarithm: where an error does not depend on a scale, a box may be as wide as the domain.
 
 An angle counts by its distance from the nearest quarter turn, where its sine or its cosine vanishes. Values of either
 sign have their size for a coordinate, from `SMALLEST` on; zero is a case of its own, as every rule of signs is.
@@ -56,9 +54,9 @@ class Case:
 
 @dataclass(frozen=True)
 class Coordinates:
-    """Which sum of coordinates is the logarithm of each argument, and where the coordinates go."""
+    """Which coordinate an argument is, and from where to where the coordinates go."""
 
-    sums: Mapping[str, tuple[int, ...]]
+    places: Mapping[str, int]
     low: Array
     high: Array
 
@@ -94,29 +92,10 @@ def _signed(octant: str) -> list[str]:
 
 def coordinates(arguments: Sequence[Argument], case: Case) -> Coordinates:
     """A coordinate for every argument that is not zero."""
-    sums: dict[str, tuple[int, ...]] = {}
-    low: list[float] = []
-    high: list[float] = []
-    first: dict[str, tuple[int, ...]] = {}
-    ratio: int | None = None
-    for argument in arguments:
-        if case.choices[argument.name] == "zero":
-            continue
-        own, ends = len(low), ends_of(argument)
-        base: tuple[int, ...] = ()
-        if argument.kind in {"positive", "signed"}:
-            if argument.unit in first:
-                base = first[argument.unit]
-            elif argument.unit in {"rad", "1"} and "sigma_" in argument.name and ratio is not None:
-                base = (ratio,)
-            else:
-                first[argument.unit] = (own,)
-        low.append(ends[0] - sum(high[i] for i in base))
-        high.append(ends[1] - sum(low[i] for i in base))
-        sums[argument.name] = (*base, own)
-        if ratio is None and "sigma_" in argument.name and base:
-            ratio = own
-    return Coordinates(sums, np.array(low), np.array(high))
+    present = [argument for argument in arguments if case.choices[argument.name] != "zero"]
+    ends = np.array([ends_of(argument) for argument in present]).reshape(-1, 2)
+    places = {argument.name: position for position, argument in enumerate(present)}
+    return Coordinates(places, ends[:, 0], ends[:, 1])
 
 
 def ends_of(argument: Argument) -> tuple[float, float]:
@@ -136,7 +115,6 @@ class Given:
     values: Mapping[str, Value | None]
     cosines: Mapping[str, Value | None]
     sines: Mapping[str, Value | None]
-    empty: Array  # whether no point of the box is in the domain
     like: Enclosure  # one, in as many boxes and coordinates
 
 
@@ -144,7 +122,6 @@ def given(arguments: Sequence[Argument], case: Case, place: Coordinates, low: Ar
     """The arguments in boxes whose ends have shape (boxes, coordinates)."""
     middle, half = (low + high) / 2, (high - low) / 2
     count = len(low)
-    empty = np.zeros(count, dtype=bool)
     zeros = np.zeros(count)
     one = Enclosure(zeros, np.zeros_like(half), zeros, zeros, zeros, zeros)
     values: dict[str, Value | None] = {}
@@ -155,15 +132,9 @@ def given(arguments: Sequence[Argument], case: Case, place: Coordinates, low: Ar
         if choice == "zero":
             values[name] = None
             if argument.kind == "angle":
-                sines[name], cosines[name] = None, exact(one, _sign("+", count))
+                sines[name], cosines[name] = None, exact(one, _sign("+", count), number=True)
             continue
-        size = _logarithm(place.sums[name], middle, half)
-        ends = ends_of(argument)
-        empty |= (size.low > ends[1] + 1e-9) | (size.high < ends[0] - 1e-9)
-        size = Enclosure(
-            size.middle, size.slopes, size.below, size.above,
-            np.clip(size.low, ends[0] - SLACK, ends[1] + SLACK), np.clip(size.high, ends[0] - SLACK, ends[1] + SLACK),
-        )  # fmt: skip
+        size = _logarithm(place.places[name], middle, half)
         if argument.kind != "angle":
             values[name] = exact(size, _sign(choice, count))
             continue
@@ -171,7 +142,7 @@ def given(arguments: Sequence[Argument], case: Case, place: Coordinates, low: Ar
         sine, cosine = (small, large) if choice[2] == "s" else (large, small)
         sines[name] = _of_library(sine, _sign(choice[1], count), "sin")
         cosines[name] = _of_library(cosine, _sign(choice[0], count), "cos")
-    return Given(values, cosines, sines, empty, one)
+    return Given(values, cosines, sines, one)
 
 
 def _of_library(size: Enclosure, sign: np.ndarray, function: str) -> Value:
@@ -183,14 +154,12 @@ def _sign(choice: str, count: int) -> np.ndarray:
     return np.full(count, {"+": 1, "-": -1, "±": 0}[choice], dtype=np.int8)
 
 
-def _logarithm(sums: tuple[int, ...], middle: Array, half: Array) -> Enclosure:
-    centre = np.asarray(sum(middle[:, i] for i in sums))
+def _logarithm(coordinate: int, middle: Array, half: Array) -> Enclosure:
     slopes = np.zeros_like(half)
-    for i in sums:
-        slopes[:, i] = half[:, i]
-    slack = np.full_like(centre, SLACK)
-    wide = np.full_like(centre, np.inf)
-    return Enclosure(centre, slopes, slack, slack, -wide, wide)
+    slopes[:, coordinate] = half[:, coordinate]
+    centre, slack = middle[:, coordinate], np.full(len(middle), SLACK)
+    low, high = centre - half[:, coordinate] - SLACK, centre + half[:, coordinate] + SLACK
+    return Enclosure(centre, slopes, slack, slack, low, high)
 
 
 def _sine(distance: Enclosure, _: bool, function: str) -> Enclosure:

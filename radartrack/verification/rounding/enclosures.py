@@ -140,7 +140,9 @@ def curve(of: Enclosure, value: Function, slope: Function, *, concave: bool) -> 
         first, last = value(low), value(high)
         first_slope, last_slope = slope(low), slope(high)
         incline = np.where(width > 1e-9, (last - first) / np.maximum(width, 1e-300), first_slope)
-        gap = width / 4 * np.abs(first_slope - last_slope) + SLACK
+        before, after = np.abs(first_slope - incline), np.abs(incline - last_slope)
+        gap = width * before * after / np.maximum(before + after, 1e-300)  # the triangle of both tangents
+        gap = np.minimum(np.where(np.isfinite(gap), gap, np.inf), np.abs(first - last)) + SLACK
     off = of.middle - low  # the chord at the centre of the box
     rising = incline >= 0
     above = np.abs(incline) * np.where(rising, of.above, of.below)

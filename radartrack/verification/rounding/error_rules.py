@@ -6,8 +6,11 @@ absolute, and whichever is smaller counts: products keep the first small, differ
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import count
+from itertools import product as product_of
 
 import numpy as np
 import numpy.typing as npt
@@ -41,6 +44,67 @@ FLOOR, CEILING = -1000 * float(np.log(2.0)), 1000 * float(np.log(2.0))  # of log
 SPACING = 53 * float(np.log(2.0))
 
 Signs = npt.NDArray[np.int8]
+MOST_PARTS = 400
+_serial = count()
+
+
+@dataclass(frozen=True, eq=False)
+class Atom:
+    """A size that is not taken apart: an argument, a sine, a sum; `serial` is the order of their making."""
+
+    size: Enclosure
+    serial: int = field(default_factory=lambda: next(_serial))
+
+
+Key = tuple[tuple[Atom, float], ...]
+Parts = Mapping[Key, Array]  # powers of atoms → the logarithm of their coefficient
+
+
+def whole(size: Enclosure) -> Parts:
+    """A size as one atom."""
+    return {((Atom(size), 1.0),): np.zeros_like(size.middle)}
+
+
+def merged(*several: Parts) -> Parts:
+    """The sum."""
+    found: dict[Key, Array] = {}
+    for parts in several:
+        for key, part in parts.items():
+            found[key] = np.logaddexp(found[key], part) + SLACK if key in found else part
+    return found
+
+
+def multiplied(first: Parts, second: Parts) -> Parts:
+    """The product, multiplied out."""
+    found: dict[Key, Array] = {}
+    for (one, part), (other, factor) in product_of(first.items(), second.items()):
+        powers = dict(one)
+        for name, exponent in other:
+            powers[name] = powers.get(name, 0.0) + exponent
+        key = _key(powers)
+        found[key] = np.logaddexp(found[key], part + factor) + SLACK if key in found else part + factor
+    if len(found) > MOST_PARTS:
+        raise NotAnalysed(f"more than {MOST_PARTS} terms multiplied out")
+    return found
+
+
+def _key(powers: Mapping[Atom, float]) -> Key:
+    return tuple(sorted(((one, exponent) for one, exponent in powers.items() if exponent), key=lambda p: p[0].serial))
+
+
+def raised(parts: Parts, exponent: float, size: Enclosure) -> Parts:
+    """A power of one part; of more, it is taken as a whole."""
+    if len(parts) != 1:
+        parts = whole(size)
+    ((key, part),) = parts.items()
+    return {tuple((one, power * exponent) for one, power in key): part * exponent}
+
+
+def times(parts: Parts, factor: Array | float) -> Parts:
+    """The parts times a positive number, one a box."""
+    with np.errstate(divide="ignore"):
+        shift = np.log(factor)
+    return {key: part + shift for key, part in parts.items()}
 
 
 class NotAnalysed(ValueError):
@@ -57,6 +121,9 @@ class Value:
         relative: bound of the error by the exact value, in u; infinite where there is none.
         error: bound of the error, in u; only its upper side means something. None where the value is exact.
         terms: sum of the sizes of the terms that it is made of.
+        parts: the same multiplied out: products of powers, the first of which are arguments, by what they are of.
+        errors: of the error, likewise; None where that is the relative error times the parts.
+        makeup: parts that the value is the sum of, all of one sign; None where there are none.
         tiny: logarithm that a computed value is not below, unless it is zero.
     """
 
@@ -66,6 +133,18 @@ class Value:
     error: Enclosure | None
     terms: Enclosure
     tiny: Array
+    parts: Parts
+    errors: Parts | None = None
+    makeup: Parts | None = None
+
+    @cached_property
+    def error_parts(self) -> Parts:
+        """The error multiplied out."""
+        if self.error is None:
+            return {}
+        if self.errors is not None:
+            return self.errors
+        return times(self.parts, self.relative)
 
     @cached_property
     def is_exact(self) -> bool:
@@ -74,30 +153,43 @@ class Value:
 
 
 def settled(
-    size: Enclosure, sign: Signs, relative: Array, error: Enclosure | None, terms: Enclosure, tiny: Array
+    size: Enclosure,
+    sign: Signs,
+    relative: Array,
+    error: Enclosure | None,
+    terms: Enclosure,
+    tiny: Array,
+    parts: Parts | None = None,
+    errors: Parts | None = None,
+    makeup: Parts | None = None,
 ) -> Value:
     """A value with both bounds of its error as small as either makes them; out of range, there is no bound."""
     legal = (tiny >= FLOOR) & (size.high <= CEILING)
     relative = np.where(legal, relative, np.inf)
-    by_relative = size.times(relative)
+    if parts is None:
+        parts = makeup = whole(size)
     if error is None:
-        return Value(size, sign, relative, by_relative, terms, tiny)
+        return Value(size, sign, relative, size.times(relative), terms, tiny, parts, None, makeup)
     error = error.times(np.where(legal, 1.0, np.inf))
     with np.errstate(over="ignore", invalid="ignore"):
         quotient = np.exp((error / size).high)
     relative = np.fmin(relative, np.where(np.isnan(quotient), np.inf, quotient))
+    by_relative = size.times(relative)
     smaller = by_relative.middle + by_relative.above < error.middle + error.above
-    return Value(size, sign, relative, either(smaller, by_relative, error), terms, tiny)
+    error = either(smaller, by_relative, error)
+    errors = {} if errors is None or not legal.all() else errors
+    return Value(size, sign, relative, error, terms, tiny, parts, errors or None, makeup)
 
 
-def exact(size: Enclosure, sign: Signs) -> Value:
+def exact(size: Enclosure, sign: Signs, *, number: bool = False) -> Value:
     """An argument or a number, as it is given."""
-    return Value(size, sign, np.zeros_like(size.middle), None, size, size.low)
+    parts = {(): size.middle + size.above} if number else whole(size)
+    return Value(size, sign, np.zeros_like(size.middle), None, size, size.low, parts, None, parts)
 
 
 def inexact(value: Value | None) -> Value | None:
     """A number that is rounded as it is written down."""
-    return value and settled(value.size, value.sign, value.relative + 1.0, None, value.size, value.tiny)
+    return value and settled(value.size, value.sign, value.relative + 1.0, None, value.size, value.tiny, value.parts, None, value.makeup)
 
 
 def _rounded(relative: Array, roundings: float) -> Array:
@@ -113,8 +205,9 @@ def product(first: Value, second: Value, roundings: float = 1.0) -> Value:
     """first · second."""
     size, sign = first.size * second.size, (first.sign * second.sign).astype(np.int8)
     relative = _rounded(_joint(first.relative, second.relative), roundings)
-    error = None
-    if not np.isfinite(relative).all():
+    error = errors = None
+    product_parts = multiplied(first.parts, second.parts)
+    if not np.isfinite(relative).all() or first.errors is not None or second.errors is not None:
         parts = []
         if first.error is not None:
             parts.append(second.size * first.error)
@@ -122,9 +215,21 @@ def product(first: Value, second: Value, roundings: float = 1.0) -> Value:
             parts.append(first.size * second.error)
         if first.error is not None and second.error is not None:
             parts.append((first.error * second.error).times(U))
-        error = total([total(parts).times(1 + U * roundings), *([size.times(roundings)] if roundings else [])])
+        error = total([total(parts).times(1 + U * roundings), size.times(roundings)])
+        both = multiplied(first.error_parts, second.error_parts)
+        errors = merged(
+            times(multiplied(first.parts, second.error_parts), 1 + U * roundings),
+            times(multiplied(first.error_parts, second.parts), 1 + U * roundings),
+            times(both, U * (1 + U * roundings)),
+            times(product_parts, roundings),
+        )
     tiny = first.tiny + second.tiny
-    return settled(size, sign, relative, error, first.terms * second.terms, tiny)
+    terms = first.terms * second.terms
+    return settled(size, sign, relative, error, terms, tiny, product_parts, errors, _both(first.makeup, second.makeup, multiplied))
+
+
+def _both(first: Parts | None, second: Parts | None, joined: Callable[[Parts, Parts], Parts]) -> Parts | None:
+    return None if first is None or second is None else joined(first, second)
 
 
 def square(value: Value) -> Value:
@@ -138,7 +243,9 @@ def scaled(value: Value, factor: float) -> Value:
     size, sign = value.size.times(abs(factor)), (value.sign * np.sign(factor)).astype(np.int8)
     error = None if value.error is None else value.error.times(abs(factor))
     shift = float(np.log(abs(factor)))
-    return Value(size, sign, value.relative, error, value.terms.times(abs(factor)), value.tiny + shift)
+    terms, parts = value.terms.times(abs(factor)), times(value.parts, abs(factor))
+    errors, makeup = (kept and times(kept, abs(factor)) for kept in (value.errors, value.makeup))
+    return Value(size, sign, value.relative, error, terms, value.tiny + shift, parts, errors, makeup)
 
 
 def quotient(above: Value, below: Value) -> Value:
@@ -148,13 +255,18 @@ def quotient(above: Value, below: Value) -> Value:
         worse = np.where(shrunk > 0.5, below.relative / shrunk, np.inf)
     size, sign = above.size / below.size, (above.sign * below.sign).astype(np.int8)
     relative = _rounded(_joint(above.relative, worse), 1.0)
-    error = None
-    if not np.isfinite(relative).all() and above.error is not None:
+    error = errors = None
+    inverse = raised(below.makeup or {}, -1.0, below.size)
+    parts = multiplied(above.parts, inverse)
+    if above.error is not None and (above.errors is not None or not np.isfinite(relative).all()):
         safe = np.where(np.isfinite(worse), worse, 1.0)
         own = (above.error / below.size).times((1 + U) * (1 + U * safe))
         error = total([own, size.times(1 + (1 + U) * safe)]).times(np.where(np.isfinite(worse), 1.0, np.inf))
+        if np.isfinite(worse).all():
+            inherited = multiplied(above.error_parts, inverse)
+            errors = merged(times(inherited, (1 + U) * (1 + U * safe)), times(parts, 1 + (1 + U) * safe))
     tiny = above.tiny - np.where(np.isfinite(below.size.high), below.size.high, np.inf) - 1e-6
-    return settled(size, sign, relative, error, above.terms / below.size, tiny)
+    return settled(size, sign, relative, error, above.terms / below.size, tiny, parts, errors, above.makeup and multiplied(above.makeup, inverse))
 
 
 def root(value: Value) -> Value:
@@ -165,7 +277,8 @@ def root(value: Value) -> Value:
         part = U * value.relative
         half = np.where(part < 0.5, value.relative / (1 + np.sqrt(1 - np.minimum(part, 0.5))), np.inf)
     size = value.size.power(0.5)
-    return settled(size, value.sign, _rounded(half, 1.0), None, value.terms.power(0.5), value.tiny / 2 - 1e-6)
+    parts = raised(value.makeup or {}, 0.5, size.power(2.0))
+    return settled(size, value.sign, _rounded(half, 1.0), None, value.terms.power(0.5), value.tiny / 2 - 1e-6, parts, None, parts)
 
 
 def sum_of(first: Value, second: Value) -> Value:
@@ -174,6 +287,7 @@ def sum_of(first: Value, second: Value) -> Value:
     errors = [value.error for value in (first, second) if value.error is not None]
     own = total(errors).times(1 + U) if errors else None
     terms = total([first.terms, second.terms])
+    parts = merged(first.parts, second.parts)
     if (together > 0).all():
         size = total([first.size, second.size])
         shared = np.maximum(first.relative, second.relative)
@@ -182,19 +296,49 @@ def sum_of(first: Value, second: Value) -> Value:
                 weighed = np.exp((own / size).high)
             shared = np.fmin(shared, weighed)
         tiny = np.maximum(first.tiny, second.tiny) - 1e-6
-        return settled(size, first.sign, _rounded(shared, 1.0), None, terms, tiny)
+        errors = None
+        if first.errors is not None or second.errors is not None:
+            errors = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
+        error = None if errors is None or own is None else total([own, size])
+        relative, makeup = _rounded(shared, 1.0), _both(first.makeup, second.makeup, merged)
+        return settled(size, first.sign, relative, error, terms, tiny, parts, errors, makeup)
     larger = first.size.middle >= second.size.middle
     major, minor = either(larger, first.size, second.size), either(larger, second.size, first.size)
+    leading = np.where(larger, first.sign, second.sign)
     ratio = minor / major
-    certain = (ratio.high < CERTAIN) & (together < 0)
-    definite = major * remainder(ratio)
-    either_way = total([first.size, second.size])
-    size = either(certain, definite, either_way.without_floor())
-    sign = np.where(certain, np.where(larger, first.sign, second.sign), 0).astype(np.int8)
+    certain = (ratio.high < CERTAIN) & (leading != 0)
+    left = remainder(ratio)
+    definite = major * either(together < 0, left, _one_or_less(left, ratio))
+    size = either(certain, definite, _of_either_sign(first, second))
+    sign = np.where(certain, leading, 0).astype(np.int8)
     relative = np.full_like(size.middle, 1.0 if own is None else np.inf)
     error = None if own is None else total([own, size])
     tiny = np.minimum(first.tiny, second.tiny) - SPACING
-    return settled(size, sign, relative, error, terms, tiny)
+    errors = None
+    if own is not None:
+        inherited = merged(*(value.error_parts for value in (first, second) if value.error is not None))
+        errors = merged(times(inherited, 1 + U), parts)
+    return settled(size, sign, relative, error, terms, tiny, parts, errors, whole(size) if certain.all() else None)
+
+
+def _one_or_less(left: Enclosure, ratio: Enclosure) -> Enclosure:
+    """1 ± q, between 1 − q and 1 + q."""
+    low, high = left.low, np.log1p(np.exp(np.minimum(ratio.high, 0.0))) + SLACK
+    zero = np.zeros_like(low)
+    return Enclosure(zero, np.zeros_like(left.slopes), -low, high, low, high)
+
+
+def _of_either_sign(first: Value, second: Value) -> Enclosure:
+    """The size of a sum whose sign is not known; of a difference it is at most that of the ends of the two."""
+    size = total([first.size, second.size]).without_floor()
+    ends = (first.size.low, first.size.high), (second.size.low, second.size.high)
+    with np.errstate(all="ignore"):
+        apart = [
+            high + np.log1p(-np.exp(np.minimum(low - high, 0.0)))
+            for high, low in ((ends[0][1], ends[1][0]), (ends[1][1], ends[0][0]))
+        ]
+    most = np.where(first.sign * second.sign < 0, np.maximum(*apart) + SLACK * (1 + np.abs(size.high)), size.most)
+    return replace(size, most=np.minimum(size.most, np.where(np.isnan(most), np.inf, most) + 1e-9))
 
 
 def hypotenuse(first: Value, second: Value) -> Value:
@@ -207,7 +351,7 @@ def hypotenuse(first: Value, second: Value) -> Value:
 
 def magnitude(value: Value) -> Value:
     """|value|."""
-    return Value(value.size, np.ones_like(value.sign), value.relative, value.error, value.size, value.tiny)
+    return replace(value, sign=np.ones_like(value.sign), terms=value.size)
 
 
 def direction(y: Value, x: Value) -> Value:

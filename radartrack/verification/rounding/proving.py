@@ -18,14 +18,15 @@ from radartrack.verification.rounding.domain_boxes import (
     given,
 )
 from radartrack.verification.rounding.enclosures import Array, Enclosure, total
-from radartrack.verification.rounding.error_rules import NotAnalysed, Value
+from radartrack.verification.rounding.error_rules import Atom, NotAnalysed, Parts, Value
 from radartrack.verification.rounding.statements import Index, evaluated
 
 BATCH = 2048
 SAMPLES = 300
 MARGIN = 1.0 + 1e-6  # of a bound, over what floating point gave; the checker rounds outward
-SHARP = 1.2  # a box is good enough when its bound is within this of the worst point's
+SHARP = 1.25  # a box is good enough when its bound is within this of the worst point's
 WORST_FIRST = 256
+SHARED = 0.4  # terms are shared among products whose logarithms are this close to the best
 
 
 class NotProved(ValueError):
@@ -70,7 +71,7 @@ class Proof:
 
 
 def figures(theorem: Theorem, case: Case, place: Coordinates, low: Array, high: Array) -> Array:
-    """The bound on each box, in ulp of the scale; minus infinity where a box is outside of the domain."""
+    """The bound on each box, in ulp of the scale."""
     found = [
         _figures(theorem, case, place, low[i : i + BATCH], high[i : i + BATCH]) for i in range(0, len(low), BATCH)
     ]
@@ -86,11 +87,11 @@ def _figures(theorem: Theorem, case: Case, place: Coordinates, low: Array, high:
         for position, value in enumerate(values):
             if value is not None and not value.is_exact:
                 worst = np.fmax(worst, _figure(theorem, values, position, value))
-    worst = np.where(np.isnan(worst), np.inf, worst)
-    return np.where(start.empty, -np.inf, worst)
+    return np.where(np.isnan(worst), np.inf, worst)
 
 
 def _figure(theorem: Theorem, values: Sequence[Value | None], position: int, value: Value) -> Array:
+    paired = np.full_like(value.relative, np.inf)
     if theorem.scale == "covariance":
         n = theorem.shape[-1]
         row, column = divmod(position, n)
@@ -100,6 +101,7 @@ def _figure(theorem: Theorem, values: Sequence[Value | None], position: int, val
         if first is None or second is None:
             return np.full_like(value.relative, np.inf)
         scale = (first.size * second.size).power(0.5)
+        paired = _paired(value, first, second)
     elif theorem.scale == "terms":
         scale = value.terms
     else:
@@ -110,21 +112,66 @@ def _figure(theorem: Theorem, values: Sequence[Value | None], position: int, val
         scale = total(sizes).power(0.5)
     if value.error is None:
         return np.zeros_like(value.relative)
-    return np.fmin(_nan_is_infinite(np.exp((value.error / scale).high)), _nan_is_infinite(value.relative))
+    whole = np.fmin(_nan_is_infinite(np.exp((value.error / scale).high)), paired)
+    return np.fmin(whole, _nan_is_infinite(value.relative))
+
+
+def _paired(value: Value, first: Value, second: Value) -> Array:
+    """The error of a covariance by √(c_ii c_jj), term by term.
+
+    With c_ii = Σ aₘ and c_jj = Σ bₙ, an error that is at most Σ Mₘₙ √(aₘ bₙ) is at most √(c_ii c_jj) times the norm of
+    the matrix M, and that is at most the root of its largest sum along rows by that along columns (Schur). So every
+    term of the error is shared out among products aₘ bₙ that it is small against: one of cos β sin β a goes with cos² β a and
+    sin² β a, wherever β is.
+    """
+    if first.makeup is None or second.makeup is None:
+        return np.full_like(value.relative, np.inf)
+    rows, columns, terms = first.makeup, second.makeup, value.error_parts
+    atoms = sorted({one for parts in (rows, columns, terms) for key in parts for one, _ in key}, key=_serial)
+    of_rows, of_columns, of_terms = (_exponents(parts, atoms) for parts in (rows, columns, terms))
+    log_rows, log_columns = np.stack(list(rows.values())), np.stack(list(columns.values()))
+    middles = np.stack([one.size.middle for one in atoms])
+    slopes = np.stack([one.size.slopes for one in atoms])
+    above, below = (np.stack([getattr(one.size, end) for one in atoms]) for end in ("above", "below"))
+    matrix = np.zeros((len(rows), len(columns), len(value.relative)))
+    for exponents, coefficient in zip(of_terms, terms.values(), strict=True):
+        net = exponents - (of_rows[:, np.newaxis] + of_columns[np.newaxis]) / 2
+        highs = coefficient - (log_rows[:, np.newaxis] + log_columns[np.newaxis]) / 2 + net @ middles
+        highs += np.abs(np.tensordot(net, slopes, 1)).sum(axis=-1)
+        highs += _slack(np.maximum(net, 0), above) + _slack(np.maximum(-net, 0), below)
+        lowest = highs.min(axis=(0, 1))
+        shared = highs <= lowest + SHARED
+        matrix += np.exp(highs) * shared / shared.sum(axis=(0, 1))
+    return np.sqrt(matrix.sum(axis=1).max(axis=0) * matrix.sum(axis=0).max(axis=0))
+
+
+def _serial(one: Atom) -> int:
+    return one.serial
+
+
+def _exponents(parts: Parts, atoms: Sequence[Atom]) -> Array:
+    """Shape (parts, atoms)."""
+    return np.array([[dict(key).get(one, 0.0) for one in atoms] for key in parts])
+
+
+def _slack(exponents: Array, ends: Array) -> Array:
+    """Where an exponent is zero, an end that is infinite does not count."""
+    endless = (exponents > 0) @ np.isinf(ends).astype(float)
+    return np.where(endless > 0, np.inf, exponents @ np.where(np.isinf(ends), 0.0, ends))
 
 
 def _nan_is_infinite(values: Array) -> Array:
     return np.where(np.isnan(values), np.inf, values)
 
 
-def proved(theorem: Theorem, *, correlated: bool = False, most: int = 4000, sharp: float = SHARP) -> Proof:
+def proved(theorem: Theorem, *, correlated: bool = False, most: int = 2000, enough: float = 0.0) -> Proof:
     """A bound over the whole domain.
 
     Args:
         theorem: what is to be shown.
         correlated: whether correlations go up to 0.99 in size; they are zero otherwise.
-        most: how many boxes there may be.
-        sharp: how far above the worst point's a box's bound may be.
+        most: how many boxes a case may have.
+        enough: a bound that need not be made smaller.
 
     Raises:
         NotAnalysed: a statement holds what there is no rule for.
@@ -132,11 +179,11 @@ def proved(theorem: Theorem, *, correlated: bool = False, most: int = 4000, shar
     """
     chosen = [(case, coordinates(theorem.arguments, case)) for case in cases(theorem.arguments, correlated=correlated)]
     at_points = max(_at_points(theorem, case, place) for case, place in chosen)
-    target = sharp * at_points
+    target = max(SHARP * at_points, enough)
     trees, bound, boxes = {}, 0.0, 0
     for case, place in chosen:
         forest = _Forest(theorem, case, place)
-        forest.split(target, most - boxes)
+        forest.split(target, most)
         bound = max(bound, forest.bound)
         boxes += len(forest.figures)
         trees[case.text] = forest.text
@@ -201,8 +248,8 @@ class _Forest:
             first_high[:, axis] = second_low[:, axis] = middle[:, axis]
             first = figures(self.theorem, self.case, self.place, low, first_high)
             second = figures(self.theorem, self.case, self.place, second_low, high)
-            cost = np.maximum(first, second) * (1 + 1e-3 * (np.minimum(first, second) > 0))
-            cost = np.where(np.isinf(np.maximum(first, second)) & np.isneginf(np.minimum(first, second)), 1e300, cost)
+            cost = _badness(np.maximum(first, second)) + 0.5 * _badness(np.minimum(first, second))
+            cost = cost - 1e-6 * (high - low)[:, axis]
             better = cost < best
             axis_of = np.where(better, axis, axis_of)
             best = np.where(better, cost, best)
@@ -210,10 +257,6 @@ class _Forest:
         rows = np.arange(len(which))
         first_high, second_low = high.copy(), low.copy()
         first_high[rows, axis_of] = second_low[rows, axis_of] = middle[rows, axis_of]
-        unknown = np.isinf(best)
-        if unknown.any():
-            both[unknown, 0] = figures(self.theorem, self.case, self.place, low[unknown], first_high[unknown])
-            both[unknown, 1] = figures(self.theorem, self.case, self.place, second_low[unknown], high[unknown])
         paths = [self.paths[i] for i in which]
         for path, axis in zip(paths, axis_of, strict=True):
             self.splits[path] = int(axis)
@@ -224,6 +267,11 @@ class _Forest:
         self.low = np.concatenate([self.low[keep], low, second_low])
         self.high = np.concatenate([self.high[keep], first_high, high])
         self.figures = np.concatenate([self.figures[keep], both[:, 0], both[:, 1]])
+
+
+def _badness(bounds: Array) -> Array:
+    """On a scale on which a box outside of the domain counts nothing and no bound at all counts much."""
+    return np.log(np.clip(bounds, 1.0, 1e300)) + np.where(np.isposinf(bounds), 100.0, 0.0)
 
 
 def theorem_arguments(symbols: Sequence[object], units: Mapping[str, str]) -> list[Argument]:

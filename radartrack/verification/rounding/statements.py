@@ -100,7 +100,7 @@ def _number(number: float, like: Enclosure) -> Value | None:
     middle = np.full_like(like.middle, math.log(abs(number)))
     slack = np.zeros_like(middle) if abs(number) == 1 else np.full_like(middle, SLACK)
     size = Enclosure(middle, like.slopes, slack, slack, middle - slack, middle + slack)
-    return rules.exact(size, np.full(len(middle), 1 if number > 0 else -1, dtype=np.int8))
+    return rules.exact(size, np.full(len(middle), 1 if number > 0 else -1, dtype=np.int8), number=True)
 
 
 def _negated(value: Value | None) -> Value | None:
