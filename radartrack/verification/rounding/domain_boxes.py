@@ -18,7 +18,7 @@ import numpy as np
 from radartrack.verification.rounding.enclosures import SLACK, Array, Enclosure, curve
 from radartrack.verification.rounding.error_rules import ULPS, Value, exact, settled
 
-SMALLEST = 1e-30
+SMALLEST = 1e-20
 LARGEST_CORRELATION = 0.99
 QUARTER = math.pi / 2
 EIGHTH = math.pi / 4 * (1 + 1e-9)
@@ -31,7 +31,6 @@ class Argument:
     name: str
     low: float
     high: float
-    unit: str
     kind: str  # "positive", "signed", "angle", "correlation"
 
 

@@ -44,7 +44,7 @@ FLOOR, CEILING = -1000 * float(np.log(2.0)), 1000 * float(np.log(2.0))  # of log
 SPACING = 53 * float(np.log(2.0))
 
 Signs = npt.NDArray[np.int8]
-MOST_PARTS = 400
+MOST_PARTS = 200
 _serial = count()
 
 
@@ -302,7 +302,7 @@ def sum_of(first: Value, second: Value) -> Value:
         error = None if errors is None or own is None else total([own, size])
         relative, makeup = _rounded(shared, 1.0), _both(first.makeup, second.makeup, merged)
         return settled(size, first.sign, relative, error, terms, tiny, parts, errors, makeup)
-    larger = first.size.middle >= second.size.middle
+    larger = _middle_or_most(first) >= _middle_or_most(second)
     major, minor = either(larger, first.size, second.size), either(larger, second.size, first.size)
     leading = np.where(larger, first.sign, second.sign)
     ratio = minor / major
@@ -319,6 +319,10 @@ def sum_of(first: Value, second: Value) -> Value:
         inherited = merged(*(value.error_parts for value in (first, second) if value.error is not None))
         errors = merged(times(inherited, 1 + U), parts)
     return settled(size, sign, relative, error, terms, tiny, parts, errors, whole(size) if certain.all() else None)
+
+
+def _middle_or_most(value: Value) -> Array:
+    return np.where(value.sign == 0, value.size.high, value.size.middle)
 
 
 def _one_or_less(left: Enclosure, ratio: Enclosure) -> Enclosure:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,10 +22,10 @@ from radartrack.verification.rounding.error_rules import Atom, NotAnalysed, Part
 from radartrack.verification.rounding.statements import Index, evaluated
 
 BATCH = 2048
-SAMPLES = 300
+SAMPLES = 64
 MARGIN = 1.0 + 1e-6  # of a bound, over what floating point gave; the checker rounds outward
 SHARP = 1.25  # a box is good enough when its bound is within this of the worst point's
-WORST_FIRST = 256
+WORST_FIRST = 16
 SHARED = 0.4  # terms are shared among products whose logarithms are this close to the best
 
 
@@ -206,6 +206,8 @@ class _Forest:
         self.theorem, self.case, self.place = theorem, case, place
         self.low, self.high = place.low[np.newaxis].copy(), place.high[np.newaxis].copy()
         self.paths = [""]
+        curved = _of_exponentials(theorem.function)
+        self.curved = {axis for name, axis in place.places.items() if name in curved}
         self.splits: dict[str, int] = {}
         self.figures = figures(theorem, case, place, self.low, self.high)
 
@@ -249,7 +251,7 @@ class _Forest:
             first = figures(self.theorem, self.case, self.place, low, first_high)
             second = figures(self.theorem, self.case, self.place, second_low, high)
             cost = _badness(np.maximum(first, second)) + 0.5 * _badness(np.minimum(first, second))
-            cost = cost - 1e-6 * (high - low)[:, axis]
+            cost = cost - 1e-6 * (high - low)[:, axis] * (100.0 if axis in self.curved else 1.0)
             better = cost < best
             axis_of = np.where(better, axis, axis_of)
             best = np.where(better, cost, best)
@@ -269,23 +271,24 @@ class _Forest:
         self.figures = np.concatenate([self.figures[keep], both[:, 0], both[:, 1]])
 
 
-def _badness(bounds: Array) -> Array:
-    """On a scale on which a box outside of the domain counts nothing and no bound at all counts much."""
-    return np.log(np.clip(bounds, 1.0, 1e300)) + np.where(np.isposinf(bounds), 100.0, 0.0)
-
-
-def theorem_arguments(symbols: Sequence[object], units: Mapping[str, str]) -> list[Argument]:
-    """The arguments of a quantity."""
-    found = []
-    for symbol in symbols:
-        kind = _kind(symbol)
-        found.append(Argument(symbol.name, float(symbol.low), float(symbol.high), units[symbol.name], kind))  # type: ignore[attr-defined]
+def _of_exponentials(function: ast.FunctionDef) -> set[str]:
+    """The names that exponentials depend on: where no axis is better than another, these are worth splitting."""
+    made_of: dict[str, set[str]] = {}
+    found: set[str] = set()
+    for statement in function.body:
+        if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
+            made_of[statement.targets[0].id] = _names(statement.value, made_of)
+            for call in ast.walk(statement.value):
+                if isinstance(call, ast.Call) and ast.unparse(call.func) in {"np.exp", "np.expm1"}:
+                    found |= _names(call, made_of)
     return found
 
 
-def _kind(symbol: object) -> str:
-    if symbol.is_correlation:  # type: ignore[attr-defined]
-        return "correlation"
-    if symbol.is_angle:  # type: ignore[attr-defined]
-        return "angle"
-    return "signed" if symbol.low < 0 else "positive"  # type: ignore[attr-defined]
+def _names(node: ast.expr, made_of: dict[str, set[str]]) -> set[str]:
+    names = {one.id for one in ast.walk(node) if isinstance(one, ast.Name)}
+    return names.union(*(made_of.get(name, set()) for name in names)) if names else names
+
+
+def _badness(bounds: Array) -> Array:
+    """On a scale on which a box outside of the domain counts nothing and no bound at all counts much."""
+    return np.log(np.clip(bounds, 1.0, 1e300)) + np.where(np.isposinf(bounds), 100.0, 0.0)
