@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from functools import cache
 
 from radartrack.derive.finite_sample import fading_memory, filter_quantities
+from radartrack.derive.frames import earth, site
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments import taylor_quantities
@@ -14,6 +15,7 @@ from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion, steady_state, turning
 from radartrack.derive.sensors import converted_measurements, observation_maps, several_sites
 from radartrack.derive.tracks import (
+    common_noise,
     deviation_from_line,
     fusion_weights,
     least_squares_line,
@@ -25,10 +27,13 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     converted_measurements.quantities,
     observation_maps.quantities,
     several_sites.quantities,
+    earth.quantities,
+    site.quantities,
     least_squares_line.quantities,
     line_over_time.quantities,
     deviation_from_line.quantities,
     fusion_weights.quantities,
+    common_noise.quantities,
     track_initiation.quantities,
     filter_quantities.quantities,
     polynomial_motion.quantities,
