@@ -39,6 +39,8 @@ from radartrack.derive.checking.question.letters.letter_readings import (
     ambiguous,
     as_typed,
 )
+from radartrack.derive.checking.question.letters.undeclared_letters import undeclared_letters
+from radartrack.derive.checking.question.letters.undeclared_letters import words as assumed
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
@@ -248,6 +250,7 @@ def ask_identity(
     let: Mapping[str, str] | None = None,
     world: World = CATALOGUE,
     sense: Sense = EXACTLY,
+    alike: Sequence[str] = (),
 ) -> Question:
     """Whether two formulas of a paper are the same; what is printed is the right one, compared with the left one.
 
@@ -258,6 +261,8 @@ def ask_identity(
         let: definitions.
         world: the paper's.
         sense: in which they are.
+        alike: all formulas that are said to be the same, where there are more: they tell the units of letters of which
+            the paper says nothing.
 
     Raises:
         FormulaError, UnknownQuantity: when something cannot be read.
@@ -267,8 +272,12 @@ def ask_identity(
     texts = [left, right, *(given or {}).values(), *(let or {}).values()]
     symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
     names = Names(symbols, definitions, world)
+    letters = undeclared_letters(alike or [left, right], names, world.letters)
+    names = names.with_symbols(letters)
     reference = of_formula(left, names).with_symbols(names.symbols.values())
-    return asked(reference, read_printed(right, names, reference.shape), given or {}, world, sense)
+    printed = read_printed(right, names.fixing(names.tree(left)), reference.shape)
+    remarks = (*printed.remarks, *([assumed(letters)] if letters else []))
+    return asked(reference, replace(printed, remarks=remarks), given or {}, world, sense)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ is looked up, so that only few equalities are left to prove.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from functools import lru_cache
@@ -38,6 +38,7 @@ SECONDS = 2.0  # of one core, spent on deriving other quantities to compare with
 RIVALS = 6  # quantities of other models that a formula is read again for
 PREDICTED = "predicted_"
 TRIALS = 8  # conventions in which the print is compared with them
+_processor_time: Callable[[], float] = getattr(time, "thread_time", time.perf_counter)  # browsers do not count it
 
 
 @dataclass(frozen=True)
@@ -86,10 +87,10 @@ def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
 
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
-    deadline = time.thread_time() + SECONDS
+    deadline = _processor_time() + SECONDS
     for quantity in _candidates(part.quantity):
         for places, name in _slices(part, quantity):
-            if time.thread_time() > deadline:
+            if _processor_time() > deadline:
                 return
             if asked.may_be(quantity, places):
                 yield from (f"{sign}{name}{words}" for sign, words in _equalities(trials, quantity, places))

@@ -214,7 +214,7 @@ class _Trial:
         for name in reversed(self._trees):
             if name in needed:
                 needed |= names_of(self._trees[name])
-        return [name for name in reversed(self._trees) if name in needed]
+        return [name for name in reversed(self._trees) if name in needed - self._names.fixed]
 
     def _slips(self, node: Tree, name: str, *, whole: bool) -> Iterator[Alternative]:
         before = list(self._trees)[list(self._trees).index(name) :]

@@ -20,6 +20,8 @@ _SAME = MappingProxyType(
         "arctan2": "atan2",
         "absolute": "abs",
         "fabs": "abs",
+        "chi2cdf": "chi2cdf",
+        "chi2inv": "chi2inv",
         "det": "det",
         "determinant": "det",
         "expm": "expm",
