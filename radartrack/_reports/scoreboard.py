@@ -29,6 +29,7 @@ th, td { border-top: 1px solid var(--line); padding: .35rem .6rem; text-align: r
 th:first-child, td:first-child { text-align: left; } th { color: var(--dim); font-weight: 600; font-size: .85rem; }
 td.wrong { color: var(--bad); font-weight: 600; } td a { color: inherit; }
 tfoot td { font-weight: 600; } .finding h3 { margin-bottom: .3rem; } .finding h3 a { color: inherit; }
+.finding p a { color: inherit; }
 .finding { border-left: 3px solid var(--bad); padding: .2rem 0 .2rem .9rem; margin: 1.1rem 0; border-top: 0; }
 """
 
