@@ -14,6 +14,7 @@ from radartrack.derive.moments.conversion_quantities import quantities_of
 from radartrack.derive.motion import correlated_motion, plane_motion, polynomial_motion, steady_state, turning
 from radartrack.derive.sensors import converted_measurements, observation_maps, several_sites
 from radartrack.derive.tracks import (
+    common_noise,
     deviation_from_line,
     fusion_weights,
     least_squares_line,
@@ -29,6 +30,7 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     line_over_time.quantities,
     deviation_from_line.quantities,
     fusion_weights.quantities,
+    common_noise.quantities,
     track_initiation.quantities,
     filter_quantities.quantities,
     polynomial_motion.quantities,

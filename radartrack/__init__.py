@@ -7,7 +7,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from radartrack import consistency, convert, fusion, initiate, kalman, line, observe, simulate, validity
+    from radartrack import (
+        consistency,
+        convert,
+        fusion,
+        initiate,
+        kalman,
+        line,
+        observe,
+        ros,
+        simulate,
+        tables,
+        validity,
+    )
     from radartrack.finite_sample_filter import FiniteSampleFilter
     from radartrack.variance_table import VarianceTable
 
@@ -21,7 +33,9 @@ __all__ = [
     "kalman",
     "line",
     "observe",
+    "ros",
     "simulate",
+    "tables",
     "validity",
 ]
 

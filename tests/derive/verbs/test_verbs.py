@@ -18,6 +18,7 @@ from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.derivatives import hessian, jacobian, taylor
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
+from radartrack.derive.verbs.gates import probability, quantile
 from radartrack.derive.verbs.integrals import integrated
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.matrix_exponential import exponential
@@ -273,3 +274,20 @@ def test_a_taylor_polynomial_leaves_an_error_of_the_next_order():
 def test_a_function_without_a_taylor_polynomial_is_refused():
     with pytest.raises(NoClosedForm, match="not finite"):
         taylor(1 / x, [x], 2)
+
+
+@pytest.mark.parametrize("degrees", [1, 2, 3, 4, 7, 30])
+@pytest.mark.parametrize("at", ["0.1", "3", "41.7"])
+def test_chi_square_probabilities_are_integrals_of_the_density(degrees: int, at: str) -> None:
+    half = mpmath.mpf(degrees) / 2
+    expected = mpmath.quad(lambda t: 2 * t ** (degrees - 1) * mpmath.exp(-t * t / 2), [0, mpmath.sqrt(mpmath.mpf(at))])
+    expected /= 2**half * mpmath.gamma(half)
+    got = number(probability(sp.Rational(at), sp.Integer(degrees)))
+    assert abs(got - expected) <= mpmath.mpf(10) ** -12 * max(expected, mpmath.mpf(10) ** -12)
+
+
+@pytest.mark.parametrize("degrees", [1, 2, 3, 6, 100])
+@pytest.mark.parametrize("below", ["1/1000", "1/2", "0.99", "0.999999"])
+def test_chi_square_quantiles_are_exceeded_with_what_is_left_of_one(degrees: int, below: str) -> None:
+    gate = quantile(sp.Rational(below), sp.Integer(degrees))
+    assert abs(number(probability(gate, sp.Integer(degrees))) - number(sp.Rational(below))) <= mpmath.mpf(10) ** -14

@@ -58,3 +58,14 @@ def test_an_example_is_not_taken_where_the_derived_value_happens_to_vanish():
     assert found.largest_relative_difference is not None
     assert found.relative_difference < 1e4
     assert found.relative_difference <= found.largest_relative_difference < 1e4
+
+
+def test_a_definition_on_which_both_sides_rest_is_not_mended_for_one_of_them():
+    """With another gain the left side would be another too."""
+    gain = {"P": "[[p11, p12], [p12, p22]]", "H": "[[1, 0]]", "R": "[[s2]]", "K": "P @ H.T @ inv(H @ P @ H.T + R)"}
+    left = "(eye(2) - K@H) @ P @ (eye(2) - K@H).T + K @ R @ K.T"
+    assert verdict(left, "P - K@H@P", **gain).verdict is Outcome.EQUAL
+    wrong = verdict(left, "P + K@H@P", **gain)
+    assert wrong.verdict is Outcome.DIFFERS
+    assert wrong.suggestions
+    assert not any(suggestion.definition for suggestion in wrong.suggestions)
