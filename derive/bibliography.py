@@ -70,6 +70,12 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "IEEE Transactions on Aerospace and Electronic Systems 50(2), 1431-1444",
             "10.1109/TAES.2014.120563",
         ),
+        "crouse2014": Work(
+            "Crouse",
+            2014,
+            "Basic tracking using nonlinear 3D monostatic and bistatic measurements",
+            "IEEE Aerospace and Electronic Systems Magazine 29(8), 4-53",
+        ),
         "duan2004": Work(
             "Duan et al.",
             2004,
@@ -98,6 +104,13 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "Gorshkov & Zavizhenets",
             None,
             "Filtering of polynomial trajectories of manoeuvring targets over a finite sample with range rate",
+        ),
+        "hofmannwellenhof2006": Work(
+            "Hofmann-Wellenhof & Moritz",
+            2006,
+            "Physical geodesy",
+            "Springer",
+            "10.1007/978-3-211-33545-1",
         ),
         "julier1997": Work(
             "Julier & Uhlmann",

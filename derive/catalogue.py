@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from functools import cache
 
 from radartrack.derive.finite_sample import fading_memory, filter_quantities
+from radartrack.derive.frames import earth, site
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments import taylor_quantities
@@ -26,6 +27,8 @@ FAMILIES: tuple[Callable[[], Iterable[Quantity]], ...] = (
     converted_measurements.quantities,
     observation_maps.quantities,
     several_sites.quantities,
+    earth.quantities,
+    site.quantities,
     least_squares_line.quantities,
     line_over_time.quantities,
     deviation_from_line.quantities,

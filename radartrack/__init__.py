@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from radartrack import (
         consistency,
         convert,
+        frames,
         fusion,
         initiate,
         kalman,
@@ -28,6 +29,7 @@ __all__ = [
     "VarianceTable",
     "consistency",
     "convert",
+    "frames",
     "fusion",
     "initiate",
     "kalman",

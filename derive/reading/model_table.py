@@ -14,7 +14,6 @@ from radartrack.derive.algebra.multiplied_out import terms
 from radartrack.derive.catalogue import catalogue, common_symbols
 from radartrack.derive.evaluation.real_outputs import require_real
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fitting_units import fitting_units, turned_names
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.limits import check_size
@@ -26,6 +25,7 @@ from radartrack.derive.formula.unknown_names import unusable
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.source import Source
 from radartrack.derive.language.variable import Variable, correlation
+from radartrack.derive.reading.fitting_units import fitting_units, turned_names
 from radartrack.derive.reading.symbol_table import SHOWN, TableError, read_symbol, shown, shown_name
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.reading.unit_text import read_unit

@@ -24,6 +24,7 @@ from radartrack.verification.layers.identity import Identity
 from radartrack.verification.layers.loosened import in_single
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
+from radartrack.verification.layers.rounding import Rounding
 from radartrack.verification.layers.ulp_search import Accuracy
 from radartrack.verification.outcome import BROKEN, FUNCTION, Function, Layer, Outcome, examined
 from radartrack.verification.own_models import NONE, OwnModels
@@ -61,6 +62,7 @@ class Effort:
         found: list[Layer] = [
             Dimensions(self.seed),
             Identity(self.seed),
+            Rounding(),
             Accuracy(self.points, self.seed),
             Quadrature(self.nodes, self.seed),
         ]
@@ -68,7 +70,7 @@ class Effort:
 
     def layers_along(self, path: str) -> list[Layer]:
         """Those that look at code; a derivation and its mutants are looked at once, with the function."""
-        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants)]
+        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants | Rounding)]
 
 
 QUICK = Effort(points=2_000, nodes=1, draws=1 << 20, mutants=0)

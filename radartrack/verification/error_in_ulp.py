@@ -67,16 +67,16 @@ def _scales(quantity: Quantity, exact_arithmetic: Exact) -> Callable[[tuple[floa
         stated = quantity.scale() if quantity.scale else form_of(quantity).expanded().map(term_sizes)
         evaluator = exact_arithmetic(stated, quantity.symbols)
         return lambda row, _: [float(value) for value in evaluator(row)]
-    peers, norm = _peers(quantity), _geometric_mean if quantity.is_covariance else _euclidean
+    groups, norm = peers(quantity), _geometric_mean if quantity.is_covariance else _euclidean
 
     def scales(_: tuple[float, ...], exact: tuple[Any, ...]) -> list[float]:
         magnitudes = [abs(float(value)) for value in exact]
-        return [norm([magnitudes[n] for n in group]) for group in peers]
+        return [norm([magnitudes[n] for n in group]) for group in groups]
 
     return scales
 
 
-def _peers(quantity: Quantity) -> list[list[int]]:
+def peers(quantity: Quantity) -> list[list[int]]:
     """For each entry the positions of the entries that make its scale."""
     positions = {index: n for n, index in enumerate(indices(quantity.shape))}
     if quantity.is_covariance:

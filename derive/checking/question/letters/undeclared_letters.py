@@ -10,7 +10,6 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import common_symbols
 from radartrack.derive.checking.question.names import WORD, Names
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fitting_units import fitting_units, turned_names
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.tree import Name, Power, Tree, bound_names, parts, rational_value
 from radartrack.derive.formula.tree import names as names_of
@@ -18,6 +17,7 @@ from radartrack.derive.formula.unknown_names import CONSTANTS
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.fitting_units import fitting_units, turned_names
 from radartrack.derive.reading.symbol_table import read_symbol
 from radartrack.derive.units import ONE, Unit
 from radartrack.derive.verbs.no_closed_form import NoClosedForm

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive.formula.fitting_units import fitting_units
+from radartrack.derive.reading.fitting_units import fitting_units
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.reading.unit_text import read_unit
 from radartrack.derive.units import METRE, ONE, RADIAN, SECOND, Unit
