@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-bu
 VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: all test lint format types layers drift notebooks bench verify mutants matrix seeds site site-test dist installed clean
+.PHONY: all test lint format types layers drift notebooks bench scoreboard verify mutants matrix seeds site site-test dist installed clean
 .NOTPARALLEL:
 
 all: $(VENV)/.package
@@ -46,6 +46,10 @@ bench: $(VENV)/.extra-peers
 	$(BIN)/python benchmarks/table.py build/benchmarks.json >build/benchmarks.md
 	$(BIN)/python benchmarks/growth.py >>build/benchmarks.md
 	mv build/benchmarks.md docs/benchmarks.md
+
+# The page of all audits of literature and libraries; on a busy machine claims need more than their usual time.
+scoreboard: $(VENV)/.package
+	$(BIN)/radartrack audit literature libraries --timeout 600 --html docs/scoreboard.html
 
 verify: $(VENV)/.group-test
 	$(BIN)/radartrack verify

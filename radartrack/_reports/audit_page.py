@@ -5,13 +5,13 @@ Formulas are MathML, which browsers typeset by themselves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from html import escape
 from importlib.resources import files
 from typing import Any
 
-from radartrack._reports import audit_text, experiment_section
+from radartrack._reports import audit_text, experiment_section, scoreboard
 from radartrack._reports.experiment_section import Experiment
 from radartrack._system import harmless_text
 
@@ -58,6 +58,9 @@ def page(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experiment] 
     style = look() + STYLE + (experiment_section.STYLE if experiments else "")
     contents = _contents(audits, experiments) if experiments else ""
     contents += _summary([record for audit in audits for record in audit["claims"]])
+    if not experiments and len(audits) > 1:
+        style += scoreboard.STYLE
+        sections.insert(0, scoreboard.scoreboard(audits))
     body = "\n".join(sections)
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -100,20 +103,31 @@ def _paper(audit: Mapping[str, Any], number: int) -> str:
     articles = "\n".join(map(_claim, records))
     heading = f"<h2>{escape(audit['paper'])}</h2>"
     counted = f'<p class="counts">{escape(audit_text.summary(records))}</p>'
-    return f'<section id="formulas-{number}">\n{heading}\n{counted}\n{articles}\n</section>'
+    origin = "".join(f'<p class="where">{escape(line)}</p>' for line in _origin(audit))
+    return f'<section id="formulas-{number}">\n{heading}\n{counted}\n{origin}{articles}\n</section>'
+
+
+def _origin(audit: Mapping[str, Any]) -> Iterator[str]:
+    """Where the claims come from."""
+    if audit.get("doi"):
+        yield f"doi:{audit['doi']}"
+    if audit.get("url"):
+        commit = f", commit {audit['commit'][:12]}" if audit.get("commit") else ""
+        yield f"{audit['url'].removeprefix('https://')}{commit}"
+    if audit.get("seen"):
+        yield f"Seen: {audit['seen']}"
 
 
 def _claim(record: Mapping[str, Any]) -> str:
     verdict = record["verdict"]
-    places = [record["equation"], f"p. {record['page']}" if record["page"] else ""]
-    where = ", ".join(place for place in places if place)
     parts = [
-        _heading(record["id"], audit_text.WORDS[verdict], where),
+        _heading(record["id"], audit_text.WORDS[verdict], scoreboard.place(record)),
         f"<p><code>{escape(record['quantity'])}</code></p>" if record["quantity"] else "",
         _formula(record.get("printed_mathml", ""), record["printed"]),
         f"<p>{escape(record['reason'])}</p>",
         _details(record) if verdict in audit_text.WRONG else "",
         f'<p class="where">{escape(record["note"])}</p>' if record["note"] not in {"", record["printed"]} else "",
+        f'<p class="where">Seen: {escape(record["seen"])}</p>' if record.get("seen") else "",
     ]
     identity = escape(record["id"], quote=True)
     return f'<article class="{verdict}" id="{identity}">{"".join(parts)}</article>'

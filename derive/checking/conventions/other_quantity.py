@@ -32,6 +32,7 @@ from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import Unit
 
 SECONDS = 2.0  # of one core, spent on deriving other quantities to compare with
 RIVALS = 6  # quantities of other models that a formula is read again for
@@ -158,11 +159,16 @@ def rivals(reference: Reference) -> list[str]:
         common = words & set(other.name.split(".")[1:])
         if other is part.quantity or other.shape != part.quantity.shape or not common:
             continue
-        if set(other.symbols) == set(part.quantity.symbols):
+        if _with_units(other) == _with_units(part.quantity):
             continue  # one of those that are compared by value
         if all(Dimension.of(other.unit(p)).agrees(d) for p, d in zip(part.places, dimensions, strict=True)):
             found.append((-len(common), other.name + _brackets(part, other)))
     return [name for _, name in sorted(found)[:RIVALS]]
+
+
+def _with_units(quantity: Quantity) -> set[tuple[str, Unit]]:
+    """The symbols of a quantity; those of one name may be of several units."""
+    return {(symbol.name, symbol.unit) for symbol in quantity.symbols}
 
 
 def _candidates(quantity: Quantity) -> list[Quantity]:
