@@ -70,7 +70,9 @@ class Effort:
 
     def layers_along(self, path: str) -> list[Layer]:
         """Those that look at code; a derivation and its mutants are looked at once, with the function."""
-        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants | Rounding)]
+        return [
+            layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants | Rounding)
+        ]
 
 
 QUICK = Effort(points=2_000, nodes=1, draws=1 << 20, mutants=0)
