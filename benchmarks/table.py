@@ -73,6 +73,12 @@ ROWS = (
     ),
     Row("`kalman.update_with`, order 1, 1e5 tracks", "Stone Soup's extended updater, track by track",
         "TestUpdateWith::test_radartrack[1]", "TestUpdateWithPeer::test_stone_soup", "≥ 100 times faster", faster=True),
+    *(
+        Row(f"`frames.{ours}`, 1e6 positions", beside,
+            f"test_frames.py::{test}::test_radartrack", f"test_frames.py::{test}::{peer}", "–")
+        for ours, test in (("geodetic_from_ecef", "TestGeodetic"), ("ecef_from_geodetic", "TestEcef"))
+        for beside, peer in (("PROJ, by pyproj", "test_proj"), ("pymap3d", "test_pymap3d"))
+    ),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, NumPy alone", "drawing the normals alone",
         "TestMonteCarlo::test_numpy", "TestMonteCarlo::test_normals", "–"),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, with `[fast]`", "the same",
