@@ -7,7 +7,20 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from radartrack import consistency, convert, frames, fusion, initiate, kalman, line, observe, simulate, validity
+    from radartrack import (
+        consistency,
+        convert,
+        frames,
+        fusion,
+        initiate,
+        kalman,
+        line,
+        observe,
+        ros,
+        simulate,
+        tables,
+        validity,
+    )
     from radartrack.finite_sample_filter import FiniteSampleFilter
     from radartrack.variance_table import VarianceTable
 
@@ -22,7 +35,9 @@ __all__ = [
     "kalman",
     "line",
     "observe",
+    "ros",
     "simulate",
+    "tables",
     "validity",
 ]
 

@@ -18,6 +18,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.verification.domain_points import Points
 
 Norm = Callable[[list[float]], float]
+SINGLE = 2.0**29  # ulp of double precision in one of single precision
 Exact = Callable[[Tensor[Expr], Sequence[Symbol]], Callable[[Sequence[float]], Tensor[Any]]]
 
 
@@ -55,22 +56,27 @@ def errors(
     return np.asarray(Yardstick(quantity, points, exact_arithmetic).errors(computed).max(axis=-1))
 
 
+def in_single(points: Points) -> Points:
+    """The points that single precision has closest to these."""
+    return {name: values.astype(np.float32).astype(np.float64) for name, values in points.items()}
+
+
 def _scales(quantity: Quantity, exact_arithmetic: Exact) -> Callable[[tuple[float, ...], tuple[Any, ...]], list[float]]:
     """What the entries are measured against, as a function of the point and the exact values there."""
     if quantity.scale is not None or quantity.is_difference:
         stated = quantity.scale() if quantity.scale else form_of(quantity).expanded().map(term_sizes)
         evaluator = exact_arithmetic(stated, quantity.symbols)
         return lambda row, _: [float(value) for value in evaluator(row)]
-    peers, norm = _peers(quantity), _geometric_mean if quantity.is_covariance else _euclidean
+    groups, norm = peers(quantity), _geometric_mean if quantity.is_covariance else _euclidean
 
     def scales(_: tuple[float, ...], exact: tuple[Any, ...]) -> list[float]:
         magnitudes = [abs(float(value)) for value in exact]
-        return [norm([magnitudes[n] for n in group]) for group in peers]
+        return [norm([magnitudes[n] for n in group]) for group in groups]
 
     return scales
 
 
-def _peers(quantity: Quantity) -> list[list[int]]:
+def peers(quantity: Quantity) -> list[list[int]]:
     """For each entry the positions of the entries that make its scale."""
     positions = {index: n for n, index in enumerate(indices(quantity.shape))}
     if quantity.is_covariance:

@@ -181,7 +181,7 @@ def test_the_command_writes_a_record_and_shows_a_table(tmp_path: Path):
     assert {"numpy", "python", "radartrack"} <= record["versions"].keys()
     (function,) = record["functions"]
     layers = {layer["layer"]: layer for layer in function["layers"]}
-    assert layers.keys() == {"dimensions", "identity", "ulp", "quadrature", "Monte Carlo"}
+    assert layers.keys() == {"dimensions", "identity", "rounding", "ulp", "quadrature", "Monte Carlo"}
     assert layers["ulp"]["figure"] <= layers["ulp"]["bound"]
     assert layers["Monte Carlo"]["verdict"] == "not applicable"
     assert list(tmp_path.iterdir()) == [tmp_path / "record.json"]

@@ -1,0 +1,1 @@
+"""Proved bounds of rounding errors: enclosures, error rules, boxes, certificates and what checks these."""
