@@ -41,6 +41,7 @@ KINDS = {
     "equal": ("equal", "equal_numerically"),
 }
 """What can be shown alone, in the order in which claims stand on the page."""
+SAID = {"wrong": "not equal"}  # some of these are right in a convention of their own
 
 
 @cache
@@ -82,7 +83,8 @@ def _contents(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experim
 def _summary(records: Sequence[Mapping[str, Any]]) -> str:
     """How many claims there are of each verdict, and which of them are shown: a choice that needs no script."""
     counts = {kind: sum(record["verdict"] in verdicts for record in records) for kind, verdicts in KINDS.items()}
-    choices = [("all", f"all {len(records)}"), *((kind, f"{count} {kind}") for kind, count in counts.items() if count)]
+    found = [(kind, f"{count} {SAID.get(kind, kind)}") for kind, count in counts.items() if count]
+    choices = [("all", f"all {len(records)}"), *found]
     labels = "\n".join(
         f'<label><input type="radio" name="show" id="show-{kind}"{" checked" if kind == "all" else ""}> {words}</label>'
         for kind, words in choices

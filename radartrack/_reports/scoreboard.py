@@ -23,12 +23,17 @@ class Rating(StrEnum):
 
 
 SECTIONS = {"paper": "Papers and books", "library": "Libraries"}
+EXPLAINED = (
+    '<p class="where">Right is what is proved equal as it stands. Right under a condition: to an order, in a limit, or '
+    "with another axis, order of the state or unit. Wrong is what differs and is right in none of these.</p>"
+)
 STYLE = """
 table { border-collapse: collapse; width: 100%; margin: .8rem 0 1.6rem; font-variant-numeric: tabular-nums; }
 th, td { border-top: 1px solid var(--line); padding: .35rem .6rem; text-align: right; vertical-align: top; }
 th:first-child, td:first-child { text-align: left; } th { color: var(--dim); font-weight: 600; font-size: .85rem; }
 td.wrong { color: var(--bad); font-weight: 600; } td a { color: inherit; }
 tfoot td { font-weight: 600; } .finding h3 { margin-bottom: .3rem; } .finding h3 a { color: inherit; }
+.finding p a { color: inherit; }
 .finding { border-left: 3px solid var(--bad); padding: .2rem 0 .2rem .9rem; margin: 1.1rem 0; border-top: 0; }
 """
 
@@ -56,7 +61,7 @@ def scoreboard(audits: Sequence[Mapping[str, Any]]) -> str:
     wrong = [(audit, record) for audit in audits for record in audit["claims"] if rating(record) is Rating.WRONG]
     findings = "\n".join(_finding(audit, record) for audit, record in wrong)
     told = f"<section>\n<h2>What is wrong</h2>\n{findings}\n</section>" if wrong else ""
-    return "\n".join([*parts, told])
+    return "\n".join([EXPLAINED, *parts, told])
 
 
 def _table(heading: str, audits: Sequence[tuple[int, Mapping[str, Any]]]) -> str:
@@ -91,7 +96,7 @@ def _finding(audit: Mapping[str, Any], record: Record) -> str:
         f"<p>{escape(audit['paper'])}</p>",
         *(f"<p>{text}</p>" for text in _told(record)),
     ]
-    return f'<article class="finding">{"".join(parts)}</article>'
+    return f'<article class="finding {record["verdict"]}">{"".join(parts)}</article>'
 
 
 def _told(record: Record) -> Iterator[str]:

@@ -73,7 +73,7 @@ def test_what_is_wrong_comes_first_and_can_be_shown_alone(html: str) -> None:
     order = [html.index(f'id="{identity}"') for identity in ("a.wrong", "a.open", "a.right")]
     assert order == sorted(order)
     assert html.index("4 claims: ") < order[0]
-    for kind, words in (("all", "all 4"), ("wrong", "2 wrong"), ("undecided", "1 undecided"), ("equal", "1 equal")):
+    for kind, words in (("all", "all 4"), ("wrong", "2 not equal"), ("undecided", "1 undecided"), ("equal", "1 equal")):
         assert f'id="show-{kind}"' in html
         assert f"> {words}</label>" in html
 

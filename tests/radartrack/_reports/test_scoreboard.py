@@ -70,7 +70,7 @@ class Page(HTMLParser):
         self.links += [value or "" for name, value in attrs if name in {"href", "src"}]
         if tag == "td":
             self.cells.append("")
-        if tag != "meta":
+        if tag not in {"meta", "input"}:
             self.open.append(tag)
 
     def handle_endtag(self, tag: str) -> None:
