@@ -197,7 +197,8 @@ class Box:
 
     def paired(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Ball | None:
         """A number κ with error ≤ κ · √(first · second): Σ Mᵢⱼ √(aᵢ bⱼ) is at most ‖M‖ √(Σ aᵢ Σ bⱼ), and ‖M‖² at most
-        the largest sum of a row by that of a column."""
+        the largest sum of a row by that of a column.
+        """
         pairs = [(i, j) for i in first for j in second]
         rows, columns = dict.fromkeys(first, self.ball(0)), dict.fromkeys(second, self.ball(0))
         for key, coefficient in error.items():

@@ -17,8 +17,8 @@ from radartrack.verification.rounding.domain_boxes import (
     coordinates,
     given,
 )
-from radartrack.verification.rounding.enclosures import Array, Enclosure, total
-from radartrack.verification.rounding.error_rules import Atom, NotAnalysed, Parts, Value
+from radartrack.verification.rounding.enclosures import Array, total
+from radartrack.verification.rounding.error_rules import Atom, Parts, Value
 from radartrack.verification.rounding.statements import Index, evaluated
 
 BATCH = 2048

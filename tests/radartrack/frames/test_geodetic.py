@@ -215,4 +215,4 @@ def test_errors_name_the_argument_and_what_is_allowed(call: Callable[[], object]
 
 def test_text_is_no_latitude():
     with pytest.raises(TypeError, match="latitude must be real numbers"):
-        frames.ecef_from_geodetic("55N", 0.0)  # type: ignore[call-overload]
+        frames.ecef_from_geodetic("55N", 0.0)
