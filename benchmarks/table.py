@@ -77,6 +77,12 @@ ROWS = (
     ),
     Row("`kalman.update_with`, order 1, 1e5 tracks", "Stone Soup's extended updater, track by track",
         "TestUpdateWith::test_radartrack[1]", "TestUpdateWithPeer::test_stone_soup", "≥ 100 times faster", faster=True),
+    *(
+        Row(f"`frames.{ours}`, 1e6 positions", beside,
+            f"test_frames.py::{test}::test_radartrack", f"test_frames.py::{test}::{peer}", "–")
+        for ours, test in (("geodetic_from_ecef", "TestGeodetic"), ("ecef_from_geodetic", "TestEcef"))
+        for beside, peer in (("PROJ, by pyproj", "test_proj"), ("pymap3d", "test_pymap3d"))
+    ),
     Row("`radartrack convert` of 1e6 spherical plots, Parquet to Parquet, with `[fast]`", "copying as many columns",
         "TestParquet::test_radartrack", "TestParquet::test_copied", "≤ 3.0"),
     Row("`stone_soup.OnePlotInitiator`, a scan of 300 plots", "Stone Soup's `SimpleMeasurementInitiator`",

@@ -35,6 +35,7 @@ SAME = 1e-8  # relative difference at generic points below which formulas are wo
 NEAR = 0.4  # and below which they are near: a coefficient of 1/3 for 1/2 is
 FEW = 12  # readings of one set of symbols; by more of them, what is near is near by chance
 MOST_CANDIDATES = 12
+MOST_KEPT = 200  # before the plainest of them are chosen
 MOST_NEAR = 3
 MOST_READINGS = 5000  # of one set of symbols
 MOST_REARRANGED = 4  # each is explained, which takes a good part of a second
@@ -58,6 +59,7 @@ class Candidate:
         given: the conditions under which it is.
         difference: the largest relative one at the points.
         let: definitions that the formula uses; none where it is found.
+        rank: how far-fetched the meanings of the letters are together.
     """
 
     quantity: str
@@ -68,6 +70,13 @@ class Candidate:
     given: Mapping[str, str] = field(default_factory=dict)
     difference: float = 0.0
     let: Mapping[str, str] = field(default_factory=dict)
+    rank: int = 0
+
+    @property
+    def effort(self) -> tuple[bool, bool, bool, int, int]:
+        """What has to be said of it: the less, the likelier."""
+        is_negative = self.quantity.startswith("-")
+        return bool(self.convention), is_negative, bool(self.given), self.rank, len(self.read)
 
 
 @dataclass(frozen=True)
@@ -165,8 +174,9 @@ class FormulaSearch:
             for read in self._readings(printed, farther=farther):
                 for item, sign in _equal(read.family, read.values):
                     key = item.quantity, bool(item.given)
-                    if key not in found and len(found) < MOST_CANDIDATES:
-                        found[key] = _candidate(printed, item, read, 0.0, sign)
+                    one = _candidate(printed, item, read, 0.0, sign)
+                    if len(found) < MOST_KEPT and (key not in found or one.effort < found[key].effort):
+                        found[key] = one
                 if not found and not read.convention.words and printed.shape:
                     _keep_rearranged(rearranged, printed, read)
             if found or rearranged:
@@ -239,7 +249,7 @@ def _plainest(found: Sequence[Candidate]) -> list[Candidate]:
     for is_far in (lambda one: bool(one.convention), lambda one: one.quantity.startswith("-")):
         near = [one for one in kept if not is_far(one)]
         kept = near or kept
-    return sorted(kept, key=lambda one: (bool(one.given), len(one.read)))
+    return sorted(kept, key=lambda one: one.effort)[:MOST_CANDIDATES]
 
 
 def _first_of(rearranged: Mapping[str, tuple[int, Candidate]]) -> list[Candidate]:
@@ -375,7 +385,8 @@ def _candidate(printed: Tensor[Tree], item: _Item, read: _Read, difference: floa
     renamed = {letter: str(choice) for letter, choice in read.letters.items() if letter != str(choice)}
     formula = to_text(array_of(printed.map(lambda entry: rebuild(entry, symbol))))
     name = item.quantity if sign > 0 else f"-{item.quantity}"
-    return Candidate(name, item.meaning, formula, renamed, words, item.given, difference)
+    rank = sum(choice.rank for choice in read.letters.values())
+    return Candidate(name, item.meaning, formula, renamed, words, item.given, difference, rank=rank)
 
 
 def _raised(name: Name, power: int) -> Tree:

@@ -21,9 +21,9 @@ from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.stable.horner import nested
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.computed_statements import Statements, beside, joined
 from radartrack.derive.writing.numpy_expression import FUNCTIONS
 from radartrack.derive.writing.numpy_writer import INDENT, REMAINDER, VERSION, WIDTH, assignments
-from radartrack.derive.writing.statements import Statements, beside, joined
 
 
 class Words(NamedTuple):

@@ -12,8 +12,8 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import nested
 from radartrack.derive.symbolic import Expr
+from radartrack.derive.writing.computed_statements import first_or_known, statements_of
 from radartrack.derive.writing.numpy_expression import code, terms
-from radartrack.derive.writing.statements import first_or_known, statements_of
 
 VERSION = "1"
 WIDTH = 110

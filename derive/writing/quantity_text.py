@@ -14,10 +14,10 @@ from radartrack.derive.writing.c99 import c_elementary
 from radartrack.derive.writing.c99.c_expression import CExpression, in_listing
 from radartrack.derive.writing.c99.c_function import listing
 from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.computed_statements import Statements, beside, joined
 from radartrack.derive.writing.numpy_expression import code
 from radartrack.derive.writing.numpy_writer import helpers
 from radartrack.derive.writing.short_formula import LONG, plain, printed, short
-from radartrack.derive.writing.statements import Statements, beside, joined
 
 NOTHING_GIVEN: Mapping[Symbol, Expr] = MappingProxyType({})
 

@@ -325,7 +325,7 @@ def measured(module: ModuleType, function: Function, known: Accuracy) -> Accurac
     ulp = measure(module, quantity) if math.isnan(known.ulp) else known.ulp
     single, points = error_in_single(getattr(module, quantity.function), quantity, sample(quantity, POINTS))
     everywhere = points if quantity.symbols else POINTS * points
-    return Accuracy(function.digest, ulp, _rounded_up(single), everywhere)
+    return Accuracy(function.digest, ulp, _rounded_up(single) if points else math.nan, everywhere)
 
 
 def measure(module: ModuleType, quantity: Quantity) -> float:
@@ -336,8 +336,8 @@ def measure(module: ModuleType, quantity: Quantity) -> float:
 
 
 def _rounded_up(ulp: float) -> float:
-    """To half an ulp; what is no number stays none."""
-    return math.ceil(2 * ulp) / 2 if math.isfinite(ulp) else ulp
+    """To half an ulp; what is no number is infinitely wrong."""
+    return math.ceil(2 * ulp) / 2 if math.isfinite(ulp) else math.inf
 
 
 def texts(derivation: Derivation, record: Record) -> Files:

@@ -22,6 +22,7 @@ from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
 
+BLOCK = 2048  # positions; the many intermediate results of twice the digits stay in the cache
 LATITUDE = ELEVATION._replace(reason="from pole to pole")
 COORDINATE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow", signed=True)
 FROM_AXIS = Domain(" m", 1e101, 1e11, "nearer to the axis the longitude is hardly known", smallest=1.0)
@@ -137,7 +138,7 @@ def geodetic_from_ecef(
     require_within("position", values, COORDINATE)
     flat = np.ascontiguousarray(values.reshape(-1, 3))
     found = np.empty((3, len(flat)))
-    fill(lambda some, *places: _located(some, places, ellipsoid), [flat], list(found))
+    fill(lambda some, *places: _located(some, places, ellipsoid), [flat], list(found), BLOCK)
     where = Geodetic(*(part.reshape(values.shape[:-1])[()] for part in found))
     dtype = _type(position, covariance)
     typed = (np.asarray(part, dtype)[()] for part in where)

@@ -9,7 +9,9 @@ from radartrack.frames.exact_products import Pair, product, square_root
 
 MOST_STEPS = 64  # of Newton's; from these starts ten have always been enough
 FLATTEST = 0.5  # beyond, the bounds from which the search starts are worth little
-SETTLED = 4 * np.finfo(np.float64).eps
+SETTLED = 2.0**-28  # a relative step of Newton's here leaves one and a half times its square
+SMALLEST = 1e-290  # stands for a root of zero: the square of what is divided by it does not overflow
+NEAR_THE_RING = 1.0  # in semi-major axes: everywhere inside of the ellipsoid, whatever its flattening
 
 
 @dataclass(frozen=True)
@@ -52,19 +54,18 @@ class Ellipsoid:
         ratio, e2 = 1.0 - self.flattening, self.squared_eccentricity
         P, Q = from_axis / self.semi_major_axis, above / self.semi_major_axis * ratio
         k = _below_root(P, Q, e2)
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+        with np.errstate(under="ignore"):
             for _ in range(MOST_STEPS):
-                cosine, sine = _over(P, k + e2), _over(Q, k)
-                slope = cosine**2 / (k + e2) + sine * _over(sine, k)
-                step = np.where(slope > 0, 0.5 * (cosine**2 + sine**2 - 1.0) / slope, 0.0)
-                step = np.where(k > 0, step, 0.0)
-                k = k + step
-                if np.all(np.abs(step) <= SETTLED * k):
+                by_axis, by_equator = 1.0 / (k + e2), 1.0 / k
+                cosines, sines = (P * by_axis) ** 2, (Q * by_equator) ** 2
+                step = 0.5 * (cosines + sines - 1.0) / (cosines * by_axis + sines * by_equator + SMALLEST)
+                k = k + np.maximum(step, 0.0)
+                if np.all(step <= SETTLED * k):
                     break
-        cosine = _over(P, k + e2)
-        # In the disc about the centre, in the plane of the equator, the two nearest points lie off the plane.
-        sine = np.where(k > 0, _over(Q, k), np.sqrt(np.maximum(1.0 - cosine**2, 0.0)))
-        return cosine * ratio, sine
+            cosine, sine = P / (k + e2), Q / k
+        # In the disc about the centre the root is zero: the nearest points lie off the plane of the equator.
+        off_plane = np.sqrt(np.maximum(1.0 - cosine**2, 0.0))
+        return cosine * ratio, np.where(k > SMALLEST, sine, off_plane)
 
     def height_along(
         self, position: tuple[RealArray, RealArray, RealArray], cosine: RealArray, sine: RealArray
@@ -82,23 +83,22 @@ class Ellipsoid:
         return (along - support).rounded()
 
 
-def _over(above: RealArray, below: RealArray) -> RealArray:
-    """Quotients, zero where nothing is divided by nothing."""
-    return np.asarray(np.divide(above, below, out=np.zeros_like(above), where=below > 0))
-
-
 def _below_root(P: RealArray, Q: RealArray, e2: float) -> RealArray:
     """A bound of the root from below that is near it, wherever the point lies.
 
     Far out it is that of Jensen's inequality, off by the square of e^2. About the ring in which the curvature of the
     ellipse is centred, the first term is bounded by its tangent, and the cubic that results by its two terms.
     """
-    size, beyond, cubed = np.hypot(P, Q), P - e2, Q * Q * P / 2.0
-    with np.errstate(divide="ignore", invalid="ignore", under="ignore"):
-        outside = size - e2 * _over(P, size) ** 2
-        inside = np.minimum(np.cbrt(cubed / 2.0), Q * np.sqrt(_over(P, np.maximum(-4.0 * beyond, 0.0))))
-    about = np.where(beyond >= 0, np.cbrt(cubed), inside)
-    return np.asarray(np.maximum.reduce([np.zeros_like(P), Q, beyond, outside, about]))
+    with np.errstate(under="ignore"):
+        size = np.maximum(np.hypot(P, Q), SMALLEST)
+        bound = np.maximum(np.maximum(size - e2 * (P / size) ** 2, Q), SMALLEST)
+        if (inside := size < NEAR_THE_RING).any():
+            p, q = P[inside], Q[inside]
+            beyond, cubed = p - e2, q * q * p / 2.0
+            short = np.minimum(np.cbrt(cubed / 2.0), q * np.sqrt(p / np.maximum(-4.0 * beyond, SMALLEST)))
+            about = np.where(beyond >= 0, np.maximum(beyond, np.cbrt(cubed)), short)
+            bound[inside] = np.maximum(bound[inside], about)
+    return np.asarray(bound)
 
 
 WGS84 = Ellipsoid(6_378_137.0, 1.0 / 298.257223563)

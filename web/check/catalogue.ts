@@ -110,6 +110,8 @@ export class Catalogue {
     } else if (event.key === "Enter" && !this.#list.hidden && this.#active >= 0) {
       event.preventDefault();
       this.value = this.#shown[this.#active]?.name ?? this.value;
+    } else if (event.key === "Enter") {
+      this.#close();
     } else if (event.key === "Escape" && !this.#list.hidden) {
       event.preventDefault();
       this.#close();

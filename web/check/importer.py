@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from importlib.machinery import ModuleSpec
+from importlib.readers import FileReader
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -53,6 +54,10 @@ class Compiled:
 
     def create_module(self, _: ModuleSpec) -> None:
         """A module like any other."""
+
+    def get_resource_reader(self, _: str) -> FileReader:
+        """What reads the files beside the module."""
+        return FileReader(self)
 
     def exec_module(self, module: ModuleType) -> None:
         """Run what the build compiled."""

@@ -28,9 +28,9 @@ export function fromLink(hash: string): Question | null {
   return found.formula || found.quantity ? found : null;
 }
 
-/** `rho=0`, or several with semicolons or line ends between them. */
+/** `rho=0`, or several with commas, semicolons or line ends between them. */
 function pairs(text: string): Record<string, string> {
-  const lines = text.split(/[;\n]/).map(split);
+  const lines = text.split(/[;\n]|,(?=\s*\w+\s*=[^=])/).map(split);
   return Object.fromEntries(lines.map(([name, value]) => [name.trim(), value.trim()]).filter(([name]) => name));
 }
 

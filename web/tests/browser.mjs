@@ -33,6 +33,7 @@ export async function open(options = {}) {
 /** A page, and what it complained of: errors, warnings, requests to other hosts. */
 export async function page(context, address) {
   const made = await context.newPage();
+  await made.addInitScript((patience) => (globalThis.PATIENCE = patience), Number(process.env.SLOW ?? 5));
   const complaints = [];
   made.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) complaints.push(message.text());

@@ -15,8 +15,8 @@ from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Index, indices
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.writing.c99.c_expression import PREFIX, CExpression
+from radartrack.derive.writing.computed_statements import Statements, first_or_known, statements_of
 from radartrack.derive.writing.numpy_writer import INDENT, WIDTH
-from radartrack.derive.writing.statements import Statements, first_or_known, statements_of
 
 RESULT = "result"
 COUNT, PLACE = "n", "i"  # of the points of a batch

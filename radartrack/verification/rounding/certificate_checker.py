@@ -57,7 +57,9 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
 def _cases(arguments: Sequence[Mapping[str, Any]], correlated: bool) -> Iterator[str]:  # noqa: FBT001
     found = [""]
     for argument in arguments:
-        found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in _choices(argument, correlated)]
+        found = [
+            f"{head} {argument['name']}:{choice}".strip() for head in found for choice in _choices(argument, correlated)
+        ]
     yield from found
 
 

@@ -164,5 +164,7 @@ def _logarithm(coordinate: int, middle: Array, half: Array) -> Enclosure:
 def _sine(distance: Enclosure, _: bool, function: str) -> Enclosure:
     """Sine or cosine of the distance from a quarter turn, both concave in its logarithm."""
     if function == "sin":
-        return curve(distance, lambda l: np.log(np.sin(np.exp(l))), lambda l: np.exp(l) / np.tan(np.exp(l)), concave=True)
+        return curve(
+            distance, lambda l: np.log(np.sin(np.exp(l))), lambda l: np.exp(l) / np.tan(np.exp(l)), concave=True
+        )
     return curve(distance, lambda l: np.log(np.cos(np.exp(l))), lambda l: -np.exp(l) * np.tan(np.exp(l)), concave=True)

@@ -189,7 +189,9 @@ def exact(size: Enclosure, sign: Signs, *, number: bool = False) -> Value:
 
 def inexact(value: Value | None) -> Value | None:
     """A number that is rounded as it is written down."""
-    return value and settled(value.size, value.sign, value.relative + 1.0, None, value.size, value.tiny, value.parts, None, value.makeup)
+    return value and settled(
+        value.size, value.sign, value.relative + 1.0, None, value.size, value.tiny, value.parts, None, value.makeup
+    )
 
 
 def _rounded(relative: Array, roundings: float) -> Array:
@@ -225,7 +227,9 @@ def product(first: Value, second: Value, roundings: float = 1.0) -> Value:
         )
     tiny = first.tiny + second.tiny
     terms = first.terms * second.terms
-    return settled(size, sign, relative, error, terms, tiny, product_parts, errors, _both(first.makeup, second.makeup, multiplied))
+    return settled(
+        size, sign, relative, error, terms, tiny, product_parts, errors, _both(first.makeup, second.makeup, multiplied)
+    )
 
 
 def _both(first: Parts | None, second: Parts | None, joined: Callable[[Parts, Parts], Parts]) -> Parts | None:
@@ -266,7 +270,17 @@ def quotient(above: Value, below: Value) -> Value:
             inherited = multiplied(above.error_parts, inverse)
             errors = merged(times(inherited, (1 + U) * (1 + U * safe)), times(parts, 1 + (1 + U) * safe))
     tiny = above.tiny - np.where(np.isfinite(below.size.high), below.size.high, np.inf) - 1e-6
-    return settled(size, sign, relative, error, above.terms / below.size, tiny, parts, errors, above.makeup and multiplied(above.makeup, inverse))
+    return settled(
+        size,
+        sign,
+        relative,
+        error,
+        above.terms / below.size,
+        tiny,
+        parts,
+        errors,
+        above.makeup and multiplied(above.makeup, inverse),
+    )
 
 
 def root(value: Value) -> Value:
@@ -278,7 +292,9 @@ def root(value: Value) -> Value:
         half = np.where(part < 0.5, value.relative / (1 + np.sqrt(1 - np.minimum(part, 0.5))), np.inf)
     size = value.size.power(0.5)
     parts = raised(value.makeup or {}, 0.5, size.power(2.0))
-    return settled(size, value.sign, _rounded(half, 1.0), None, value.terms.power(0.5), value.tiny / 2 - 1e-6, parts, None, parts)
+    return settled(
+        size, value.sign, _rounded(half, 1.0), None, value.terms.power(0.5), value.tiny / 2 - 1e-6, parts, None, parts
+    )
 
 
 def sum_of(first: Value, second: Value) -> Value:
@@ -372,8 +388,15 @@ def exponential(value: Value) -> Value:
     negative = (value.sign < 0).all()
     if not negative and not (value.sign > 0).all():
         raise NotAnalysed("the exponential of what may have either sign")
-    size = curve(value.size, (lambda l: -np.exp(l)) if negative else np.exp, (lambda l: -np.exp(l)) if negative else np.exp, concave=negative)
-    return settled(size, np.ones_like(value.sign), _rounded(_change(value), 2 * ULPS["exp"]), None, size, size.low - 1e-6)
+    size = curve(
+        value.size,
+        (lambda l: -np.exp(l)) if negative else np.exp,
+        (lambda l: -np.exp(l)) if negative else np.exp,
+        concave=negative,
+    )
+    return settled(
+        size, np.ones_like(value.sign), _rounded(_change(value), 2 * ULPS["exp"]), None, size, size.low - 1e-6
+    )
 
 
 def _change(value: Value) -> Array:

@@ -72,9 +72,7 @@ class Proof:
 
 def figures(theorem: Theorem, case: Case, place: Coordinates, low: Array, high: Array) -> Array:
     """The bound on each box, in ulp of the scale."""
-    found = [
-        _figures(theorem, case, place, low[i : i + BATCH], high[i : i + BATCH]) for i in range(0, len(low), BATCH)
-    ]
+    found = [_figures(theorem, case, place, low[i : i + BATCH], high[i : i + BATCH]) for i in range(0, len(low), BATCH)]
     return np.concatenate(found)
 
 

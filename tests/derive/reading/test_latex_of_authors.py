@@ -137,7 +137,7 @@ def test_what_authors_write(latex: str, text: str):
         (r"\newcommand{\sq}[1]{#1^{2}}\newcommand{\rr}{\rho} \sqrt{\sq{\rr}+\sq{k}}", "sqrt(rho**2 + k**2)"),
         (r"\def\half{\frac12}\def\of#1#2{#1(#2)} \half\,\of{\cos}{\theta} r", "1/2*cos(theta)*r"),
         (r"\DeclareMathOperator{\dg}{diag} \dg(q, k)", "diag(q, k)"),
-        (r"\newcommand{\p}[2][k]{#2_{#1}} \p{r} + \p[n]{r}", "r_k + r_n"),
+        (r"\newcommand{\s}[2][r]{#2_{#1}} \s{\sigma} + \s[\rho]{\sigma}", "sigma_r + sigma_rho"),
     ],
 )
 def test_several_equations(latex: str, text: str):

@@ -75,7 +75,7 @@ def test_no_point_of_the_ellipsoid_is_nearer(radius: float):
 
 
 def test_agrees_with_pymap3d():
-    points = on_sphere(6.38e6) + 1e4 * AROUND  # it is off by ten metres where satellites fly
+    points = on_sphere(6.38e6) + 1e4 * AROUND  # its latitude is off by metres where satellites fly
     found = frames.geodetic_from_ecef(points)
     latitude, longitude, height = pymap3d.ecef2geodetic(*points.T, deg=False)
     np.testing.assert_allclose(found.latitude, latitude, atol=1e-11)
@@ -154,6 +154,17 @@ def test_another_ellipsoid_and_a_sphere():
     np.testing.assert_allclose(frames.geodetic_from_ecef(found, ellipsoid=krassovsky), (0.9, 0.5, 1e4), rtol=1e-13)
     ball = frames.Ellipsoid(2.0, 0.0)
     np.testing.assert_allclose(frames.geodetic_from_ecef([3.0, 0.0, 4.0], ellipsoid=ball), (math.atan2(4, 3), 0, 3))
+
+
+@pytest.mark.parametrize("flattening", [0.0, 0.1, 0.5])
+@pytest.mark.parametrize("radius", [1e-6, 0.3, 0.75, 1.0, 40.0])
+def test_geodetic_coordinates_lead_back_on_any_ellipsoid(flattening: float, radius: float):
+    ellipsoid = frames.Ellipsoid(1.0, flattening)
+    points = np.concatenate([on_sphere(radius), radius * np.eye(3), [[radius, 0.0, 1e-200]]])
+    found = frames.geodetic_from_ecef(points, ellipsoid=ellipsoid)
+    np.testing.assert_allclose(
+        frames.ecef_from_geodetic(*found, ellipsoid=ellipsoid), points, atol=1e-15 + 1e-15 * radius
+    )
 
 
 def test_arguments_broadcast_and_blocks_change_nothing():

@@ -40,6 +40,10 @@ class Known(Protocol):
         """Whether it is the correlation of two errors."""
         ...
 
+    def __hash__(self) -> int:
+        """What is known of it is kept."""
+        ...
+
 
 Symbol = TypeVar("Symbol", bound=Known)
 

@@ -8,7 +8,7 @@ import sympy
 from radartrack.derive import symbolic as sp
 from radartrack.derive.writing.c99 import c_elementary
 from radartrack.derive.writing.c99.c_function import CFunction, Output, function, in_comment
-from radartrack.derive.writing.statements import Statements
+from radartrack.derive.writing.computed_statements import Statements
 from tests.c_programs import LANGUAGES, WARNINGS, needs_compiler, run
 
 new, count, other, name = (sympy.Symbol(text, real=True) for text in ("new", "n", "n_", "radartrack_sin"))
