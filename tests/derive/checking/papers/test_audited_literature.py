@@ -167,7 +167,7 @@ def mean_rate(at: Point) -> Values:
 
 def simple_mean(at: Point) -> Values:
     T, tau, omega = at["T"], at["tau"], at["omega"]
-    return np.array((np.exp(-T / tau) + 1) * omega / T), np.mean([omega, omega * np.exp(-T / tau)])
+    return np.array((np.exp(-T / tau) + 1) * omega / T), np.array(np.mean([omega, omega * np.exp(-T / tau)]))
 
 
 def straight_turn(at: Point) -> Values:
