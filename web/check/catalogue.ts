@@ -66,7 +66,8 @@ export class Catalogue {
     this.#open(this.#entries.filter((one) => parts.every((part) => text(one).includes(part))));
     if (!parts.length || !this.engine.ready || this.#entries.some(({ name }) => name === words)) return;
     const { names } = await this.engine.ask<{ names?: string[] }>({ ask: "list", words });
-    if (asked !== this.#asked || !names?.length || document.activeElement !== this.#input) return;
+    const isChoosing = this.#active >= 0; // what somebody is choosing from does not change
+    if (asked !== this.#asked || isChoosing || !names?.length || document.activeElement !== this.#input) return;
     const found = names.map((name) => this.#entries.find((one) => one.name === name));
     this.#open(found.filter((one): one is Entry => one !== undefined));
   }

@@ -87,6 +87,10 @@ test("what is pasted is checked with the keyboard alone", { skip }, async () => 
   await one.keyboard.press("Escape");
   await one.locator("#more summary").focus();
   await one.keyboard.press("Enter");
+  await one.getByLabel("condition: name").first().focus();
+  await one.keyboard.insertText("rho");
+  await one.keyboard.press("Tab");
+  await one.keyboard.insertText("0");
   await one.getByLabel("definition: name").first().focus();
   await one.keyboard.insertText("D");
   await one.keyboard.press("Tab");
