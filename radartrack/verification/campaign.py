@@ -67,8 +67,9 @@ class Effort:
         return [*found, Mutants(self.mutants, self.seed)] if self.mutants else found
 
     def layers_along(self, path: str) -> list[Layer]:
-        """Those that look at code; a derivation and its mutants are looked at once, with the function."""
-        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants | Rounding)]
+        """Those that look at code; a derivation, its mutants and the function as written are looked at once."""
+        once = Identity | Mutants | Rounding
+        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, once)]
 
 
 QUICK = Effort(points=2_000, nodes=1, draws=1 << 20, mutants=0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -57,7 +57,8 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
 def _cases(arguments: Sequence[Mapping[str, Any]], correlated: bool) -> Iterator[str]:  # noqa: FBT001
     found = [""]
     for argument in arguments:
-        found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in _choices(argument, correlated)]
+        choices = _choices(argument, correlated)
+        found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in choices]
     yield from found
 
 
@@ -180,7 +181,7 @@ class Box:
         return low, high
 
     def share(self, error: Polynomial, scale: Polynomial) -> Ball | None:
-        """A number κ with error ≤ κ · scale: every term of the error is held against that term of the scale that it is smallest by."""
+        """A number κ with error ≤ κ · scale; a term of the error counts by that of the scale that it is smallest by."""
         loads: dict[Key, Ball] = {}
         for key, coefficient in error.items():
             best, ratio = None, None
@@ -194,8 +195,10 @@ class Box:
         return max(loads.values(), default=self.ball(0), key=lambda load: float(load.upper()))
 
     def paired(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Ball | None:
-        """A number κ with error ≤ κ · √(first · second): Σ Mᵢⱼ √(aᵢ bⱼ) is at most ‖M‖ √(Σ aᵢ Σ bⱼ), and ‖M‖² at most
-        the largest sum of a row by that of a column."""
+        """A number κ with error ≤ κ · √(first · second).
+
+        Σ Mᵢⱼ √(aᵢ bⱼ) is at most ‖M‖ √(Σ aᵢ Σ bⱼ), and ‖M‖² at most the largest sum of a row by that of a column.
+        """
         pairs = [(i, j) for i in first for j in second]
         rows, columns = dict.fromkeys(first, self.ball(0)), dict.fromkeys(second, self.ball(0))
         for key, coefficient in error.items():
@@ -427,7 +430,7 @@ def _exponential_less_one(box: Box, a: Number | None) -> Number | None:
     return _made(box, a.sign, size, size, None, relative, size, float(low.lower()) / math.log(2) - 1e-3, (low, high))
 
 
-_FUNCTIONS = {
+_FUNCTIONS: dict[str, Callable[..., Number | None]] = {
     "abs": _magnitude, "arctan2": _direction, "exp": _exponential, "expm1": _exponential_less_one,
     "hypot": _hypotenuse, "sqrt": _root,
 }  # fmt: skip
@@ -474,30 +477,33 @@ def _start(claim: Mapping[str, Any], chosen: Mapping[str, str], ends: Mapping[st
 
 def _followed(node: ast.expr, box: Box) -> Number | None:
     """What an expression computes."""
-    kind = type(node).__name__
-    if kind == "Constant" and isinstance(node.value, int | float):  # type: ignore[attr-defined]
-        if abs(node.value) >= 2**BITS:  # type: ignore[attr-defined]
-            raise Refused(f"the number {node.value} may not be what was meant to the last digit")  # type: ignore[attr-defined]
-        return _constant(box, box.ball(node.value))  # type: ignore[attr-defined]
-    if kind == "Name" and node.id in box.names:  # type: ignore[attr-defined]
-        return box.names[node.id]  # type: ignore[attr-defined]
-    if kind == "UnaryOp" and isinstance(node.op, ast.USub):  # type: ignore[attr-defined]
-        return _by_power_of_two(box, _followed(node.operand, box), -1.0)  # type: ignore[attr-defined]
-    if kind == "Subscript":
-        return box.entries[_entry(node.slice)]  # type: ignore[attr-defined]
-    if kind == "Attribute" and node.attr == "pi":  # type: ignore[attr-defined]
-        return _constant(box, box.flint.arb.pi(), 1.0)
-    if isinstance(node, ast.BinOp):
-        return _operation(node, box)
-    if isinstance(node, ast.Call):
-        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-        if name in {"sin", "cos"} and isinstance(node.args[0], ast.Name) and (name, node.args[0].id) in box.waves:
-            return box.waves[name, node.args[0].id]
-        values = [_followed(argument, box) for argument in node.args]
-        if name == "_ratio":
-            return None if values[1] is None else _divide(box, *values)
-        if name in _FUNCTIONS:
-            return _FUNCTIONS[name](box, *values)  # type: ignore[operator]
+    match node:
+        case ast.Constant(value=int() | float() as number) if abs(number) < 2**BITS:
+            return _constant(box, box.ball(number))
+        case ast.Name(id=name) if name in box.names:
+            return box.names[name]
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return _by_power_of_two(box, _followed(operand, box), -1.0)
+        case ast.Subscript(slice=place) if _entry(place) in box.entries:
+            return box.entries[_entry(place)]
+        case ast.Attribute(attr="pi"):
+            return _constant(box, box.flint.arb.pi(), 1.0)
+        case ast.BinOp():
+            return _operation(node, box)
+        case ast.Call():
+            return _called(node, box)
+    raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
+
+
+def _called(node: ast.Call, box: Box) -> Number | None:
+    name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+    if name in {"sin", "cos"} and isinstance(node.args[0], ast.Name) and (name, node.args[0].id) in box.waves:
+        return box.waves[name, node.args[0].id]
+    values = [_followed(argument, box) for argument in node.args]
+    if name == "_ratio":
+        return None if values[1] is None else _divide(box, *values)
+    if name in _FUNCTIONS:
+        return _FUNCTIONS[name](box, *values)
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
 
 
@@ -555,6 +561,8 @@ def _figure(
         elif isinstance(target, ast.Name) and target.id not in {"arguments", "result"}:
             box.names[target.id] = _followed(value, box)
     shape = tuple(claim["shape"])
+    if set(box.entries) != set(_indices(shape)):
+        raise Refused("the entries are not those of its shape, one statement each")
     numbers = [box.entries[index] for index in _indices(shape)]
     return max((_error(box, claim, numbers, n) for n, number in enumerate(numbers) if number), default=0.0)
 

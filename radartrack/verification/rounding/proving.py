@@ -17,8 +17,8 @@ from radartrack.verification.rounding.domain_boxes import (
     coordinates,
     given,
 )
-from radartrack.verification.rounding.enclosures import Array, Enclosure, total
-from radartrack.verification.rounding.error_rules import Atom, NotAnalysed, Parts, Value
+from radartrack.verification.rounding.enclosures import Array, total
+from radartrack.verification.rounding.error_rules import Atom, Parts, Value
 from radartrack.verification.rounding.statements import Index, evaluated
 
 BATCH = 2048
@@ -72,9 +72,7 @@ class Proof:
 
 def figures(theorem: Theorem, case: Case, place: Coordinates, low: Array, high: Array) -> Array:
     """The bound on each box, in ulp of the scale."""
-    found = [
-        _figures(theorem, case, place, low[i : i + BATCH], high[i : i + BATCH]) for i in range(0, len(low), BATCH)
-    ]
+    found = [_figures(theorem, case, place, low[i : i + BATCH], high[i : i + BATCH]) for i in range(0, len(low), BATCH)]
     return np.concatenate(found)
 
 
@@ -121,8 +119,8 @@ def _paired(value: Value, first: Value, second: Value) -> Array:
 
     With c_ii = Σ aₘ and c_jj = Σ bₙ, an error that is at most Σ Mₘₙ √(aₘ bₙ) is at most √(c_ii c_jj) times the norm of
     the matrix M, and that is at most the root of its largest sum along rows by that along columns (Schur). So every
-    term of the error is shared out among products aₘ bₙ that it is small against: one of cos β sin β a goes with cos² β a and
-    sin² β a, wherever β is.
+    term of the error is shared out among products aₘ bₙ that it is small against: one of cos β sin β a goes with
+    cos² β a and sin² β a, wherever β is.
     """
     if first.makeup is None or second.makeup is None:
         return np.full_like(value.relative, np.inf)

@@ -17,7 +17,7 @@ from radartrack.verification.layers.rounding import Rounding
 from radartrack.verification.outcome import Verdict
 from radartrack.verification.rounding import certificate_checker, error_rules
 from radartrack.verification.rounding.certificate_checker import Refused, confirmed
-from radartrack.verification.rounding.certificates import claim_of, code_of, confirmed_bound, kept, source_of
+from radartrack.verification.rounding.certificates import code_of, confirmed_bound, kept, source_of
 from radartrack.verification.subject import generated
 
 pytest.importorskip("flint")
