@@ -43,8 +43,7 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
     function = next((node for node in ast.parse(source).body if getattr(node, "name", "") == claim["function"]), None)
     if not isinstance(function, ast.FunctionDef):
         raise Refused(f"there is no function {claim['function']}")
-    expected = set(_cases(claim["arguments"], claim["correlated"]))
-    if set(claim["trees"]) != expected:
+    if set(claim["trees"]) != set(cases_of(claim)):
         raise Refused("the cases are not those of the domain")
     worst = 0.0
     for case, tree in claim["trees"].items():
@@ -54,15 +53,16 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
     return worst
 
 
-def _cases(arguments: Sequence[Mapping[str, Any]], correlated: bool) -> Iterator[str]:  # noqa: FBT001
+def cases_of(claim: Mapping[str, Any]) -> list[str]:
+    """All choices of signs and zeros that the domain of a claim has."""
     found = [""]
-    for argument in arguments:
-        choices = _choices(argument, correlated)
+    for argument in claim["arguments"]:
+        choices = _choices(argument, correlated=claim["correlated"])
         found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in choices]
-    yield from found
+    return found
 
 
-def _choices(argument: Mapping[str, Any], correlated: bool) -> list[str]:  # noqa: FBT001
+def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
     """Signs and zeros that the domain has; of an angle the signs of cosine and sine, and which of them is small."""
     kind, reach = argument["kind"], max(-argument["low"], argument["high"])
     if kind == "correlation":
