@@ -11,6 +11,7 @@ import ast
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 Ball = Any
@@ -40,7 +41,7 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
     Raises:
         Refused: the boxes do not cover the domain, or a statement cannot be followed in one of them.
     """
-    function = next((node for node in ast.parse(source).body if getattr(node, "name", "") == claim["function"]), None)
+    function = next((node for node in _read(source).body if getattr(node, "name", "") == claim["function"]), None)
     if not isinstance(function, ast.FunctionDef):
         raise Refused(f"there is no function {claim['function']}")
     if set(claim["trees"]) != set(cases_of(claim)):
@@ -51,6 +52,11 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
         for box in _boxes(claim["arguments"], chosen, tree):
             worst = max(worst, _figure(function, claim, chosen, box))
     return worst
+
+
+@lru_cache(maxsize=4)
+def _read(source: str) -> ast.Module:
+    return ast.parse(source)
 
 
 def cases_of(claim: Mapping[str, Any]) -> list[str]:

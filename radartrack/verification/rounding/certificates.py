@@ -6,6 +6,7 @@ import ast
 import json
 import math
 from collections.abc import Mapping
+from functools import cache
 from hashlib import sha256
 from importlib import import_module
 from importlib.resources import files
@@ -36,7 +37,12 @@ def kept() -> dict[str, Row]:
 
 def source_of(quantity: Quantity) -> str:
     """The text of the generated module."""
-    return getsource(import_module(f"radartrack.generated.{quantity.module}"))
+    return _source(quantity.module)
+
+
+@cache
+def _source(module: str) -> str:
+    return getsource(import_module(f"radartrack.generated.{module}"))
 
 
 def code_of(source: str, function: str) -> str:

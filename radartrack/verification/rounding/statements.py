@@ -6,6 +6,7 @@ import ast
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 
@@ -28,10 +29,15 @@ class Run:
 
 def function_node(module: str, name: str) -> ast.FunctionDef:
     """The definition of a function in the text of a module."""
-    for node in ast.parse(module).body:
-        if isinstance(node, ast.FunctionDef) and node.name == name:
-            return node
-    raise LookupError(f"there is no function {name}")
+    found = _functions(module).get(name)
+    if found is None:
+        raise LookupError(f"there is no function {name}")
+    return found
+
+
+@lru_cache(maxsize=4)
+def _functions(module: str) -> dict[str, ast.FunctionDef]:
+    return {node.name: node for node in ast.parse(module).body if isinstance(node, ast.FunctionDef)}
 
 
 def evaluated(function: ast.FunctionDef, given: Given) -> dict[Index, Value | None]:
