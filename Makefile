@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-bu
 VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: all test lint format types layers drift notebooks bench verify mutants matrix seeds installed clean
+.PHONY: all test lint format types layers drift notebooks bench scoreboard verify mutants matrix seeds site site-test dist installed clean
 .NOTPARALLEL:
 
 all: $(VENV)/.package
@@ -47,6 +47,10 @@ bench: $(VENV)/.extra-peers
 	$(BIN)/python benchmarks/growth.py >>build/benchmarks.md
 	mv build/benchmarks.md docs/benchmarks.md
 
+# The page of all audits of literature and libraries; on a busy machine claims need more than their usual time.
+scoreboard: $(VENV)/.package
+	$(BIN)/radartrack audit literature libraries --timeout 600 --html docs/scoreboard.html
+
 verify: $(VENV)/.group-test
 	$(BIN)/radartrack verify
 
@@ -76,7 +80,32 @@ seeds: $(VENV)/.group-test
 	@for seed in $(SEEDS); do echo "seed $$seed"; \
 		RADARTRACK_HYPOTHESIS=dev $(BIN)/python -m pytest -n auto --dist worksteal -q -m hypothesis --hypothesis-seed $$seed || exit 1; done
 
+# The documents and the checker's page, which runs the library in the browser: build/site. Needs Node 20 or newer and npm.
+SITE := build/site-source
+CHECKER := $(SITE)/docs/check
+site: $(VENV)/.group-site web/node_modules/.installed
+	rm -rf $(SITE) build/site
+	mkdir -p $(CHECKER)/python
+	$(BIN)/python web/build/python_sources.py $(SITE)/sources.zip
+	node web/build/compile_modules.mjs $(SITE)/sources.zip $(CHECKER)/python/modules.bin
+	$(BIN)/python web/build/catalogue.py $(CHECKER)/catalogue.json
+	cp derive/claims/gao.toml $(CHECKER)/example.toml
+	node web/build/checker.mjs $(CHECKER)
+	$(BIN)/python web/build/documents.py $(SITE)
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --quiet --strict --config-file $(SITE)/mkdocs.yml --site-dir $(CURDIR)/build/site
+
+# The site in Chromium; what is missing for that is said, and skipped. CHROMIUM=… names another browser.
+site-test: web/node_modules/.installed
+	cd web && npx tsc --project .
+	cd web && node --test tests/
+
+# What is uploaded at a release: dist/
+dist: $(VENV)/.group-build
+	rm -rf dist
+	$(BIN)/python -m build --quiet
+
 clean:
+	rm -rf web/node_modules dist
 	rm -rf $(VENV) build *.egg-info .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -87,6 +116,12 @@ installed: $(VENV)/.package
 	@mkdir -p build/source
 	@cp -R LICENSE README.md pyproject.toml derive generated radartrack build/source
 	@$(INSTALL) --no-deps --target build/installed ./build/source
+
+web/node_modules/.installed: web/package.json web/package-lock.json
+	@node -e 'process.exit(parseInt(process.versions.node) < 20)' 2>/dev/null || { \
+		echo "The site is built with Node 20 or newer and npm; https://nodejs.org has them." >&2; exit 1; }
+	cd web && npm ci --no-audit --no-fund
+	@touch $@
 
 # The package is installed editable: a change of its code needs no second installation.
 $(VENV)/.package: pyproject.toml constraints.txt

@@ -58,6 +58,10 @@ ROWS = (
         "TestSphericalDoppler::test_numpy", "TestSphericalDoppler::test_fused", "≤ 2.0"),
     Row("`convert.spherical_doppler`, unbiased, 1e6 plots, with `[fast]`", "the same loop",
         "TestSphericalDoppler::test_fast", "TestSphericalDoppler::test_fused", "≤ 0.7"),
+    Row("C, `radartrack_convert_polar_unbiased_n`, 1e6 plots", "the same formulas in a loop of C by hand, one thread",
+        "TestCPolar::test_ours", "TestCPolar::test_by_hand", "≤ 1.0"),
+    Row("C, `radartrack_convert_polar_unbiased_n`, 1e6 plots", "as printed, without correlation; digits cancel",
+        "TestCPolar::test_ours", "TestCPolar::test_as_printed", "–"),
     Row("`convert.polar`, one plot", "Stone Soup's",
         "TestOnePlot::test_numpy", "TestOnePlot::test_stone_soup", "≥ 10 times faster", faster=True),
     Row("`FiniteSampleFilter.estimate`, 1e5 tracks of 20 scans", "the bare matrix product",
@@ -73,6 +77,16 @@ ROWS = (
     ),
     Row("`kalman.update_with`, order 1, 1e5 tracks", "Stone Soup's extended updater, track by track",
         "TestUpdateWith::test_radartrack[1]", "TestUpdateWithPeer::test_stone_soup", "≥ 100 times faster", faster=True),
+    *(
+        Row(f"`frames.{ours}`, 1e6 positions", beside,
+            f"test_frames.py::{test}::test_radartrack", f"test_frames.py::{test}::{peer}", "–")
+        for ours, test in (("geodetic_from_ecef", "TestGeodetic"), ("ecef_from_geodetic", "TestEcef"))
+        for beside, peer in (("PROJ, by pyproj", "test_proj"), ("pymap3d", "test_pymap3d"))
+    ),
+    Row("`radartrack convert` of 1e6 spherical plots, Parquet to Parquet, with `[fast]`", "copying as many columns",
+        "TestParquet::test_radartrack", "TestParquet::test_copied", "≤ 3.0"),
+    Row("`stone_soup.OnePlotInitiator`, a scan of 300 plots", "Stone Soup's `SimpleMeasurementInitiator`",
+        "TestOneScan::test_radartrack", "TestOneScan::test_stone_soup", "≥ 2 times faster", faster=True),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, NumPy alone", "drawing the normals alone",
         "TestMonteCarlo::test_numpy", "TestMonteCarlo::test_normals", "–"),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, with `[fast]`", "the same",

@@ -37,6 +37,13 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "Proceedings of the Royal Society of Edinburgh 55, 42-48",
             "10.1017/S0370164600014346",
         ),
+        "barshalom1986": Work(
+            "Bar-Shalom & Campo",
+            1986,
+            "The effect of the common process noise on the two-sensor fused-track covariance",
+            "IEEE Transactions on Aerospace and Electronic Systems 22(6), 803-805",
+            "10.1109/TAES.1986.310815",
+        ),
         "barshalom1995": Work(
             "Bar-Shalom & Li",
             1995,
@@ -62,6 +69,12 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "Decorrelated unbiased converted measurement Kalman filter",
             "IEEE Transactions on Aerospace and Electronic Systems 50(2), 1431-1444",
             "10.1109/TAES.2014.120563",
+        ),
+        "crouse2014": Work(
+            "Crouse",
+            2014,
+            "Basic tracking using nonlinear 3D monostatic and bistatic measurements",
+            "IEEE Aerospace and Electronic Systems Magazine 29(8), 4-53",
         ),
         "duan2004": Work(
             "Duan et al.",
@@ -91,6 +104,20 @@ WORKS: Mapping[str, Work] = MappingProxyType(
             "Gorshkov & Zavizhenets",
             None,
             "Filtering of polynomial trajectories of manoeuvring targets over a finite sample with range rate",
+        ),
+        "hofmannwellenhof2006": Work(
+            "Hofmann-Wellenhof & Moritz",
+            2006,
+            "Physical geodesy",
+            "Springer",
+            "10.1007/978-3-211-33545-1",
+        ),
+        "julier1997": Work(
+            "Julier & Uhlmann",
+            1997,
+            "A non-divergent estimation algorithm in the presence of unknown correlations",
+            "Proceedings of the American Control Conference, 2369-2373",
+            "10.1109/ACC.1997.609105",
         ),
         "kalata1984": Work(
             "Kalata",

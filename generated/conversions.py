@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation 9c81036e1e5fd7d4; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 27a35993fa3d85a0; not to be edited.
 """
 
 import numpy as np
@@ -2366,7 +2366,7 @@ def polar_averaged(
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
     part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    attenuation_beta_2 = attenuation_beta**2
     shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
     r_squared = r**2
     shortfall_beta_2_squared = shortfall_beta_2**2
@@ -2447,7 +2447,7 @@ def polar_unbiased(
     term_1 = 1.0 / attenuation_beta
     part_0_cos_beta = r * term_1
     part_0_sin_beta = rho * sigma_beta * sigma_r * term_1
-    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    attenuation_beta_2 = attenuation_beta**2
     shortfall_beta = -np.expm1(-sigma_beta_squared)
     term_2 = 1.0 / attenuation_beta_2
     r_squared = r**2
@@ -2466,7 +2466,7 @@ def polar_unbiased(
     )
     sum_2 = 2.0 + 2.0 * attenuation_beta_2_squared
     sum_3 = 1.0 + attenuation_beta_2 * sum_2
-    del attenuation_beta, term_1, sum_1, sum_2
+    del term_1, attenuation_beta, sum_1, sum_2
     sum_4 = 0.5 * r_squared + 0.5 * sigma_r_squared
     part_00_sin_beta2 = (
         rho_squared * sigma_beta_squared * sigma_r_squared * sum_3 * term_2
@@ -2522,7 +2522,7 @@ def polar_posterior(
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     part_0_cos_beta = attenuation_beta * r
     part_0_sin_beta = -attenuation_beta * rho * sigma_beta * sigma_r
-    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    attenuation_beta_2 = attenuation_beta**2
     shortfall_beta = -np.expm1(-sigma_beta_squared)
     r_squared = r**2
     attenuation_beta_2_squared = attenuation_beta_2**2
@@ -2683,7 +2683,7 @@ def polar_doppler_averaged(
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
     part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    attenuation_beta_2 = attenuation_beta**2
     shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
     r_squared = r**2
     sum_1 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
@@ -2691,7 +2691,7 @@ def polar_doppler_averaged(
     sum_2 = 0.5 + (0.5 - attenuation_beta_2) * attenuation_beta_2_squared
     sigma_r_squared = sigma_r**2
     sum_3 = 1.0 - attenuation_beta_2 * sum_2
-    del attenuation_beta, shortfall_beta, sigma_beta_squared, sum_2
+    del shortfall_beta, attenuation_beta, sigma_beta_squared, sum_2
     part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_2**2 * sum_1 + sigma_r_squared * sum_3
     product_1 = attenuation_beta_2 * attenuation_beta_2_squared
     sum_4 = 1.0 + (1.0 + 2.0 * attenuation_beta_2) * attenuation_beta_2
@@ -3673,9 +3673,9 @@ def spherical_averaged(
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon_squared)
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
     part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
-    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    attenuation_beta_2 = attenuation_beta**2
     shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
-    attenuation_epsilon_2 = np.exp(-sigma_epsilon_squared)
+    attenuation_epsilon_2 = attenuation_epsilon**2
     shortfall_epsilon_2 = -np.expm1(-sigma_epsilon_squared)
     attenuation_beta_2_squared = attenuation_beta_2**2
     product_1 = attenuation_beta_2 * attenuation_beta_2_squared
@@ -4034,7 +4034,7 @@ def spherical_unbiased(
     part_0_cos_beta_cos_epsilon = -rho * sigma_beta * sigma_r * term_1 * term_2
     part_0_cos_epsilon_sin_beta = r * term_1 * term_2
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
-    attenuation_epsilon_2 = np.exp(-sigma_epsilon_squared)
+    attenuation_epsilon_2 = attenuation_epsilon**2
     shortfall_epsilon = -np.expm1(-sigma_epsilon_squared)
     term_3 = 1.0 / attenuation_epsilon_2
     term_4 = 1.0 / attenuation_beta**2
@@ -4315,7 +4315,7 @@ def spherical_posterior(
     part_0_cos_beta_cos_epsilon = attenuation_beta * attenuation_epsilon * rho * sigma_beta * sigma_r
     part_0_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * r
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
-    attenuation_epsilon_2 = np.exp(-sigma_epsilon_squared)
+    attenuation_epsilon_2 = attenuation_epsilon**2
     shortfall_epsilon = -np.expm1(-sigma_epsilon_squared)
     attenuation_beta_squared = attenuation_beta**2
     shortfall_epsilon_squared = shortfall_epsilon**2
@@ -4676,10 +4676,10 @@ def spherical_doppler_averaged(
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon_squared)
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
     part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
-    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    attenuation_beta_2 = attenuation_beta**2
     shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
-    del shortfall_beta, attenuation_beta, sum_1, sigma_beta_squared
-    attenuation_epsilon_2 = np.exp(-sigma_epsilon_squared)
+    del shortfall_beta, sum_1, attenuation_beta, sigma_beta_squared
+    attenuation_epsilon_2 = attenuation_epsilon**2
     shortfall_epsilon_2 = -np.expm1(-sigma_epsilon_squared)
     sum_2 = 1.0 + attenuation_beta_2
     sum_3 = 1.0 - attenuation_epsilon_2 * sum_2

@@ -1,12 +1,17 @@
 """NumPy functions of the quantities fusion.*.
 
-Written by radartrack regenerate, generator 1, derivation 22c69199595f3cef; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 3d5fc6b0cea06a9b; not to be edited.
 """
 
 import numpy as np
 import numpy.typing as npt
 
 __all__ = [
+    "correlated_variance",
+    "correlated_weights",
+    "covariance_intersection_covariance",
+    "cross_covariance_steady",
+    "cross_covariance_updated",
     "cross_range_std",
     "matrix_weights_two",
     "variance_three",
@@ -276,3 +281,238 @@ def cross_range_std(*, r: npt.ArrayLike, sigma_beta: npt.ArrayLike) -> Floats:
     result = _empty(arguments, ())
     result[...] = r * sigma_beta
     return result[()]
+
+
+def cross_covariance_updated(
+    *,
+    cross_00: npt.ArrayLike,
+    cross_01: npt.ArrayLike,
+    cross_10: npt.ArrayLike,
+    cross_11: npt.ArrayLike,
+    alpha_1: npt.ArrayLike,
+    beta_1: npt.ArrayLike,
+    alpha_2: npt.ArrayLike,
+    beta_2: npt.ArrayLike,
+    sigma_w: npt.ArrayLike,
+    T: npt.ArrayLike,
+) -> Floats:
+    """Cross covariance of the errors of two alpha-beta filters of one target after a scan, from that before.
+
+    Name: fusion.cross_covariance.updated.
+    Definition: (1 - K1 H) (F X F' + Q) (1 - K2 H)'.
+    Conditioning: no expectation is taken.
+    Source: Bar-Shalom & Campo 1986, doi:10.1109/TAES.1986.310815.
+
+    Args:
+        cross_00: cross covariance of position in filter 1 and position in filter 2 [m^2], -1e+06 to 1e+06.
+        cross_01: cross covariance of position in filter 1 and velocity in filter 2 [m^2/s], -1e+06 to 1e+06.
+        cross_10: cross covariance of velocity in filter 1 and position in filter 2 [m^2/s], -1e+06 to 1e+06.
+        cross_11: cross covariance of velocity in filter 1 and velocity in filter 2 [m^2/s^2], -1e+06 to 1e+06.
+        alpha_1: gain of the position in filter 1 [1], 0.001 to 1.
+        beta_1: gain of the velocity in filter 1, times T [1], 1e-06 to 2.
+        alpha_2: gain of the position in filter 2 [1], 0.001 to 1.
+        beta_2: gain of the velocity in filter 2, times T [1], 1e-06 to 2.
+        sigma_w: standard deviation of the acceleration, constant over a period [m/s^2], 1e-06 to 1000.
+        T: time from scan to scan [s], 0.001 to 1000.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit [m, m/s] × [m, m/s].
+
+    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors). Errors are measured against the sizes of the terms.
+    """
+    arguments = _floats(cross_00, cross_01, cross_10, cross_11, alpha_1, beta_1, alpha_2, beta_2, sigma_w, T)
+    cross_00, cross_01, cross_10, cross_11, alpha_1, beta_1, alpha_2, beta_2, sigma_w, T = arguments
+    sum_1 = 1.0 - alpha_1
+    sum_2 = 1.0 - alpha_2
+    product_1 = T * cross_11
+    T_squared = T**2
+    sigma_w_squared = sigma_w**2
+    sum_3 = T * (cross_10 + product_1) + T * cross_01 + 0.25 * T_squared**2 * sigma_w_squared + cross_00
+    term_1 = 1.0 / T
+    product_2 = 0.5 * T * T_squared * sigma_w_squared
+    sum_4 = cross_01 - beta_2 * sum_3 * term_1 + product_1 + product_2
+    sum_5 = cross_10 + product_1 + product_2
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = sum_1 * sum_2 * sum_3
+    result[..., 0, 1] = sum_1 * sum_4
+    result[..., 1, 0] = sum_2 * sum_5 - beta_1 * sum_2 * sum_3 * term_1
+    result[..., 1, 1] = (
+        T_squared * sigma_w_squared
+        - beta_1 * sum_4 * term_1
+        - beta_2 * sum_5 * term_1
+        + cross_11
+    )
+    return result
+
+
+def cross_covariance_steady(
+    *,
+    index_1: npt.ArrayLike,
+    index_2: npt.ArrayLike,
+    sigma_w: npt.ArrayLike,
+    T: npt.ArrayLike,
+) -> Floats:
+    """Steady cross covariance of the errors of two alpha-beta filters of one target.
+
+    Name: fusion.cross_covariance.steady.
+    Definition: X = (1 - K1 H) (F X F' + Q) (1 - K2 H)'.
+    Conditioning: no expectation is taken.
+    Source: Bar-Shalom & Campo 1986, doi:10.1109/TAES.1986.310815.
+
+    Args:
+        index_1: tracking index T^2 sigma_w/sigma_r of filter 1 [1], 1e-09 to 1000.
+        index_2: tracking index T^2 sigma_w/sigma_r of filter 2 [1], 1e-09 to 1000.
+        sigma_w: standard deviation of the acceleration, constant over a period [m/s^2], 1e-06 to 1000.
+        T: time from scan to scan [s], 0.001 to 1000.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit [m, m/s] × [m, m/s].
+
+    Accuracy: at most 9 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors). Errors are measured against itself.
+    """
+    arguments = _floats(index_1, index_2, sigma_w, T)
+    index_1, index_2, sigma_w, T = arguments
+    term_1 = 1.0 / index_1
+    w_1 = np.sqrt(1.0 + 8.0 * term_1)
+    excess_1 = 8.0 * term_1 / (1.0 + w_1)
+    term_2 = 1.0 / index_2
+    w_2 = np.sqrt(1.0 + 8.0 * term_2)
+    excess_2 = 8.0 * term_2 / (1.0 + w_2)
+    term_3 = 1.0 / (8.0 * term_1 + 8.0 * term_2)
+    T_squared = T**2
+    excess_1_squared = excess_1**2
+    excess_2_squared = excess_2**2
+    sigma_w_squared = sigma_w**2
+    sum_1 = excess_1 + w_1**2 + w_1 * w_2 + w_2 + w_2**2
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = T_squared**2 * (excess_1 * w_2 + excess_2) * excess_1_squared * excess_2_squared * sigma_w_squared * term_3 / (16.0 * w_1 + 16.0 * w_2)
+    result[..., 0, 1] = T * T_squared * excess_1_squared * excess_2_squared * sigma_w_squared * term_3 * (2.0 + w_1 + w_2) / (8.0 * w_1 + 8.0 * w_2)
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = T_squared * excess_1 * excess_2 * sigma_w_squared * sum_1 * term_3 / (2.0 * w_1 + 2.0 * w_2)
+    return result
+
+
+def correlated_weights(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike, rho_12: npt.ArrayLike) -> Floats:
+    """Weights of two unbiased measurements of one thing, or of two tracks, with correlated errors.
+
+    Name: fusion.correlated.weights.
+    Definition: argmin of the fused variance, weights summing to 1.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Bar-Shalom & Campo 1986, doi:10.1109/TAES.1986.310815.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        sigma_2: standard deviation of measurement 2 [m], 0.01 to 1e+05.
+        rho_12: correlation of both errors [1], -0.999 to 0.999.
+
+    Returns:
+        Shape of the broadcast arguments + (2), unit 1.
+
+    Accuracy: at most 5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors). Errors are measured against the sizes of the terms.
+    """
+    arguments = _floats(sigma_1, sigma_2, rho_12)
+    sigma_1, sigma_2, rho_12 = arguments
+    term_1 = 1.0 / ((sigma_1 - sigma_2)**2 + 2.0 * (1.0 - rho_12) * sigma_1 * sigma_2)
+    result = _empty(arguments, (2,))
+    result[..., 0] = (sigma_2 - rho_12 * sigma_1) * sigma_2 * term_1
+    result[..., 1] = (sigma_1 - rho_12 * sigma_2) * sigma_1 * term_1
+    return result
+
+
+def correlated_variance(*, sigma_1: npt.ArrayLike, sigma_2: npt.ArrayLike, rho_12: npt.ArrayLike) -> Floats:
+    """Variance of the fused mean of two measurements or tracks with correlated errors.
+
+    Name: fusion.correlated.variance.
+    Definition: w1^2 sigma_1^2 + w2^2 sigma_2^2 + 2 w1 w2 rho sigma_1 sigma_2.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Bar-Shalom & Campo 1986, doi:10.1109/TAES.1986.310815.
+
+    Args:
+        sigma_1: standard deviation of measurement 1 [m], 0.01 to 1e+05.
+        sigma_2: standard deviation of measurement 2 [m], 0.01 to 1e+05.
+        rho_12: correlation of both errors [1], -0.999 to 0.999.
+
+    Returns:
+        Shape of the broadcast arguments, unit m^2.
+
+    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_1, sigma_2, rho_12)
+    sigma_1, sigma_2, rho_12 = arguments
+    sum_1 = 1.0 - rho_12
+    result = _empty(arguments, ())
+    result[...] = (1.0 + rho_12) * sigma_1**2 * sigma_2**2 * sum_1 / ((sigma_1 - sigma_2)**2 + 2.0 * sigma_1 * sigma_2 * sum_1)
+    return result[()]
+
+
+def covariance_intersection_covariance(
+    *,
+    sigma_x1: npt.ArrayLike,
+    sigma_y1: npt.ArrayLike,
+    rho_1: npt.ArrayLike,
+    sigma_x2: npt.ArrayLike,
+    sigma_y2: npt.ArrayLike,
+    rho_2: npt.ArrayLike,
+    weight: npt.ArrayLike,
+) -> Floats:
+    """Covariance in the plane by covariance intersection, whatever the correlation of both errors.
+
+    Name: fusion.covariance_intersection.covariance.
+    Definition: (w P1^-1 + (1 - w) P2^-1)^-1.
+    Conditioning: no expectation is taken.
+    Source: Julier & Uhlmann 1997, doi:10.1109/ACC.1997.609105.
+
+    Args:
+        sigma_x1: standard deviation of x of measurement 1 [m], 0.01 to 1e+05.
+        sigma_y1: standard deviation of y of measurement 1 [m], 0.01 to 1e+05.
+        rho_1: correlation of the errors of x and y of measurement 1 [1], -0.999 to 0.999.
+        sigma_x2: standard deviation of x of measurement 2 [m], 0.01 to 1e+05.
+        sigma_y2: standard deviation of y of measurement 2 [m], 0.01 to 1e+05.
+        rho_2: correlation of the errors of x and y of measurement 2 [1], -0.999 to 0.999.
+        weight: share of the first in the information, from 0 to 1 [1], 0.001 to 0.999.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit m^2.
+
+    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(sigma_x1, sigma_y1, rho_1, sigma_x2, sigma_y2, rho_2, weight)
+    sigma_x1, sigma_y1, rho_1, sigma_x2, sigma_y2, rho_2, weight = arguments
+    sum_1 = 1.0 - weight
+    sum_2 = 1.0 - rho_1
+    sum_3 = 1.0 + rho_1
+    sigma_x1_squared = sigma_x1**2
+    sigma_y1_squared = sigma_y1**2
+    sum_4 = 1.0 - rho_2
+    sum_5 = 1.0 + rho_2
+    sigma_x2_squared = sigma_x2**2
+    sigma_y2_squared = sigma_y2**2
+    sum_6 = 0.5 * sum_2 * sum_5 + 0.5 * sum_3 * sum_4
+    sum_7 = (
+        (sigma_x1 * sigma_y2 - sigma_x2 * sigma_y1)**2
+        + 2.0 * sigma_x1 * sigma_x2 * sigma_y1 * sigma_y2 * sum_6
+    )
+    term_1 = 1.0 / (sigma_x1_squared * sigma_y1_squared * sum_1**2 * sum_2 * sum_3 + sigma_x2_squared * sigma_y2_squared * sum_4 * sum_5 * weight**2 + sum_1 * sum_7 * weight)
+    sum_8 = (
+        sigma_x1_squared * sigma_x2_squared * sigma_y1_squared * sum_1 * sum_2 * sum_3
+        + sigma_x1_squared * sigma_x2_squared * sigma_y2_squared * sum_4 * sum_5 * weight
+    )
+    sum_9 = (
+        rho_2 * sigma_x1_squared * sigma_x2 * sigma_y1_squared * sigma_y2 * sum_1 * sum_2 * sum_3
+        + rho_1 * sigma_x1 * sigma_x2_squared * sigma_y1 * sigma_y2_squared * sum_4 * sum_5 * weight
+    )
+    sum_10 = (
+        sigma_x1_squared * sigma_y1_squared * sigma_y2_squared * sum_1 * sum_2 * sum_3
+        + sigma_x2_squared * sigma_y1_squared * sigma_y2_squared * sum_4 * sum_5 * weight
+    )
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = sum_8 * term_1
+    result[..., 0, 1] = sum_9 * term_1
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = sum_10 * term_1
+    return result

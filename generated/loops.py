@@ -1,6 +1,6 @@
 """Conversions as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries.
 
-Written by radartrack regenerate, generator 1, derivation f7f827b1721ca5bb; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 878d8e142499e25c; not to be edited.
 """
 
 import math
@@ -2069,7 +2069,7 @@ def polar_averaged(
         attenuation_beta = math.exp(-0.5 * sigma_beta_squared)
         shortfall_beta = -math.expm1(-0.5 * sigma_beta_squared)
         part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-        attenuation_beta_2 = math.exp(-sigma_beta_squared)
+        attenuation_beta_2 = attenuation_beta**2
         shortfall_beta_2 = -math.expm1(-sigma_beta_squared)
         r_squared = r**2
         shortfall_beta_2_squared = shortfall_beta_2**2
@@ -2147,7 +2147,7 @@ def polar_unbiased(
         term_1 = 1.0 / attenuation_beta
         part_0_cos_beta = r * term_1
         part_0_sin_beta = rho * sigma_beta * sigma_r * term_1
-        attenuation_beta_2 = math.exp(-sigma_beta_squared)
+        attenuation_beta_2 = attenuation_beta**2
         shortfall_beta = -math.expm1(-sigma_beta_squared)
         term_2 = 1.0 / attenuation_beta_2
         r_squared = r**2
@@ -2220,7 +2220,7 @@ def polar_posterior(
         attenuation_beta = math.exp(-0.5 * sigma_beta_squared)
         part_0_cos_beta = attenuation_beta * r
         part_0_sin_beta = -attenuation_beta * rho * sigma_beta * sigma_r
-        attenuation_beta_2 = math.exp(-sigma_beta_squared)
+        attenuation_beta_2 = attenuation_beta**2
         shortfall_beta = -math.expm1(-sigma_beta_squared)
         r_squared = r**2
         attenuation_beta_2_squared = attenuation_beta_2**2
@@ -2393,7 +2393,7 @@ def polar_doppler_averaged(
         attenuation_beta = math.exp(-0.5 * sigma_beta_squared)
         shortfall_beta = -math.expm1(-0.5 * sigma_beta_squared)
         part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-        attenuation_beta_2 = math.exp(-sigma_beta_squared)
+        attenuation_beta_2 = attenuation_beta**2
         shortfall_beta_2 = -math.expm1(-sigma_beta_squared)
         r_squared = r**2
         sum_1 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
@@ -3352,9 +3352,9 @@ def spherical_averaged(
         shortfall_epsilon = -math.expm1(-0.5 * sigma_epsilon_squared)
         sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
         part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
-        attenuation_beta_2 = math.exp(-sigma_beta_squared)
+        attenuation_beta_2 = attenuation_beta**2
         shortfall_beta_2 = -math.expm1(-sigma_beta_squared)
-        attenuation_epsilon_2 = math.exp(-sigma_epsilon_squared)
+        attenuation_epsilon_2 = attenuation_epsilon**2
         shortfall_epsilon_2 = -math.expm1(-sigma_epsilon_squared)
         attenuation_beta_2_squared = attenuation_beta_2**2
         product_1 = attenuation_beta_2 * attenuation_beta_2_squared
@@ -3673,7 +3673,7 @@ def spherical_unbiased(
         part_0_cos_beta_cos_epsilon = -rho * sigma_beta * sigma_r * term_1 * term_2
         part_0_cos_epsilon_sin_beta = r * term_1 * term_2
         shortfall_beta = -math.expm1(-0.5 * sigma_beta_squared)
-        attenuation_epsilon_2 = math.exp(-sigma_epsilon_squared)
+        attenuation_epsilon_2 = attenuation_epsilon**2
         shortfall_epsilon = -math.expm1(-sigma_epsilon_squared)
         term_3 = 1.0 / attenuation_epsilon_2
         term_4 = 1.0 / attenuation_beta**2
@@ -3927,7 +3927,7 @@ def spherical_posterior(
         part_0_cos_beta_cos_epsilon = attenuation_beta * attenuation_epsilon * rho * sigma_beta * sigma_r
         part_0_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * r
         shortfall_beta = -math.expm1(-0.5 * sigma_beta_squared)
-        attenuation_epsilon_2 = math.exp(-sigma_epsilon_squared)
+        attenuation_epsilon_2 = attenuation_epsilon**2
         shortfall_epsilon = -math.expm1(-sigma_epsilon_squared)
         attenuation_beta_squared = attenuation_beta**2
         shortfall_epsilon_squared = shortfall_epsilon**2
@@ -4286,9 +4286,9 @@ def spherical_doppler_averaged(
         shortfall_epsilon = -math.expm1(-0.5 * sigma_epsilon_squared)
         sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
         part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
-        attenuation_beta_2 = math.exp(-sigma_beta_squared)
+        attenuation_beta_2 = attenuation_beta**2
         shortfall_beta_2 = -math.expm1(-sigma_beta_squared)
-        attenuation_epsilon_2 = math.exp(-sigma_epsilon_squared)
+        attenuation_epsilon_2 = attenuation_epsilon**2
         shortfall_epsilon_2 = -math.expm1(-sigma_epsilon_squared)
         sum_2 = 1.0 + attenuation_beta_2
         sum_3 = 1.0 - attenuation_epsilon_2 * sum_2

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar.*.
 
-Written by radartrack regenerate, generator 1, derivation 19d7f44263b1c4bc; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 46ca2bc4b0f19dc9; not to be edited.
 """
 
 import numpy as np
@@ -13,6 +13,7 @@ __all__ = [
     "covariance_averaged",
     "covariance_linear",
     "covariance_second_order",
+    "covariance_third_order",
     "covariance_truth",
     "decorrelated_covariance",
     "hessian",
@@ -23,6 +24,8 @@ __all__ = [
     "std_linear",
     "std_position",
     "unbiased_covariance",
+    "unbiased_covariance_averaged",
+    "unbiased_covariance_truth",
     "unbiased_estimate",
     "validity_linear",
     "validity_second_order",
@@ -474,6 +477,105 @@ def validity_second_order(
     result = _empty(arguments, (2,))
     result[..., 0] = np.sqrt(3.0 * rho**2 * sigma_beta_squared_squared * sigma_r_squared + 0.75 * sigma_beta_squared_squared * sigma_r_squared) / sigma_r
     result[..., 1] = sigma_beta_squared * np.sqrt(15.0) / 6.0
+    return result
+
+
+def covariance_third_order(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Covariance of the conversion's cubic Taylor polynomial.
+
+    Name: polar.covariance.third_order.
+    Definition: E[p p'] - E[p] E[p]', p = h + (w.d) h + (w.d)^2 h/2 + (w.d)^3 h/6.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Bar-Shalom & Li 1995.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit m^2.
+
+    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
+    r, beta, sigma_r, sigma_beta, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    rho_squared = rho**2
+    sigma_beta_squared = sigma_beta**2
+    sigma_r_squared = sigma_r**2
+    sigma_beta_squared_squared = sigma_beta_squared**2
+    product_1 = 3.0 * rho_squared * sigma_beta_squared_squared * sigma_r_squared
+    product_2 = 0.75 * sigma_beta_squared_squared * sigma_r_squared
+    r_squared = r**2
+    part_00_cos_beta2 = (
+        product_1
+        - 2.0 * rho_squared * sigma_beta_squared * sigma_r_squared
+        - sigma_beta_squared * sigma_r_squared
+        + product_2
+        + 0.5 * r_squared * sigma_beta_squared_squared
+        + sigma_r_squared
+    )
+    product_3 = sigma_beta * sigma_beta_squared**2
+    product_4 = sigma_beta * sigma_beta_squared
+    part_00_cos_beta_sin_beta = (
+        6.0 * product_4 * r * rho * sigma_r
+        - 2.0 * r * rho * sigma_beta * sigma_r
+        - 2.5 * product_3 * r * rho * sigma_r
+    )
+    sigma_beta_squared_cubed = sigma_beta_squared * sigma_beta_squared**2
+    part_00_sin_beta2 = (
+        5.0 * r_squared * sigma_beta_squared_cubed / 12.0
+        - r_squared * sigma_beta_squared_squared
+        + r_squared * sigma_beta_squared
+        + rho_squared * sigma_beta_squared * sigma_r_squared
+        + sigma_beta_squared * sigma_r_squared
+    )
+    part_01_cos_beta2 = (
+        1.25 * product_3 * r * rho * sigma_r
+        - 3.0 * product_4 * r * rho * sigma_r
+        + r * rho * sigma_beta * sigma_r
+    )
+    part_01_cos_beta_sin_beta = (
+        1.5 * r_squared * sigma_beta_squared_squared
+        - 2.0 * sigma_beta_squared * sigma_r_squared
+        - 3.0 * rho_squared * sigma_beta_squared * sigma_r_squared
+        - 5.0 * r_squared * sigma_beta_squared_cubed / 12.0
+        - r_squared * sigma_beta_squared
+        + product_1
+        + product_2
+        + sigma_r_squared
+    )
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = (
+        cos_beta * part_00_cos_beta_sin_beta * sin_beta
+        + cos_beta_squared * part_00_cos_beta2
+        + part_00_sin_beta2 * sin_beta_squared
+    )
+    result[..., 0, 1] = (
+        cos_beta * part_01_cos_beta_sin_beta * sin_beta
+        - part_01_cos_beta2 * sin_beta_squared
+        + cos_beta_squared * part_01_cos_beta2
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        cos_beta_squared * part_00_sin_beta2
+        - cos_beta * part_00_cos_beta_sin_beta * sin_beta
+        + part_00_cos_beta2 * sin_beta_squared
+    )
     return result
 
 
@@ -1120,6 +1222,181 @@ def decorrelated_covariance(
     result[..., 1, 1] = (
         cos_beta_squared * part_00_sin_beta2
         - cos_beta * part_00_cos_beta_sin_beta * sin_beta
+        + part_00_cos_beta2 * sin_beta_squared
+    )
+    return result
+
+
+def unbiased_covariance_truth(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Covariance of the unbiased estimate u about the true position, R_t of Mo et al..
+
+    Name: polar.unbiased.covariance.truth.
+    Definition: e^L(u u') - h h'.
+    Conditioning: truth-conditioned: the measured symbols stand for the true values.
+    Source: Mo et al. 1998 R_t, doi:10.1109/7.705921.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit m^2.
+
+    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
+    r, beta, sigma_r, sigma_beta, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-sigma_beta_squared)
+    shortfall_beta = -np.expm1(-sigma_beta_squared)
+    term_1 = 1.0 / attenuation_beta
+    r_squared = r**2
+    sum_1 = 1.0 + attenuation_beta
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    sum_2 = 1.0 + attenuation_beta**2
+    part_00_cos_beta2 = (
+        0.5 * r_squared * shortfall_beta**2 * term_1
+        + 0.5 * rho_squared * shortfall_beta * sigma_beta_squared * sigma_r_squared * sum_1 * term_1
+        + 0.5 * sigma_r_squared * sum_2 * term_1
+    )
+    part_00_sin_beta2 = (
+        0.5 * r_squared * shortfall_beta * sum_1 * term_1
+        + 0.5 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_2 * term_1
+        + 0.5 * shortfall_beta * sigma_r_squared * sum_1 * term_1
+    )
+    part_00_cos_beta_sin_beta = -2.0 * attenuation_beta * r * rho * sigma_beta * sigma_r
+    part_01_cos_beta2 = attenuation_beta * r * rho * sigma_beta * sigma_r
+    part_01_cos_beta_sin_beta = (
+        attenuation_beta * sigma_r_squared
+        - attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared
+        - r_squared * shortfall_beta
+    )
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = (
+        cos_beta * part_00_cos_beta_sin_beta * sin_beta
+        + cos_beta_squared * part_00_cos_beta2
+        + part_00_sin_beta2 * sin_beta_squared
+    )
+    result[..., 0, 1] = (
+        cos_beta * part_01_cos_beta_sin_beta * sin_beta
+        - part_01_cos_beta2 * sin_beta_squared
+        + cos_beta_squared * part_01_cos_beta2
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        cos_beta_squared * part_00_sin_beta2
+        - cos_beta * part_00_cos_beta_sin_beta * sin_beta
+        + part_00_cos_beta2 * sin_beta_squared
+    )
+    return result
+
+
+def unbiased_covariance_averaged(
+    *,
+    r: npt.ArrayLike,
+    beta: npt.ArrayLike,
+    sigma_r: npt.ArrayLike,
+    sigma_beta: npt.ArrayLike,
+    rho: npt.ArrayLike,
+) -> Floats:
+    """Covariance of the unbiased estimate u, averaged over the truth, R_m of Mo et al..
+
+    Name: polar.unbiased.covariance.averaged.
+    Definition: e^L [e^L(u u') - h h'].
+    Conditioning: measurement-conditioned: the measured symbols stand for the measurement.
+    Source: Mo et al. 1998 R_m, doi:10.1109/7.705921.
+
+    Args:
+        r: range [m], 1 to 1e+08.
+        beta: azimuth, counter-clockwise from the x axis [rad], -3.1416 to 3.1416.
+        sigma_r: standard deviation of the error of r [m], 0.001 to 10000.
+        sigma_beta: standard deviation of the error of beta [rad], 1e-09 to 1.
+        rho: correlation of the errors of r and beta [1], -1 to 1.
+
+    Returns:
+        Shape of the broadcast arguments + (2, 2), unit m^2.
+
+    Accuracy: at most 5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
+    errors).
+    """
+    arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
+    r, beta, sigma_r, sigma_beta, rho = arguments
+    cos_beta = np.cos(beta)
+    sin_beta = np.sin(beta)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-sigma_beta_squared)
+    shortfall_beta = -np.expm1(-sigma_beta_squared)
+    attenuation_beta_squared = attenuation_beta**2
+    attenuation_beta_squared_squared = attenuation_beta_squared**2
+    shortfall_beta_squared = shortfall_beta**2
+    product_1 = attenuation_beta * attenuation_beta_squared
+    term_1 = 1.0 / attenuation_beta
+    rho_squared = rho**2
+    sigma_r_squared = sigma_r**2
+    sum_1 = (
+        4.0 * attenuation_beta * shortfall_beta * shortfall_beta_squared
+        - 4.0 * attenuation_beta_squared_squared
+        + 6.0 * attenuation_beta_squared * shortfall_beta_squared
+        + 8.0 * product_1 * shortfall_beta
+        + shortfall_beta_squared**2
+    )
+    r_squared = r**2
+    sum_2 = 1.0 + attenuation_beta + attenuation_beta_squared
+    sum_3 = 2.0 - attenuation_beta - product_1 + 2.0 * attenuation_beta_squared_squared
+    part_00_cos_beta2 = (
+        0.5 * r_squared * shortfall_beta_squared * sum_2 * term_1
+        + 0.5 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1 * term_1
+        + 0.5 * sigma_r_squared * sum_3 * term_1
+    )
+    sum_4 = 1.0 - 4.0 * product_1 + 9.0 * attenuation_beta_squared_squared
+    sum_5 = 2.0 + 2.0 * product_1 + attenuation_beta + attenuation_beta_squared
+    part_00_sin_beta2 = (
+        0.5 * (1.0 + product_1) * r_squared * shortfall_beta * term_1
+        + 0.5 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_4 * term_1
+        + 0.5 * shortfall_beta * sigma_r_squared * sum_5 * term_1
+    )
+    sum_6 = 4.0 * shortfall_beta - 5.0 * attenuation_beta
+    sum_7 = attenuation_beta - shortfall_beta
+    part_01_cos_beta_sin_beta = (
+        attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_6
+        - attenuation_beta_squared * r_squared * shortfall_beta
+        + attenuation_beta_squared * sigma_r_squared * sum_7
+    )
+    sum_8 = 2.0 * shortfall_beta - attenuation_beta
+    cos_beta_squared = cos_beta**2
+    sin_beta_squared = sin_beta**2
+    sum_9 = attenuation_beta - 2.0 * shortfall_beta
+    result = _empty(arguments, (2, 2))
+    result[..., 0, 0] = (
+        2.0 * attenuation_beta_squared * cos_beta * r * rho * sigma_beta * sigma_r * sin_beta * sum_8
+        + cos_beta_squared * part_00_cos_beta2
+        + part_00_sin_beta2 * sin_beta_squared
+    )
+    result[..., 0, 1] = (
+        attenuation_beta_squared * cos_beta_squared * r * rho * sigma_beta * sigma_r * sum_9
+        + attenuation_beta_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_8
+        + cos_beta * part_01_cos_beta_sin_beta * sin_beta
+    )
+    result[..., 1, 0] = result[..., 0, 1]
+    result[..., 1, 1] = (
+        2.0 * attenuation_beta_squared * cos_beta * r * rho * sigma_beta * sigma_r * sin_beta * sum_9
+        + cos_beta_squared * part_00_sin_beta2
         + part_00_cos_beta2 * sin_beta_squared
     )
     return result

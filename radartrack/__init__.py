@@ -7,7 +7,20 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from radartrack import consistency, convert, fusion, initiate, kalman, line, observe, simulate, validity
+    from radartrack import (
+        consistency,
+        convert,
+        frames,
+        fusion,
+        initiate,
+        kalman,
+        line,
+        observe,
+        ros,
+        simulate,
+        tables,
+        validity,
+    )
     from radartrack.finite_sample_filter import FiniteSampleFilter
     from radartrack.variance_table import VarianceTable
 
@@ -16,12 +29,15 @@ __all__ = [
     "VarianceTable",
     "consistency",
     "convert",
+    "frames",
     "fusion",
     "initiate",
     "kalman",
     "line",
     "observe",
+    "ros",
     "simulate",
+    "tables",
     "validity",
 ]
 

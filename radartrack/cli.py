@@ -23,6 +23,7 @@ from radartrack.commands.list_quantities import list_quantities
 from radartrack.commands.regenerate import regenerate
 from radartrack.commands.reproduce import reproduce
 from radartrack.commands.show import show
+from radartrack.commands.tables.convert_plots import convert
 from radartrack.commands.verify import verify
 
 CANNOT = 2  # read, write, or go on; 1 says that something was found to be wrong
@@ -115,3 +116,4 @@ app.command()(draft)
 app.command()(audit)
 app.command()(verify)
 app.command()(reproduce)
+app.command()(convert)

@@ -1,4 +1,4 @@
-"""Bias and consistency of a conversion on simulated measurements.
+"""Bias and consistency of a conversion on simulated measurements, and gates for filters.
 
 A converted measurement is consistent if its covariance tells the size of its error: the error squared over the
 covariance, averaged, is then the number of coordinates (average normalised estimation error squared, NEES). The
@@ -7,6 +7,9 @@ answer depends on what is held fixed, and most disagreement between published co
 - "truth": the target stays where it is, and measurements scatter about it;
 - "measurement": one measurement is given, and the targets that may have caused it scatter about it;
 - "prediction": targets scatter about a prediction, and measurements about the targets.
+
+Of a filter `nees` and `nis` are the errors and the innovations squared over their covariances, chi-square variables
+where the filter is consistent. `gate` is what they seldom exceed, and `band` holds their average over runs.
 """
 
 import math
@@ -17,7 +20,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import convert
-from radartrack._arrays.validation import RealArray, number_between, one_of, real_arrays, whole_number
+from radartrack._arrays.validation import (
+    Domain,
+    RealArray,
+    broadcast_shape,
+    number_between,
+    one_of,
+    real_arrays,
+    require_covariance,
+    require_finite,
+    require_trailing_shape,
+    require_within,
+    whole_number,
+)
 from radartrack._conversion.prediction import Predicted
 from radartrack._conversion.semidefinite import ROUNDING, are_sound
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
@@ -29,6 +44,9 @@ Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 
 MINIMUM = 2
 SMALLEST_FALSE_ALARM = 1e-9
+PROBABILITY = Domain("", 1 - 1e-9, 1 - 1e-6, "a float tells no more of a tail", smallest=1e-9)
+DEGREES = Domain("", 1e6, 1e6, "more are as good as normal", smallest=1e-2)
+RUNS = Domain("", 1e6, 1e6, "more are as good as normal", smallest=1.0)
 _SINGULAR = "the covariance is singular: deviations must be positive, correlations below 1"
 
 
@@ -58,6 +76,148 @@ class Consistency(NamedTuple):
     def is_consistent(self) -> bool:
         """Whether the band of the NEES holds one."""
         return bool(self.nees_band[0] <= 1 <= self.nees_band[1])
+
+
+def chi_square_quantile(probability: ArrayLike, degrees_of_freedom: ArrayLike) -> RealArray:
+    """The value below which a chi-square variable falls with a probability.
+
+    The relative error is at most 1e-8 up to 1e4 degrees of freedom, and 1e-7 beyond.
+
+    Args:
+        probability: from 1e-9 to 1 - 1e-9.
+        degrees_of_freedom: from 0.01 to 1e6; they need not be whole.
+
+    Returns:
+        Quantiles, of the shape that both broadcast to.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, or the shapes do not broadcast.
+
+    """
+    arrays = real_arrays({"probability": probability, "degrees_of_freedom": degrees_of_freedom})
+    require_within("probability", arrays["probability"], PROBABILITY)
+    require_within("degrees_of_freedom", arrays["degrees_of_freedom"], DEGREES)
+    shape = broadcast_shape(arrays)
+    pairs = np.stack([np.broadcast_to(array, shape).reshape(-1).astype(np.float64) for array in arrays.values()], -1)
+    distinct, which = np.unique(pairs, axis=0, return_inverse=True)
+    values = np.array([quantile(*map(float, pair)) for pair in distinct])
+    return values[which.reshape(-1)].reshape(shape) if len(values) else np.empty(shape)
+
+
+def gate(components: ArrayLike, probability: ArrayLike = 0.99, runs: ArrayLike = 1) -> RealArray:
+    """What a NIS or NEES does not exceed with a probability: 9.21 for two components and 99 %.
+
+    Args:
+        components: of the innovation or of the state.
+        probability: with which a consistent filter stays within, from 1e-9 to 1 - 1e-9.
+        runs: how many independent ones the NIS or NEES is an average of.
+
+    Returns:
+        Gates, of the shape that all broadcast to.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, or the shapes do not broadcast.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 1.5.4 and 5.4.2.
+
+    """
+    averaged = real_arrays({"components": components, "runs": runs})
+    require_within("runs", averaged["runs"], RUNS)
+    broadcast_shape(averaged | real_arrays({"probability": probability}))
+    return chi_square_quantile(probability, averaged["components"] * averaged["runs"]) / averaged["runs"]
+
+
+def band(components: ArrayLike, runs: ArrayLike = 1, probability: ArrayLike = 0.95) -> RealArray:
+    """The interval that holds the average NIS or NEES of a consistent filter, as often on either side of it.
+
+    Args:
+        components: of the innovation or of the state.
+        runs: how many independent ones are averaged.
+        probability: with which it is held.
+
+    Returns:
+        Lower and upper ends along the last axis, shape (..., 2).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an argument is out of its domain, or the shapes do not broadcast.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2.
+
+    """
+    [inside] = real_arrays({"probability": probability}).values()
+    require_within("probability", inside, PROBABILITY)
+    tail = (1 - inside) / 2
+    return np.stack([gate(components, end, runs) for end in (tail, 1 - tail)], axis=-1)
+
+
+def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
+    """The normalised estimation error squared, e' P^-1 e, whose expectation is the number of components.
+
+    Args:
+        mean: estimates, shape (..., n).
+        covariance: what is said of their errors, positive definite, shape (..., n, n).
+        truth: shape (..., n).
+
+    Returns:
+        Shape (...).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes do not
+            fit.
+
+    """
+    arrays = real_arrays({"mean": mean, "covariance": covariance, "truth": truth})
+    for name in ("mean", "truth"):
+        require_finite(name, arrays[name])
+    both = {name: arrays[name] for name in ("mean", "truth")}
+    broadcast_shape(both)
+    return _normalised(arrays["mean"] - arrays["truth"], arrays["covariance"])
+
+
+def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
+    """The normalised innovation squared, v' S^-1 v.
+
+    Args:
+        innovation: measured less predicted, shape (..., m).
+        covariance: S, that of the innovation, H P H' + R, positive definite, shape (..., m, m).
+
+    Returns:
+        Shape (...).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: as `nees`.
+
+    """
+    arrays = real_arrays({"innovation": innovation, "covariance": covariance})
+    require_finite("innovation", arrays["innovation"])
+    return _normalised(arrays["innovation"], arrays["covariance"])
+
+
+def _normalised(errors: RealArray, covariance: RealArray) -> RealArray:
+    """Errors squared over covariances, in units of the deviations, which may differ by hundreds of orders."""
+    if not errors.ndim or not errors.shape[-1]:
+        raise ValueError(f"errors must have shape (..., n), with n from 1; got {errors.shape}")
+    size = errors.shape[-1]
+    require_trailing_shape("covariance", covariance, (size, size))
+    require_covariance("covariance", covariance)
+    broadcast_shape({"errors": errors[..., 0], "covariance": covariance[..., 0, 0]})
+    indefinite = ValueError("covariance must be positive definite; got a matrix that is not")
+    deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
+    if not (deviations > 0).all():
+        raise indefinite
+    correlations = covariance / deviations[..., :, np.newaxis] / deviations[..., np.newaxis, :]
+    try:
+        root = np.linalg.cholesky(correlations)
+    except np.linalg.LinAlgError:
+        raise indefinite from None
+    white = np.linalg.solve(root, (errors / deviations)[..., np.newaxis])[..., 0]
+    squares: RealArray = (white**2).sum(axis=-1)
+    return squares
 
 
 def experiment(

@@ -7,6 +7,10 @@ when all deviations are multiplied by one number. The deviations may come from
 - `stated_std`: the stated deviations of range and azimuth, the same wherever the target is;
 - `propagated_covariance`: the stated deviations carried over to x and y at each plot;
 - `line.measurement_std` or a `VarianceTable`: the scatter of plots about straight courses.
+
+Errors of tracks are not independent: `fuse_correlated` takes their cross covariance, which `cross_covariances` and
+`steady_cross_covariance` know of common process noise, and `covariance_intersection` serves where nothing is known of
+it. `registration` estimates constant biases of radars.
 """
 
 from collections.abc import Sequence
@@ -25,18 +29,48 @@ from radartrack._arrays.validation import (
     one_of,
     real_arrays,
     require_covariance,
+    require_finite,
     require_trailing_shape,
     require_within,
+    whole_number,
 )
+from radartrack._conversion.sensors import AzimuthFrom
+from radartrack._filtering.beliefs import Motion as LinearMotion
+from radartrack._fusion import common_process
+from radartrack._fusion.best_share import CRITERIA, Criterion, pencil_of
+from radartrack._fusion.common_process import Filtered
+from radartrack._fusion.registration import Plots, estimated
 from radartrack.generated import fusion as formulas
 from radartrack.generated import spherical
 from radartrack.line import COORDINATE, TIME, WEIGHT
+
+__all__ = [
+    "Filtered",
+    "Fused",
+    "Intersection",
+    "Motion",
+    "Registration",
+    "covariance_intersection",
+    "cross_covariances",
+    "fuse",
+    "fuse_correlated",
+    "fuse_lines",
+    "fuse_plots",
+    "position_std",
+    "propagated_covariance",
+    "registration",
+    "stated_std",
+    "steady_cross_covariance",
+    "weights",
+]
 
 Floats: TypeAlias = NDArray[np.float64]
 FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 
 STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
+SHARE = Domain("", 1.0, 1.0, "a weight is a share of the whole")
+POSITIVE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow, and a deviation weighs", smallest=1e-30)
 SYMMETRY = 1e-9
 DOUBT = 1e-3  # of its deviation may be rounding in a parameter,
 DIGITS = 1e-9  # or of what is measured
@@ -46,6 +80,28 @@ class Fused(NamedTuple):
     """A fused mean, shape (..., d), and the covariance of its error, shape (..., d, d)."""
 
     mean: Floats
+    covariance: Floats
+
+
+class Intersection(NamedTuple):
+    """A fused mean, shape (..., d), a covariance that its error does not exceed, and the weight of the first, (...)."""
+
+    mean: Floats
+    covariance: Floats
+    weight: Floats
+
+
+class Registration(NamedTuple):
+    """Estimated biases of radars, measured minus true.
+
+    Attributes:
+        range_bias: shape (..., radars) [m].
+        azimuth_bias: shape (..., radars) [rad].
+        covariance: of the errors of both, (range, azimuth) of one radar after the other, (..., 2 radars, 2 radars).
+    """
+
+    range_bias: Floats
+    azimuth_bias: Floats
     covariance: Floats
 
 
@@ -218,6 +274,212 @@ def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
     origin = _of_most_accurate(np.broadcast_to(points, (*shape, size)), white)
     estimate = _least_squares(np.eye(size), white, points - origin)
     return Fused(estimate.value + origin[..., 0, :], _squares(estimate.root))
+
+
+def fuse_correlated(mean: ArrayLike, covariance: ArrayLike, cross_covariance: ArrayLike) -> Fused:
+    """The best linear unbiased estimate from two whose errors are correlated, as those of tracks of one target are.
+
+    Args:
+        mean: unbiased estimates, shape (..., 2, d).
+        covariance: covariances of their errors, shape (..., 2, d, d).
+        cross_covariance: E[e1 e2'], shape (..., d, d); `cross_covariances` and `steady_cross_covariance` make it.
+
+    Returns:
+        Mean, shape (..., d), and covariance of its error, shape (..., d, d).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: an entry is not finite, the covariance of both together is not symmetric and positive definite, or
+            the shapes do not fit.
+
+    Source: Bar-Shalom & Campo 1986, (9) and (10), doi:10.1109/TAES.1986.310815.
+    """
+    given = {"mean": mean, "covariance": covariance, "cross_covariance": cross_covariance}
+    arrays = _read(given, {"mean": COORDINATE, "covariance": COVARIANCE, "cross_covariance": COVARIANCE})
+    points, errors, cross = arrays.values()
+    size = _size_of_two(points, errors)
+    require_trailing_shape("cross_covariance", cross, (size, size))
+    shape = broadcast_shape(
+        {"mean": points[..., 0, 0], "covariance": errors[..., 0, 0, 0], "cross_covariance": cross[..., 0, 0]}
+    )
+    joint = np.empty((*shape, 2 * size, 2 * size))
+    joint[..., :size, :size], joint[..., size:, size:] = errors[..., 0, :, :], errors[..., 1, :, :]
+    joint[..., :size, size:], joint[..., size:, :size] = cross, np.swapaxes(cross, -1, -2)
+    white = _whitener("covariance with cross_covariance", joint).matrix
+    first = np.broadcast_to(points[..., 0, :], (*shape, size))
+    differences = np.concatenate([np.zeros((*shape, size)), points[..., 1, :] - first], axis=-1)
+    rows = white @ np.concatenate([np.eye(size)] * 2)
+    estimate = _factorised(rows[..., np.newaxis, :, :], _applied(white, differences)[..., np.newaxis, :])
+    return Fused(estimate.value + first, _squares(estimate.root))
+
+
+def covariance_intersection(
+    mean: ArrayLike,
+    covariance: ArrayLike,
+    criterion: Criterion = "trace",
+    weight: ArrayLike | None = None,
+) -> Intersection:
+    """An estimate from two whose errors are correlated in a way that nobody knows.
+
+    The covariance is P = (w P1^-1 + (1 - w) P2^-1)^-1, the mean P (w P1^-1 m1 + (1 - w) P2^-1 m2). If P1 and P2 are not
+    too small, nor is P, whatever the correlation. The weight makes the trace or the determinant of P least; both are
+    convex functions of it, and the search ends at the last digit.
+
+    Args:
+        mean: unbiased estimates, shape (..., 2, d). Of more than two fuse two at a time.
+        covariance: covariances of their errors, positive definite, shape (..., 2, d, d).
+        criterion: "trace", which adds variances as they are, of metres and of metres per second too, or
+            "determinant", which does not depend on units.
+        weight: w from 0 to 1, shape (...), where it is not to be searched for.
+
+    Returns:
+        Mean, covariance and weight.
+
+    Raises:
+        TypeError: an argument is not made of real numbers, or the criterion is no text.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, a weight is not from 0
+            to 1, the word is unknown, or the shapes do not fit.
+
+    Source: Julier & Uhlmann 1997, doi:10.1109/ACC.1997.609105.
+    """
+    chosen: Criterion = one_of("criterion", criterion, CRITERIA)
+    given = {"mean": mean, "covariance": covariance} | ({} if weight is None else {"weight": weight})
+    arrays = _read(given, {"mean": COORDINATE, "covariance": COVARIANCE, "weight": SHARE})
+    points, errors = arrays["mean"], arrays["covariance"]
+    size = _size_of_two(points, errors)
+    require_covariance("covariance", errors)
+    shape = broadcast_shape(
+        {"mean": points[..., 0, 0], "covariance": errors[..., 0, 0, 0]}
+        | ({} if weight is None else {"weight": arrays["weight"]})
+    )
+    try:
+        pencil = pencil_of(errors[..., 0, :, :], errors[..., 1, :, :])
+    except np.linalg.LinAlgError:
+        raise ValueError("covariance must be positive definite; got a matrix that is not") from None
+    share = arrays["weight"] if weight is not None else pencil.best_share(chosen)
+    across = _applied(pencil.inverse, points[..., 1, :] - points[..., 0, :])
+    moved = (1 - share)[..., np.newaxis] / pencil.mixed(share) * across
+    fused = np.broadcast_to(points[..., 0, :] + _applied(pencil.axes, moved), (*shape, size))
+    found = np.broadcast_to(pencil.intersected(share), (*shape, size, size))
+    return Intersection(fused.copy(), found.copy(), np.broadcast_to(share, shape).copy())
+
+
+def cross_covariances(motion: LinearMotion, first: Filtered, second: Filtered, start: ArrayLike = 0.0) -> Floats:
+    """The cross covariance of two filters' errors after each scan, which the common process noise makes.
+
+    X goes to (1 - K1 H1) (F X F' + Q) (1 - K2 H2)' from scan to scan, for radars whose errors are independent and scans
+    at the same times.
+
+    Args:
+        motion: F and Q that both filters use, of `rt.kalman.motion`.
+        first: the covariances of the first filter, as `rt.kalman.run` gives them, its H and its R.
+        second: likewise.
+        start: the cross covariance before the first scan, shape (..., n, n); 0 where tracks were started from plots of
+            their own.
+
+    Returns:
+        Cross covariances, shape (..., scans, n, n).
+
+    Raises:
+        TypeError: an argument is not made of real numbers, or `seen` not of booleans.
+        ValueError: the shapes do not fit, a number is not finite, or a covariance is none.
+
+    Source: Bar-Shalom & Campo 1986, (5), doi:10.1109/TAES.1986.310815.
+    """
+    return common_process.recursion(motion, first, second, start)
+
+
+def steady_cross_covariance(motion: LinearMotion, first: Filtered, second: Filtered) -> Floats:
+    """What `cross_covariances` comes to in the steady state.
+
+    Args:
+        motion: F and Q that both filters use.
+        first: the steady covariance of the first filter after an update, shape (..., n, n), its H and its R.
+        second: likewise.
+
+    Returns:
+        Cross covariances, shape (..., n, n).
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: the shapes do not fit, a number is not finite, a covariance is none, or the filters are in no steady
+            state.
+
+    Source: Bar-Shalom & Campo 1986, doi:10.1109/TAES.1986.310815; `fusion.cross_covariance.steady` is the closed form
+    for alpha-beta filters.
+    """
+    return common_process.steady(motion, first, second)
+
+
+def registration(
+    r: ArrayLike,
+    azimuth: ArrayLike,
+    range_std: ArrayLike,
+    azimuth_std: ArrayLike,
+    sites: ArrayLike,
+    *,
+    azimuth_from: AzimuthFrom = "x",
+    reference: int | None = None,
+) -> Registration:
+    """Constant biases of range and azimuth of several radars, from targets that two or more of them see.
+
+    Positions and biases are estimated together, by least squares in range and azimuth (Gauss and Newton), each target's
+    position being taken out before the biases are found. That is the most likely answer for Gaussian errors. Angle
+    errors bend positions; what is left of that in the biases is of the order of the square of an azimuth's deviation
+    times the range, and does not shrink with more targets.
+
+    Args:
+        r: ranges [m], shape (..., radars, targets); NaN where a radar does not see a target.
+        azimuth: azimuths [rad], of that shape too.
+        range_std: standard deviations of the ranges [m]; broadcast with them.
+        azimuth_std: standard deviations of the azimuths [rad]; broadcast with them.
+        sites: x and y of each radar [m], shape (radars, 2).
+        azimuth_from: "x" for counter-clockwise from the x axis, "y" for clockwise from the y axis.
+        reference: the number of a radar that has no bias; None where all may have some.
+
+    Returns:
+        Biases, and the covariance of their errors; those of the reference are zero.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: a number is out of its domain, the shapes do not fit, the targets do not determine the biases, or
+            the plots are not of common targets.
+
+    Source: Dana 1990, Registration: a prerequisite for multiple sensor tracking; Lin, Kirubarajan & Bar-Shalom 2004.
+    """
+    axis: AzimuthFrom = one_of("azimuth_from", azimuth_from, get_args(AzimuthFrom))
+    values = real_arrays(
+        {"r": r, "azimuth": azimuth, "range_std": range_std, "azimuth_std": azimuth_std, "sites": sites}
+    )
+    domains = {"r": RANGE, "azimuth": ANGLE, "range_std": POSITIVE, "azimuth_std": ANGLE_STD, "sites": COORDINATE}
+    for name, array in values.items():
+        require_within(name, array[~np.isnan(array)] if name in {"r", "azimuth"} else array, domains[name])
+    if not (values["azimuth_std"] > 0).all():
+        raise ValueError("azimuth_std must be positive; got 0")
+    places = values.pop("sites").astype(np.float64)
+    shape = broadcast_shape(values)
+    if len(shape) < 2 or shape[-2] < 2 or not shape[-1]:
+        raise ValueError(f"r must have shape (..., radars, targets), of two radars or more; got {shape}")
+    if places.shape != (shape[-2], 2):
+        raise ValueError(f"sites must have shape {(shape[-2], 2)}; got {places.shape}")
+    unknown = np.ones((shape[-2], 2), dtype=bool)
+    if reference is not None:
+        unknown[whole_number("reference", reference, 0, shape[-2] - 1)] = False
+    spread = {name: np.broadcast_to(array.astype(np.float64), shape) for name, array in values.items()}
+    measured = np.stack([spread["r"], spread["azimuth"]], axis=-1)
+    deviations = np.stack([spread["range_std"], spread["azimuth_std"]], axis=-1)
+    found = estimated(Plots(measured, deviations, places, axis), unknown)
+    require_finite("the bias", found.bias)
+    return Registration(found.bias[..., 0], found.bias[..., 1], found.covariance)
+
+
+def _size_of_two(points: Floats, errors: Floats) -> int:
+    """The number of components of two estimates."""
+    if points.ndim < 2 or points.shape[-2] != 2 or not points.shape[-1]:
+        raise ValueError(f"mean must have shape (..., 2, d), with d from 1; got {points.shape}")
+    size: int = points.shape[-1]
+    require_trailing_shape("covariance", errors, (2, size, size))
+    return size
 
 
 def fuse_lines(

@@ -14,6 +14,10 @@ EXAMPLE = re.compile(r"^```python\n(?P<code>.*?)^```\n(?:\n```text\n(?P<output>.
 SEPARATOR = "\x1e"
 WITH_EXAMPLES = [document for document in DOCUMENTS if EXAMPLE.search(document.read_text())]
 
+OPTIONAL = re.compile(
+    r"^(?:from|import) (polars|stonesoup)", re.MULTILINE
+)  # what a document shows and no extra of ours needs
+
 SHOWN = re.compile(r"^```console\n\$ (?P<command>[^\n]*)\n(?P<output>.*?)^```$", re.MULTILINE | re.DOTALL)
 CONSOLE = [
     (shown["command"], shown["output"]) for document in DOCUMENTS for shown in SHOWN.finditer(document.read_text())
@@ -32,6 +36,8 @@ def run(blocks: list[str], folder: Path) -> list[str]:
 @pytest.mark.parametrize("document", WITH_EXAMPLES, ids=lambda path: path.name)
 def test_examples_run_and_print_what_is_written(document: Path, tmp_path: Path) -> None:
     examples = list(EXAMPLE.finditer(document.read_text()))
+    for library in {library for example in examples for library in OPTIONAL.findall(example["code"])}:
+        pytest.importorskip(library, reason=f"{document.name} shows what is done with {library}")
     for example, printed in zip(examples, run([e["code"] for e in examples], tmp_path), strict=False):
         if example["output"] is not None:
             assert printed == example["output"]

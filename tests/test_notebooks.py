@@ -25,6 +25,8 @@ def test_there_is_one_for_each_paper_and_each_use() -> None:
         "audit_a_paper",
         "audit_an_unknown_sensor",
         "choose_a_conversion",
+        "from_plots_to_a_track",
+        "stone_soup",
     }
 
 

@@ -32,7 +32,17 @@ for found in pkgutil.walk_packages(radartrack.__path__, "radartrack."):
             raise
 print(json.dumps(files))
 """
-OPTIONAL = ("dask", "distributed", "flint", "matplotlib", "numba")  # modules that need these may say so
+OPTIONAL = (
+    "dask",
+    "distributed",
+    "flint",
+    "matplotlib",
+    "narwhals",
+    "numba",
+    "pint",
+    "pyarrow",
+    "stonesoup",
+)  # modules that need these may say so
 
 
 def package_files() -> dict[str, Path]:

@@ -18,12 +18,19 @@ OPTIONAL = {
     "distributed",
     "gmpy2",
     "matplotlib",
+    "narwhals",
     "numba",
+    "pandas",
+    "pint",
+    "polars",
+    "pyarrow",
     "python-flint",
+    "stonesoup",
     "tree-sitter",
     "tree-sitter-c",
     "tree-sitter-cpp",
     "tree-sitter-matlab",
+    "xarray",
 }
 
 

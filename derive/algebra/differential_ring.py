@@ -89,8 +89,10 @@ class DifferentialRing:
     def _close(self) -> dict[tuple[Symbol, Symbol], Expr]:
         """The derivative of every generator by every symbol; taking them may need further generators."""
         slopes: dict[tuple[Symbol, Symbol], Expr] = {}
-        while len({placeholder for placeholder, _ in slopes}) < len(self._placeholders):
-            for key, placeholder in list(self._placeholders.items()):
+        closed: set[Symbol] = set()
+        while waiting := [one for one in self._placeholders.items() if one[1] not in closed]:
+            for key, placeholder in waiting:
+                closed.add(placeholder)
                 for symbol in self.symbols:
                     slopes[placeholder, symbol] = self._flatten(sp.diff(key, symbol))
         return slopes

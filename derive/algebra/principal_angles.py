@@ -22,6 +22,13 @@ def equal_angles(first: Expr, second: Expr) -> bool:
     return principal and equal_modulo_turn(first, second)
 
 
+def equal_function(first: Expr, second: Expr, function: type[Expr]) -> bool:
+    """Whether two values of inverse functions are proved to have the same sine, or the same cosine."""
+    if not (first.has(*_INVERSE) and second.has(*_INVERSE)):
+        return False
+    return proved_equal(function(first), function(second))
+
+
 def equal_modulo_half_turn(first: Expr, second: Expr) -> bool:
     """Whether two angles are proved to have the same tangent: a quotient has lost the signs of what it is made of."""
     if not (first.has(*_INVERSE) and second.has(*_INVERSE)):

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.algebra.principal_angles import equal_angles
@@ -39,6 +39,8 @@ from radartrack.derive.checking.question.letters.letter_readings import (
     ambiguous,
     as_typed,
 )
+from radartrack.derive.checking.question.letters.undeclared_letters import undeclared_letters
+from radartrack.derive.checking.question.letters.undeclared_letters import words as assumed
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
@@ -56,6 +58,7 @@ from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.model import Model
@@ -63,7 +66,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
-from radartrack.derive.reading.notation import LATEX, TEXT
+from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
@@ -192,10 +195,13 @@ class Paper:
         symbols = symbols_for([], {}, self.world, [part.quantity for part in reference.parts])
         declared = {name: symbols[name] for name in self.world.letters}
         known = reference.with_symbols(declared.values())
-        return reference, as_typed(self._read_loosely, known, definitions, conditions, declared)
+        is_code = self.notation in LANGUAGES
+        size = math.prod(known.shape) if len(known.shape) == 1 else 1
+        read = partial(self._read_loosely, wanted=size)
+        return reference, as_typed(read, known, definitions, conditions, declared, row_by_row=is_code)
 
-    def _read_loosely(self, names: Sequence[str]) -> Tree:
-        return read_loosely(self.formula, names, self.notation, self.function)
+    def _read_loosely(self, names: Sequence[str], shapes: Mapping[str, Shape], wanted: int) -> Tree:
+        return read_loosely(self.formula, names, self.notation, self.function, shapes, wanted)
 
     def _question(self, reference: Reference, reading: Reading) -> Question:
         texts = [self.formula if self.notation == TEXT else "", *self.given.values()]
@@ -244,6 +250,7 @@ def ask_identity(
     let: Mapping[str, str] | None = None,
     world: World = CATALOGUE,
     sense: Sense = EXACTLY,
+    alike: Sequence[str] = (),
 ) -> Question:
     """Whether two formulas of a paper are the same; what is printed is the right one, compared with the left one.
 
@@ -254,6 +261,8 @@ def ask_identity(
         let: definitions.
         world: the paper's.
         sense: in which they are.
+        alike: all formulas that are said to be the same, where there are more: they tell the units of letters of which
+            the paper says nothing.
 
     Raises:
         FormulaError, UnknownQuantity: when something cannot be read.
@@ -263,8 +272,12 @@ def ask_identity(
     texts = [left, right, *(given or {}).values(), *(let or {}).values()]
     symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
     names = Names(symbols, definitions, world)
+    letters = undeclared_letters(alike or [left, right], names, world.letters)
+    names = names.with_symbols(letters)
     reference = of_formula(left, names).with_symbols(names.symbols.values())
-    return asked(reference, read_printed(right, names, reference.shape), given or {}, world, sense)
+    printed = read_printed(right, names.fixing(names.tree(left)), reference.shape)
+    remarks = (*printed.remarks, *([assumed(letters)] if letters else []))
+    return asked(reference, replace(printed, remarks=remarks), given or {}, world, sense)
 
 
 @dataclass(frozen=True)
@@ -420,7 +433,9 @@ class Question:
 
     def _with_other_quantities(self, verdict: Verdict) -> Verdict:
         explained = attempted(lambda: self._print.complete is not None, lambda _: False)
-        others = other_quantities(self._asked, uncorrelated=not explained) or self._other_models()
+        others = other_quantities(self._asked, uncorrelated=not explained)
+        if not others and (others := self._other_models()):
+            verdict = replace(verdict, reading=())  # its letters are said with the other model
         return replace(verdict, suggestions=(*verdict.suggestions, *others))
 
     def _other_models(self) -> tuple[Suggestion, ...]:
@@ -439,13 +454,16 @@ class Question:
         if known and count > 1:
             return replace(verdict, reason=f"{verdict.reason}, but {others[0].edit}")
         account = self._account
+        likely = account.suggestions and account.cost <= LIKELY
         if known:  # of one entry, a slip may have made the other quantity of ours
             return replace(
                 verdict,
                 reason=f"{verdict.reason}, but {others[0].edit}",
-                suggestions=(*others, *account.suggestions),
+                suggestions=(*others, *(account.suggestions if likely else ())),
                 convention=account.convention.strip(),
             )
+        if likely:  # another entry with another sign or in another convention is more to explain
+            others = tuple(one for one in others if _is_plain_entry(one.formula))
         reason = f"{verdict.reason}{_explained(account, worst, count)}"
         suggestions = (*account.suggestions, *others)
         return replace(verdict, reason=reason, suggestions=suggestions, convention=account.convention.strip())
@@ -524,6 +542,12 @@ class Question:
         return counterexample(values, entry, worst, self.symbols, measured_against(beside))
 
 
+def _is_plain_entry(quantity: str) -> bool:
+    """Whether another quantity is named without a sign before it and a convention behind it."""
+    return re.fullmatch(r"[\w.]+(?:\[[\d,:]*\])?", quantity) is not None
+
+
+LIKELY = 1.4  # the cost of one slip that print is prone to: beside it, farther explanations are only noise
 _WRONG = {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
 
 

@@ -4,37 +4,46 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
-from typing import Any
+from itertools import chain, combinations, islice
+from typing import Any, TypeAlias
 
+from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.letter_meanings import is_angle_word, is_known_word, means
 from radartrack.derive.evaluation.tree_values import Program
-from radartrack.derive.finding.free_letters import assignments
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
-    Array,
     Constant,
     Name,
     Negation,
     Number,
+    Power,
     Product,
     Quotient,
     Sum,
     Tree,
-    has_verbs,
     names,
 )
+from radartrack.derive.formula.written_out import array_of, written_out
+from radartrack.derive.language.tensor import Index, Tensor
 
 SAME = 1e-8  # relative difference at generic points below which formulas are worth a proof
 NEAR = 0.4  # and below which they are near: a coefficient of 1/3 for 1/2 is
 FEW = 12  # readings of one set of symbols; by more of them, what is near is near by chance
 MOST_CANDIDATES = 12
+MOST_KEPT = 200  # before the plainest of them are chosen
 MOST_NEAR = 3
+MOST_READINGS = 5000  # of one set of symbols
+MOST_REARRANGED = 4  # each is explained, which takes a good part of a second
+SHARE = 0.5  # of the entries that are another quantity's, from which it may be that one in another order or convention
 
 Values = tuple[float, ...]  # at the points
 Rows = Mapping[str, Mapping[str, Any]]
+Reading: TypeAlias = "Mapping[str, Choice[Screened]]"
 
 
 @dataclass(frozen=True)
@@ -42,7 +51,7 @@ class Candidate:
     """A quantity that a formula may be, and how the formula is read then.
 
     Attributes:
-        quantity: its name, with the entry.
+        quantity: its name, with the entry; with a sign before it for its negative.
         meaning: in the field's words, with the source.
         formula: in the quantity's own symbols.
         read: letters that stand for other symbols, and for which.
@@ -50,6 +59,7 @@ class Candidate:
         given: the conditions under which it is.
         difference: the largest relative one at the points.
         let: definitions that the formula uses; none where it is found.
+        rank: how far-fetched the meanings of the letters are together.
     """
 
     quantity: str
@@ -60,6 +70,23 @@ class Candidate:
     given: Mapping[str, str] = field(default_factory=dict)
     difference: float = 0.0
     let: Mapping[str, str] = field(default_factory=dict)
+    rank: int = 0
+
+    @property
+    def effort(self) -> tuple[bool, bool, bool, int, int]:
+        """What has to be said of it: the less, the likelier."""
+        is_negative = self.quantity.startswith("-")
+        return bool(self.convention), is_negative, bool(self.given), self.rank, len(self.read)
+
+
+@dataclass(frozen=True)
+class Screened:
+    """A symbol of a row of values: its name, its kind, and whether it is a correlation."""
+
+    name: str
+    unit: str
+    is_correlation: bool = False
+    meaning: str = ""
 
 
 @dataclass(frozen=True)
@@ -78,11 +105,11 @@ class _Family:
 
     Attributes:
         points: the values of the symbols.
-        kinds: of what kind each is.
+        symbols: their names and kinds.
     """
 
     points: tuple[Mapping[str, float], ...]
-    kinds: Mapping[str, str]
+    symbols: tuple[Screened, ...]
     items: list[tuple[float, int, _Item]] = field(default_factory=list)
 
 
@@ -93,6 +120,17 @@ class _Convention:
     words: str
     value: Callable[[float], float]
     written: Callable[[Tree], Tree]
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A formula in one reading of its letters: the family, the angles that are measured otherwise, the values."""
+
+    family: _Family
+    letters: Reading
+    convention: _Convention
+    angles: tuple[str, ...]
+    values: tuple[Values, ...]
 
 
 _RIGHT_ANGLE = Quotient(Constant("pi"), Number("2"))
@@ -123,27 +161,42 @@ class FormulaSearch:
             family.items.sort(key=lambda item: item[:2])
 
     def candidates(self, tree: Tree) -> list[Candidate]:
-        """What a formula is worth the same as, the plainest reading first; each quantity once."""
+        """What a formula is worth the same as, the plainest reading first; each quantity once.
+
+        Where it is none, what holds its entries in another order, or half of them: a convention may explain the rest.
+        """
+        printed = _entries(tree)
+        if printed is None:
+            return []
         found: dict[tuple[str, bool], Candidate] = {}
-        for family, reading, convention, values in self._readings(tree):
-            for item in _equal(family, values):
-                key = item.quantity, bool(item.given)
-                if key not in found and len(found) < MOST_CANDIDATES:
-                    found[key] = _candidate(tree, item, reading, convention, family, 0.0)
-        exact = [one for one in found.values() if not one.given]
-        names = {one.quantity for one in exact}
-        others = [one for one in found.values() if one.given and one.quantity not in names]
-        return sorted([*exact, *others], key=lambda one: (bool(one.convention), bool(one.given), len(one.read)))
+        rearranged: dict[str, tuple[int, Candidate]] = {}
+        for farther in (False, True):
+            for read in self._readings(printed, farther=farther):
+                for item, sign in _equal(read.family, read.values):
+                    key = item.quantity, bool(item.given)
+                    one = _candidate(printed, item, read, 0.0, sign)
+                    if len(found) < MOST_KEPT and (key not in found or one.effort < found[key].effort):
+                        found[key] = one
+                if not found and not read.convention.words and printed.shape:
+                    _keep_rearranged(rearranged, printed, read)
+            if found or rearranged:
+                break
+        return _plainest(list(found.values())) or _first_of(rearranged)
 
     def near(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth nearly the same as, the nearest first."""
+        printed = _entries(tree)
+        if printed is None:
+            return []
         best: dict[str, Candidate] = {}
-        for family, reading, convention, values in self._readings(tree, FEW, conventions=1):
-            for _, _, item in family.items:
-                difference = _difference(values, item.values)
+        for read in self._readings(printed, FEW, plain=True):
+            for _, _, item in read.family.items:
+                if len(item.values) != len(read.values):
+                    continue
+                difference = _difference(read.values, item.values)
                 known = best.get(item.quantity)
                 if difference <= NEAR and (known is None or difference < known.difference):
-                    best[item.quantity] = _candidate(tree, item, reading, convention, family, difference)
+                    best[item.quantity] = _candidate(printed, item, read, difference)
         return sorted(best.values(), key=lambda one: one.difference)[:MOST_NEAR]
 
     def _add(self, name: str, row: Mapping[str, Any]) -> None:
@@ -165,42 +218,110 @@ class FormulaSearch:
             return  # a number is many things
         worth = tuple((symbol, tuple(row["symbols"][symbol])) for symbol in sorted(symbols))
         points = tuple({symbol: row["symbols"][symbol][n] for symbol in symbols} for n in range(len(worth[0][1])))
-        kinds = {symbol: row["kinds"][symbol] for symbol in symbols}
-        family = self._families.setdefault((len(symbols), shape, worth), _Family(points, kinds))
+        zero = row.get("correlations", ())
+        screened = tuple(Screened(symbol, row["kinds"][symbol], symbol in zero) for symbol in symbols)
+        family = self._families.setdefault((len(symbols), shape, worth), _Family(points, screened))
         family.items.append((_first(item.values), len(family.items), item))
 
     def _readings(
-        self, tree: Tree, most: int | None = None, conventions: int = len(_CONVENTIONS)
-    ) -> Iterator[tuple[_Family, dict[str, str], _Convention, tuple[Values, ...]]]:
+        self, printed: Tensor[Tree], most: int | None = None, *, plain: bool = False, farther: bool = False
+    ) -> Iterator[_Read]:
         """The values of a formula in every way in which its letters are the symbols of a family."""
-        if has_verbs(tree):
-            return  # what has to be worked out first has no value here
-        letters = sorted(names(tree))
-        shape, entries = _entries(tree)
-        programs = [Program(entry) for entry in entries]
+        letters = sorted(frozenset[str]().union(*map(names, printed)))
+        shapes = {printed.shape, printed.shape[::-1], _without_zeros(printed)}
+        programs = [Program(entry) for entry in printed]
         for (size, of_shape, _), family in self._families.items():
-            if size != len(letters) or of_shape != shape:
+            if size != len(letters) or of_shape not in shapes:
                 continue
-            readings = list(islice(assignments(letters, family.kinds), most and most + 1))
+            readings = list(islice(_assigned(letters, family, farther=farther), most and most + 1))
             for reading in readings if most is None or len(readings) <= most else ():
-                angles = [letter for letter in letters if family.kinds[reading[letter]] == "angle"]
-                for convention in _CONVENTIONS[: conventions if angles else 1]:
-                    values = _values(programs, reading, angles, convention, family)
+                angles = [letter for letter in letters if reading[letter].symbol.unit == "angle"]
+                for convention, turned in _in_conventions(angles, plain=plain):
+                    values = _values(programs, reading, turned, convention, family)
                     if values is not None:
-                        yield family, reading, convention, values
+                        yield _Read(family, reading, convention, turned, values)
 
 
-def _entries(tree: Tree) -> tuple[tuple[int, ...], list[Tree]]:
-    """The shape of a formula and its entries; one that is no list of lists is one entry."""
-    if not isinstance(tree, Array):
-        return (), [tree]
-    below = [_entries(entry) for entry in tree.entries]
-    return (len(below), *below[0][0]), [entry for _, entries in below for entry in entries]
+def _plainest(found: Sequence[Candidate]) -> list[Candidate]:
+    """Those that need the least to be said: no convention and no sign where there are such, no needless condition."""
+    exact = {one.quantity for one in found if not one.given}
+    kept = [one for one in found if not one.given or one.quantity not in exact]
+    for is_far in (lambda one: bool(one.convention), lambda one: one.quantity.startswith("-")):
+        near = [one for one in kept if not is_far(one)]
+        kept = near or kept
+    return sorted(kept, key=lambda one: one.effort)[:MOST_CANDIDATES]
+
+
+def _first_of(rearranged: Mapping[str, tuple[int, Candidate]]) -> list[Candidate]:
+    """Those with the most entries in common."""
+    return [one for _, one in sorted(rearranged.values(), key=lambda pair: -pair[0])][:MOST_REARRANGED]
+
+
+def _assigned(letters: Sequence[str], family: _Family, *, farther: bool) -> Iterator[Reading]:
+    """Ways to read letters as symbols, one to one, the likeliest first."""
+    known = {letter: _choices(letter, family.symbols) for letter in letters}
+    if farther:
+        known = {letter: farther_choices(letter, known, family.symbols) for letter in letters}
+    yield from islice(assignments(known), MOST_READINGS)
+
+
+def _choices(letter: str, symbols: Sequence[Screened]) -> list[Choice[Screened]]:
+    """What a letter may stand for; a symbol of its name first, and else what it means."""
+    own = [Choice(one) for one in symbols if one.name == letter]
+    if own:
+        return list(dict.fromkeys([*own, *(Choice(one, power, 1) for one, power in means(letter, symbols))]))
+    if is_known_word(letter) and not means(letter, symbols):
+        symbols = [one for one in symbols if (one.unit == "angle") == is_angle_word(letter)]
+    return choices(letter, symbols)
+
+
+def _in_conventions(angles: Sequence[str], *, plain: bool) -> Iterator[tuple[_Convention, tuple[str, ...]]]:
+    """Ours, and each other one for each set of angles."""
+    yield _CONVENTIONS[0], ()
+    if plain:
+        return
+    for convention in _CONVENTIONS[1:]:
+        for turned in chain.from_iterable(combinations(angles, count) for count in range(len(angles), 0, -1)):
+            yield convention, turned
+
+
+def _keep_rearranged(found: dict[str, tuple[int, Candidate]], printed: Tensor[Tree], read: _Read) -> None:
+    """Keep the items that hold at least half of what is printed, in any order and of any sign."""
+    own = _unordered(read.values)
+    for _, _, item in read.family.items:
+        other = _unordered(item.values)
+        common = (own & other).total()
+        if common >= SHARE * max(own.total(), other.total(), 2) and common > found.get(item.quantity, (0, None))[0]:
+            found[item.quantity] = common, _candidate(printed, item, read, 0.0)
+
+
+def _unordered(values: tuple[Values, ...]) -> Counter[tuple[str, ...]]:
+    """The entries that are not zero, whatever their order and sign."""
+    return Counter(tuple(f"{abs(value):.7e}" for value in entry[:-1]) for entry in values if any(entry))
+
+
+def _without_zeros(printed: Tensor[Tree]) -> Index:
+    """The shape of a matrix without rows and columns of zeros."""
+    if len(printed.shape) != 2:
+        return printed.shape
+    places = [index for index, entry in printed.items() if entry != Number("0")]
+    return len({row for row, _ in places}), len({column for _, column in places})
+
+
+def _entries(tree: Tree) -> Tensor[Tree] | None:
+    """The entries of a formula, its arrays written out; None where something in it has to be worked out first."""
+    try:
+        found = written_out(tree)
+    except FormulaError:
+        return None
+    if found is not None and len(found.shape) == 2 and 1 in found.shape:
+        return Tensor((len(found.entries),), found.entries)  # a row or a column is a vector
+    return found
 
 
 def _values(
     programs: Sequence[Program],
-    reading: Mapping[str, str],
+    reading: Reading,
     angles: Sequence[str],
     convention: _Convention,
     family: _Family,
@@ -208,7 +329,7 @@ def _values(
     """What the entries are worth at the points; None where one is no number."""
     points = []
     for point in family.points:
-        known = {letter: point[symbol] for letter, symbol in reading.items()}
+        known = {letter: point[one.symbol.name] ** one.power for letter, one in reading.items()}
         points.append(known | {letter: convention.value(known[letter]) for letter in angles})
     found = []
     for program in programs:
@@ -219,17 +340,20 @@ def _values(
     return tuple(found)
 
 
-def _equal(family: _Family, values: tuple[Values, ...]) -> Iterator[_Item]:
-    """The items that are worth the same at the generic points."""
-    first = _first(values)
-    low, high = sorted((first * (1 - SAME), first * (1 + SAME)))
-    start = bisect_left(family.items, (low, -1), key=lambda item: item[:2])
-    for worth, _, item in islice(family.items, start, None):
-        if worth > high:
-            return
-        pairs = zip(values, item.values, strict=True)
-        if all(_apart(a, b) <= SAME for own, other in pairs for a, b in zip(own[:-1], other[:-1], strict=True)):
-            yield item
+def _equal(family: _Family, values: tuple[Values, ...]) -> Iterator[tuple[_Item, int]]:
+    """The items that are worth the same at the generic points, or the negative of it, and the sign."""
+    for sign in (1, -1):
+        first = sign * _first(values)
+        low, high = sorted((first * (1 - SAME), first * (1 + SAME)))
+        start = bisect_left(family.items, (low, -1), key=lambda item: item[:2])
+        for worth, _, item in islice(family.items, start, None):
+            if worth > high:
+                break
+            pairs = zip(values, item.values, strict=False)
+            if len(values) == len(item.values) and all(
+                _apart(sign * a, b) <= SAME for own, other in pairs for a, b in zip(own[:-1], other[:-1], strict=True)
+            ):
+                yield item, sign
 
 
 def _first(values: tuple[Values, ...]) -> float:
@@ -248,20 +372,27 @@ def _apart(first: float, second: float) -> float:
     return abs(first - second) / scale if scale > SAME**2 else 0.0
 
 
-def _candidate(
-    tree: Tree, item: _Item, reading: Mapping[str, str], convention: _Convention, family: _Family, difference: float
-) -> Candidate:
+def _candidate(printed: Tensor[Tree], item: _Item, read: _Read, difference: float, sign: int = 1) -> Candidate:
     def symbol(node: Tree) -> Tree:
         if not isinstance(node, Name):
             return node
-        known = Name(reading[node.name])
-        return convention.written(known) if family.kinds[known.name] == "angle" else known
+        choice = read.letters[node.name]
+        known = _raised(Name(choice.symbol.name), choice.power)
+        return read.convention.written(known) if node.name in read.angles else known
 
-    angles = [name for name in reading.values() if family.kinds[name] == "angle"]
-    words = f"with {' and '.join(angles)} {convention.words}" if convention.words else ""
-    renamed = {letter: name for letter, name in reading.items() if letter != name}
-    formula = to_text(rebuild(tree, symbol))
-    return Candidate(item.quantity, item.meaning, formula, renamed, words, item.given, difference)
+    turned = [read.letters[letter].symbol.name for letter in read.angles]
+    words = f"with {' and '.join(turned)} {read.convention.words}" if turned else ""
+    renamed = {letter: str(choice) for letter, choice in read.letters.items() if letter != str(choice)}
+    formula = to_text(array_of(printed.map(lambda entry: rebuild(entry, symbol))))
+    name = item.quantity if sign > 0 else f"-{item.quantity}"
+    rank = sum(choice.rank for choice in read.letters.values())
+    return Candidate(name, item.meaning, formula, renamed, words, item.given, difference, rank=rank)
+
+
+def _raised(name: Name, power: int) -> Tree:
+    if power == 1:
+        return name
+    return Power(name, Number(str(power))) if power > 0 else Quotient(Number("1"), name)
 
 
 def _used(row: Mapping[str, Any], word: str) -> list[str]:

@@ -1,6 +1,7 @@
 r"""Drafts a claims file from a paper's LaTeX source: its equations, each found in the catalogue or left undecided.
 
-Nothing of the source is run: environments, labels and numbers are taken from its text, formulas by the reader.
+Nothing of the source is run: environments, labels and numbers are taken from its text, formulas by the reader, and the
+author's commands are put in as text.
 """
 
 from __future__ import annotations
@@ -8,15 +9,18 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from radartrack.derive.finding.formula_search import Candidate
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Name, Tree, names
+from radartrack.derive.formula.tree import Name, Tree, names
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX
+from radartrack.derive.reading.tex.author_macros import Macro, defined_macros, expanded
+from radartrack.derive.reading.tex.latex_equations import without_braces
 
 MOST_CHARACTERS = 4_000_000
 MOST_EQUATIONS = 1_500  # fewer than a claims file holds
@@ -31,6 +35,7 @@ _DISPLAY = re.compile(
 )
 _INNER = re.compile(r"\\begin\{(aligned|split|gathered)\}(.*?)\\end\{\1\}", re.DOTALL)
 _MATRIX = re.compile(r"\\begin\{([a-zA-Z]*matrix|array|cases)\}.*?\\end\{\1\}", re.DOTALL)
+_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![a-zA-Z])")
@@ -96,9 +101,12 @@ def equations(source: str) -> list[Equation]:
         raise ValueError(f"a source has at most {MOST_CHARACTERS} characters; given {len(source)}")
     found: list[Equation] = []
     count = 0
-    for display in _DISPLAY.finditer(_COMMENT.sub("", source)):
+    macros, text = defined_macros(_COMMENT.sub("", source))
+    for display in _DISPLAY.finditer(_with_environments(text, macros)):
         environment = display["env"] or ""
         body = next(text for text in (display["body"], display["bracket"], display["dollars"]) if text is not None)
+        with suppress(FormulaError):  # of what cannot be put in, the equations cannot be read, and say so
+            body = expanded(body, macros)
         numbered = bool(environment) and not environment.endswith("*")
         several = environment.rstrip("*") in {"align", "alignat", "gather", "eqnarray", "flalign"}
         for line in _lines(body) if several else [body]:
@@ -108,6 +116,15 @@ def equations(source: str) -> list[Equation]:
             number = tag[1].strip() if tag else str(count) if counts else ""
             found += _split(line, number)
     return found[:MOST_EQUATIONS]
+
+
+def _with_environments(source: str, macros: Mapping[str, Macro]) -> str:
+    r"""The source with \begin{equation} for an author's \be, and the like."""
+    short = {name: one.body for name, one in macros.items() if not one.count and _ENVIRONMENT.search(one.body)}
+    if not short:
+        return source
+    used = re.compile(rf"\\({'|'.join(map(re.escape, short))})(?![A-Za-z])")
+    return used.sub(lambda found: short[found[1]], source)
 
 
 def title(source: str) -> str:
@@ -227,6 +244,7 @@ def _lines(body: str) -> list[str]:
 
 def _split(line: str, number: str) -> Iterator[Equation]:
     """The equation of a line, or those of an inner environment, of which each has the number."""
+    line = line if (opened := without_braces(line)) == line else f"\\begin{{split}}{opened}\\end{{split}}"
     inner = _INNER.search(line)
     label = _LABEL.search(line)
     for one in _lines(inner[2]) if inner else [line]:
@@ -271,7 +289,7 @@ def _read(equation: Equation) -> Understood:
         left = read_loosely(equation.left, notation=LATEX) if equation.left else None
     except FormulaError:
         left = None
-    defines = isinstance(left, Name) and left.name not in names(tree) and not isinstance(tree, Array)
+    defines = isinstance(left, Name) and left.name not in names(tree)
     return Understood(equation, tree, name=left.name if defines and isinstance(left, Name) else "")
 
 

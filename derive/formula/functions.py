@@ -32,6 +32,8 @@ NUMBER_OF_ARGUMENTS = MappingProxyType(
 # Verbs work on formulas, not on numbers: the fewest and the most arguments of each.
 VERBS = MappingProxyType(
     {
+        "chi2cdf": (2, 2),
+        "chi2inv": (2, 2),
         "det": (1, 1),
         "diag": (1, 12),
         "diff": (2, 6),

@@ -208,7 +208,7 @@ def _derivatives(times: int) -> Callable[[Call, Sequence[Shape]], Shape]:
 
 _VERBS: Mapping[str, Callable[[Call, Sequence[Shape]], Shape]] = MappingProxyType(
     {
-        **dict.fromkeys(("diff", "expectation", "integral", "limit", "sum", "taylor"), _of_first),
+        **dict.fromkeys(("chi2cdf", "chi2inv", "diff", "expectation", "integral", "limit", "sum", "taylor"), _of_first),
         **dict.fromkeys(("expm", "inv"), _matrix),
         **dict.fromkeys(("det", "trace"), _number_of_matrix),
         "diag": _diagonal,

@@ -234,3 +234,18 @@ def bound_names(tree: Tree) -> frozenset[str]:
 def has_verbs(tree: Tree) -> bool:
     """Whether verbs, products of arrays or picked entries occur, which are worked out and not only written."""
     return any(isinstance(node, Entries) or (isinstance(node, Call) and node.function in VERBS) for node in parts(tree))
+
+
+def rational_value(tree: Tree) -> Fraction | None:
+    """The value of a formula of rational numbers alone; None of any other."""
+    match tree:
+        case Number():
+            return tree.value
+        case Negation(operand):
+            value = rational_value(operand)
+            return None if value is None else -value
+        case Quotient(numerator, denominator):
+            above, below = rational_value(numerator), rational_value(denominator)
+            return None if above is None or not below else above / below
+        case _:
+            return None

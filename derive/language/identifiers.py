@@ -10,8 +10,8 @@ RESERVED = frozenset(
     {"Filled", "Floats", "arguments", "covariance", "i", "len", "math", "mean", "np", "npt", "range", "result"}
 )
 """What generated functions use themselves."""
-MODULES = frozenset({"conversions", "loops"})
-"""Generated modules that belong to no model."""
+MODULES = frozenset({"conversions", "convert", "elementary", "loops"})
+"""Generated modules and headers that belong to no model."""
 
 
 def require_names(what: str, names: Iterable[str]) -> None:

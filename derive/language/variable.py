@@ -74,6 +74,10 @@ class Variable(Symbol):
         other.low, other.high = low, high
         return other
 
+    def _hashable_content(self) -> tuple[Any, ...]:
+        """Symbols of one name and different units are different, to SymPy's cache of results too."""
+        return (*super()._hashable_content(), str(self.unit))
+
     @property
     def logarithmic(self) -> bool:
         """Whether points of the domain are spread evenly over its scales (lengths) or over its values (angles)."""

@@ -192,6 +192,17 @@ EXPANSION = (
 )
 # fmt: on
 
+CUBIC = Row(
+    "covariance.third_order",
+    "covariance of the conversion's cubic Taylor polynomial",
+    "E[p p'] - E[p] E[p]', p = h + (w.d) h + (w.d)^2 h/2 + (w.d)^3 h/6",
+    Conditioning.TRUTH,
+    BAR_SHALOM,
+    _square,
+    lambda c: c.noisy,
+    lambda c: c.taylor(taylor.third_order_covariance),
+)
+
 # fmt: off - a table reads best with few lines a row
 WORDS = (
     Row(
@@ -288,6 +299,31 @@ WORDS = (
 # fmt: on
 
 
+# Averages of the covariance of u that papers print; of models with closed forms, where they differ from its series.
+PRINTED = (
+    Row(
+        "unbiased.covariance.truth",
+        "covariance of the unbiased estimate u about the true position, R_t of Mo et al.",
+        "e^L(u u') - h h'",
+        Conditioning.TRUTH,
+        cite("mo1998", "R_t"),
+        _square,
+        lambda c: c.noisy,
+        debiased_conversion.unbiased_covariance_truth,
+    ),
+    Row(
+        "unbiased.covariance.averaged",
+        "covariance of the unbiased estimate u, averaged over the truth, R_m of Mo et al.",
+        "e^L [e^L(u u') - h h']",
+        Conditioning.MEASUREMENT,
+        cite("mo1998", "R_m"),
+        _square,
+        lambda c: c.noisy,
+        debiased_conversion.unbiased_covariance_averaged,
+    ),
+)
+
+
 @dataclass(frozen=True)
 class Square:
     """The mean whose derivatives are in a covariance, and its part of second order in words."""
@@ -324,7 +360,8 @@ def _quantities(model: Model) -> tuple[Quantity, ...]:
     if is_square(model):
         expansion += [_validity(shared, formulas) for formulas in NEGLECTED]
     if shared.closed is not None:
-        return (*expansion, *(_quantity(shared, row, _exactly(row)) for row in WORDS))
+        cubic = _quantity(shared, CUBIC, CUBIC.derive)
+        return (*expansion, cubic, *(_quantity(shared, row, _exactly(row)) for row in (*WORDS, *PRINTED)))
     series = [_to_order(shared, row, order) for row in WORDS for order in ORDERS]
     return (*expansion, *series, *(_semidefinite(shared, row) for row in WORDS if row.name in SQUARES))
 

@@ -90,6 +90,17 @@ def decorrelated_covariance(calculus: Calculus[V]) -> Tensor[V]:
     return _symmetric(calculus, lambda a, b, h: calculus.prediction(calculus.expectation(u[a,] * u[b,]) - h[a] * h[b]))
 
 
+def unbiased_covariance_truth(calculus: Calculus[V]) -> Tensor[V]:
+    """e^L(u uᵀ) − h hᵀ: the covariance of u = e^(−L) h, given the truth."""
+    u = unbiased_estimate(calculus)
+    return _symmetric(calculus, lambda a, b, h: calculus.expectation(u[a,] * u[b,]) - h[a] * h[b])
+
+
+def unbiased_covariance_averaged(calculus: Calculus[V]) -> Tensor[V]:
+    """e^L[e^L(u uᵀ) − h hᵀ]: the same, averaged over the truth given the measurement."""
+    return unbiased_covariance_truth(calculus).map(calculus.expectation)
+
+
 def _symmetric(calculus: Calculus[V], entry: Callable[[int, int, list[V]], V]) -> Tensor[V]:
     outputs = list(calculus.map)
     size = len(outputs)

@@ -78,7 +78,7 @@ class SteadyState:
             for m in range(self.size)
             for n in range(self.size)
         ]
-        known = _solved(equations, list(unknown.values()))
+        known = solved(equations, list(unknown.values()))
         found = tuple(tuple(sp.factor(entry.xreplace(known)) for entry in row) for row in moved)
         self._prove(found)
         return found
@@ -127,7 +127,7 @@ class SteadyState:
             raise NotProved("the steady state does not satisfy the Riccati equation")
 
 
-def _solved(equations: list[Expr], unknown: list[Symbol]) -> dict[Symbol, Expr]:
+def solved(equations: list[Expr], unknown: list[Symbol]) -> dict[Symbol, Expr]:
     """The solution of linear equations by elimination; those that are left over are left to the proof."""
     known: dict[Symbol, Expr] = {}
     for symbol in unknown:

@@ -7,6 +7,7 @@ are Stumpff's functions of ωT, which are finite there, and so are all derivativ
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import cache
 from math import factorial
 
@@ -38,6 +39,20 @@ sigma_w = Variable(
     METRE / SECOND**2,
     1e-6,
     1e3,
+)
+sigma_a = Variable(
+    "sigma_w",
+    "standard deviation of the acceleration along the heading, constant over a period",
+    METRE / SECOND**2,
+    1e-6,
+    1e3,
+)
+sigma_omega = Variable(
+    "sigma_omega",
+    "standard deviation of the acceleration of the turn, constant over a period",
+    RADIAN / SECOND**2,
+    1e-9,
+    1.0,
 )
 x, y = (Variable(name, f"position along the {name} axis", METRE, -1e6, 1e6) for name in "xy")
 vx, vy = (speed(f"v{axis}", f"velocity along the {axis} axis", -1e3, 1e3) for axis in "xy")
@@ -120,6 +135,69 @@ def driven_finitely() -> Tensor[Expr]:
     return Tensor((5,), (x + moves[0], y + moves[1], v, heading + omega * T, omega))
 
 
+def weighed(power: int) -> tuple[Expr, Expr]:
+    """The integrals of s^n/n! cos ωs and of s^n/n! sin ωs over a period, as derived."""
+    s, at = sp.Symbol("s", positive=True), sp.Integer(factorial(power))
+    found = [sp.expand(integrated(s**power / at * wave(omega * s), s, ZERO, T)) for wave in (sp.cos, sp.sin)]
+    return found[0], found[1]
+
+
+def weighed_finitely(power: int) -> tuple[Expr, Expr]:
+    """The same in functions that are finite at every rate, by parts: I1 of the wave, less its integrals I2, I3, ..."""
+    parts = [(-1) ** n * sp.Rational(1, factorial(power - n)) for n in range(power + 1)]
+    cos = sp.Add(*(part * stumpff(n + 1) for n, part in enumerate(parts)))
+    sin = sp.Add(*(part * stumpff(n + 2) for n, part in enumerate(parts)))
+    return T ** (power + 1) * cos, omega * T ** (power + 2) * sin
+
+
+Weighed = Callable[[int], tuple[Expr, Expr]]
+
+
+def bent_aside(weighed: Weighed) -> Vector:
+    """What an acceleration of the turn of one leaves of (x, vx, y, vy, omega): it turns the velocity by s^2/2."""
+    cos, sin = weighed(2)
+    half = T**2 / 2
+    return (
+        -(vx * sin + vy * cos),
+        -half * (vx * SIN + vy * COS),
+        vx * cos - vy * sin,
+        half * (vx * COS - vy * SIN),
+        T,
+    )
+
+
+def pressed_ahead(weighed: Weighed) -> tuple[Vector, Vector]:
+    """What accelerations along the heading and of the turn, of one each, leave of (x, y, speed, heading, omega)."""
+    along, across = sp.cos(heading), sp.sin(heading)
+    (cos, sin), (cos_2, sin_2) = weighed(1), weighed(2)
+    ahead = (along * cos - across * sin, across * cos + along * sin, T, ZERO, ZERO)
+    aside = (-v * (across * cos_2 + along * sin_2), v * (along * cos_2 - across * sin_2), ZERO, T**2 / 2, T)
+    return ahead, aside
+
+
+def noise_of_unknown_rate(pushes: tuple[Vector, Vector], weighed: Weighed) -> Tensor[Expr]:
+    """Accelerations along both axes, and one of the turn, each constant over a period."""
+    columns = [(*push, ZERO) for push in pushes]
+    return _sum(noise_of(columns, sigma_w), noise_of([bent_aside(weighed)], sigma_omega))
+
+
+def noise_of_ctrv(weighed: Weighed) -> Tensor[Expr]:
+    """Accelerations along the heading and of the turn, each constant over a period."""
+    ahead, aside = pressed_ahead(weighed)
+    return _sum(noise_of([ahead], sigma_a), noise_of([aside], sigma_omega))
+
+
+def pushed_as_derived() -> tuple[Vector, Vector]:
+    """As `pushed`, in the textbook's functions."""
+    ahead, aside = weighed(0)
+    drift = [integrated(wave, T, ZERO, T) for wave in (ahead, aside)]
+    return (drift[0], ahead, drift[1], aside), (-drift[1], -aside, drift[0], ahead)
+
+
+def _sum(first: Tensor[Expr], second: Tensor[Expr]) -> Tensor[Expr]:
+    return Tensor.build(first.shape, lambda m, n: first[m, n] + second[m, n])
+
+
 def quantities() -> Iterator[Quantity]:
     """F and Q of a turn at a known rate, and maps with their derivatives where the rate belongs to the state."""
     state = State("turn.known_rate", "(x, vx, y, vy) in a turn of known rate", PLANE, SOURCE)
@@ -154,6 +232,60 @@ def quantities() -> Iterator[Quantity]:
         driven_ahead,
         driven_finitely,
     )
+    for row in (
+        Bent(
+            "turn.unknown_rate",
+            "(x, vx, y, vy, omega) in a turn of unknown rate, with accelerations along both axes and of the turn",
+            (x, vx, y, vy, omega),
+            (T, vx, vy, omega, sigma_w, sigma_omega),
+            lambda: noise_of_unknown_rate(pushed_as_derived(), weighed),
+            lambda: noise_of_unknown_rate(pushed(), weighed_finitely),
+        ),
+        Bent(
+            "ctrv",
+            "(x, y, speed, heading, omega) at constant turn rate and velocity, with accelerations along the heading "
+            "and of the turn",
+            (x, y, v, heading, omega),
+            (T, v, heading, omega, sigma_a, sigma_omega),
+            lambda: noise_of_ctrv(weighed),
+            lambda: noise_of_ctrv(weighed_finitely),
+        ),
+    ):
+        yield row.quantity()
+
+
+@dataclass(frozen=True)
+class Bent:
+    """The process noise of a motion that is not linear: of accelerations to first order, exact in all else."""
+
+    motion: str
+    text: str
+    state: tuple[Variable, ...]
+    symbols: tuple[Variable, ...]
+    derived: Callable[[], Tensor[Expr]]
+    finite: Callable[[], Tensor[Expr]]
+
+    def quantity(self) -> Quantity:
+        """The row of the catalogue; a variance may vanish across a heading, so errors are those of the terms."""
+        units = tuple(variable.unit for variable in self.state)
+        return Quantity(
+            name=f"motion.{self.motion}.process_noise.piecewise",
+            meaning=f"covariance of the process noise of {self.text} that are noise, constant over a period, to first "
+            "order",
+            axes=(units, units),
+            symbols=self.symbols,
+            conditioning=Conditioning.NONE,
+            source=SOURCE,
+            word="Q = sum of sigma^2 g g', g = d(state a period later)/d(acceleration)",
+            derivation=self.derived,
+            rewriting=lambda: StableForm({}, self.finite()),
+            scale=self._scale,
+            measured_against="what its terms are at most at any rate",
+        )
+
+    def _scale(self) -> Tensor[Expr]:
+        size = self.finite().map(at_most)
+        return Tensor.build(size.shape, lambda m, n: sp.sqrt(size[m, m] * size[n, n]))
 
 
 def _mapped(

@@ -2,22 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
 from radartrack.derive.reading.notation import TEXT, read_formula
 
 _EULER = Constant("e")
 
 
-def read_loosely(formula: str, names: Collection[str] = (), notation: str = TEXT, function: str = "") -> Tree:
+def read_loosely(
+    formula: str,
+    names: Collection[str] = (),
+    notation: str = TEXT,
+    function: str = "",
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    wanted: int = 1,
+) -> Tree:
     """A formula in which other names than the known ones may occur, whatever they mean.
+
+    Args:
+        formula: as it stands.
+        names: those that are known.
+        notation: in which it is.
+        function: of code, the function that is meant.
+        shapes: of the names that stand for arrays.
+        wanted: of code, how many numbers it is to compute.
 
     Raises:
         FormulaError: when it cannot be read whatever they mean.
     """
-    return _with_letter_e(read_formula(formula, notation, names, strangers=True, function=function).tree, formula)
+    read = read_formula(formula, notation, names, shapes, strangers=True, function=function, wanted=wanted)
+    return _with_letter_e(read.tree, formula)
 
 
 def _with_letter_e(tree: Tree, source: str) -> Tree:

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.multiplied_out import terms
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.catalogue import catalogue, common_symbols
 from radartrack.derive.evaluation.real_outputs import require_real
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
@@ -20,14 +21,16 @@ from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.to_expression import to_expression
 from radartrack.derive.formula.tree import Name, Tree, names
+from radartrack.derive.formula.unknown_names import unusable
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.source import Source
 from radartrack.derive.language.variable import Variable, correlation
+from radartrack.derive.reading.fitting_units import fitting_units, turned_names
 from radartrack.derive.reading.symbol_table import SHOWN, TableError, read_symbol, shown, shown_name
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.reading.unit_text import read_unit
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.units import Unit
+from radartrack.derive.units import METRE, ONE, Unit
 
 FIELDS = (
     "name", "title", "measured", "parameters", "outputs", "units", "deviations", "correlations", "source",
@@ -39,6 +42,7 @@ MOST_SYMBOLS = 12  # measured, and parameters
 MOST_OUTPUTS = 6
 MOST_CHARACTERS = 10_000  # of a formula
 DEEPEST = 50  # definitions within definitions
+NEAR = 1e4  # metres: the most of a length of which nothing is said, where more leaves the outputs without a value
 MOST_TERMS = 1_000  # of an output, multiplied out
 
 Table = Mapping[str, Any]
@@ -103,6 +107,7 @@ class _ModelTable:
     def __init__(self, table: Table, data: Table) -> None:
         self._where = f"model {shown_name(str(table['name']))}"
         self._table, self._data = table, data
+        self._fitting: Mapping[str, Variable] = {}
 
     def model(self) -> Model:
         for field in self._table:
@@ -111,6 +116,17 @@ class _ModelTable:
         for field in NEEDED:
             if field not in self._table:
                 raise self._error(f"{field} is missing; a model has {', '.join(NEEDED)}")
+        self._fitting = self._fitting_symbols()
+        try:
+            return self._model()
+        except TableError:
+            if not any(symbol.unit == METRE for symbol in self._fitting.values()):
+                raise
+        near = {name: one.on(one.low, NEAR) if one.unit == METRE else one for name, one in self._fitting.items()}
+        self._fitting = near
+        return self._model()
+
+    def _model(self) -> Model:
         measured, parameters = self._symbols("measured"), self._symbols("parameters")
         outputs = self._outputs({symbol.name: symbol for symbol in (*measured, *parameters)})
         deviations = self._deviations(measured)
@@ -163,10 +179,29 @@ class _ModelTable:
 
     def _symbol(self, name: str, field: str) -> Variable:
         said = self._said()
-        if name not in said:
+        if name not in said and name not in self._fitting:
             known = ", ".join(map(shown_name, list(said)[:20])) or "nothing"
             raise self._error(f"{field}: [symbols] says nothing of {shown_name(name)}; it has {known}")
-        return self._own(lambda: read_symbol(name, said[name]))
+        return self._fitting[name] if name not in said else self._own(lambda: read_symbol(name, said[name]))
+
+    def _fitting_symbols(self) -> dict[str, Variable]:
+        """Those of which nothing is said: the catalogue's, or of the unit in which the outputs have theirs."""
+        named = {name: None for field in ("measured", "parameters") for name in self._names(field)}
+        known = {name: self._symbol(name, "symbols") for name in named if name in self._said()}
+        unknown = [name for name in named if name not in known and not unusable(name)]
+        if not unknown:
+            return {}
+        own = {name: symbol for name, symbol in common_symbols().items() if name in unknown}
+        provisional = {name: read_symbol(name, {"unit": "1"}) for name in unknown}
+        outputs = self._outputs({**known, **provisional, **own})
+        trees = {name: to_tree(sp.unguarded(value)) for name, value in outputs.items()}
+        turned = {name for tree in trees.values() for name in turned_names(tree)}
+        sure = {name: symbol for name, symbol in own.items() if symbol.unit != ONE or name not in turned}
+        units = {name: symbol.unit for name, symbol in {**known, **sure}.items()}
+        groups = [([trees[name]], unit) for name, unit in zip(outputs, self._units(outputs), strict=True)]
+        used = {symbol.name for value in outputs.values() for symbol in value.free_symbols}
+        fitting = fitting_units(units, [name for name in unknown if name not in sure and name in used], groups)
+        return {**sure, **{name: read_symbol(name, {"unit": str(unit)}) for name, unit in fitting.items()}}
 
     def _said(self) -> Table:
         """`[symbols]` of the file."""

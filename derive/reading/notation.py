@@ -42,6 +42,7 @@ def read_formula(
     *,
     strangers: bool = False,
     function: str = "",
+    wanted: int = 1,
 ) -> Reading:
     """Read a formula in any notation.
 
@@ -52,6 +53,7 @@ def read_formula(
         shapes: of those that stand for arrays.
         strangers: whether names that are not known are let through.
         function: of code, the function to read.
+        wanted: of code, how many numbers it is to compute.
 
     Raises:
         FormulaError: when it cannot be read, has two meanings, or is too large.
@@ -61,7 +63,7 @@ def read_formula(
     if notation == TEXT and is_printed(text):
         notation = PRINTED
     if notation in LANGUAGES:
-        code = read_code(text, notation, known, shapes, function=function, strangers=strangers)
+        code = read_code(text, notation, known, shapes, function=function, strangers=strangers, wanted=wanted)
         tree = code.tree
         remarks = tuple(f"line {_line(text, one.span[0])}: {one.words}" for one in code.remarks)
     elif notation in {TEXT, LATEX, PRINTED}:

@@ -10,16 +10,18 @@ from typing import cast
 from lark import Lark, Token, UnexpectedInput, UnexpectedToken
 
 from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_brackets, check_count
-from radartrack.derive.formula.shape import NO_SHAPES, Shape
-from radartrack.derive.formula.tree import Constant, Name, Tree, bound_names
+from radartrack.derive.formula.shape import NO_SHAPES, Shape, shape
+from radartrack.derive.formula.tree import Call, Constant, Name, Power, Tree, bound_names, parts
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
 from radartrack.derive.reading.text_hints import hint
 
 _BRACKETS = {"(": ")", "[": "]", "{": "}"}
+_LEFT_SIDE = re.compile(r"\s*[A-Za-z_]\w*\s*(?:\[[\w\s,:]*\]\s*|\([\w\s,]*\)\s*)?=(?!=)")  # P[0,1] = …, f(x) = …
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)*)")
 
 
@@ -41,14 +43,16 @@ def read_text(
     allowed = check_names(names or ())
     strangers = strangers or names is None
     check_characters(text, allowed)
+    whole = text
     try:
+        text = _LEFT_SIDE.sub(lambda found: " " * len(found.group()), text, count=1)
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
-        tree = _parse(text, None if strangers else allowed)
+        tree = _with_transposes(_parse(text, None if strangers else allowed), shapes)
         known = allowed | bound_names(tree)
         return finished(tree, lambda node: _resolved(node, known, strangers=strangers), shapes, strangers=strangers)
     except FormulaError as error:
-        raise error.within(text) from None
+        raise error.within(whole) from None
 
 
 class _TextBuilder(TreeBuilder):
@@ -102,6 +106,25 @@ def _fault(error: UnexpectedInput, text: str) -> Span:
     if error.token.type == "$END":
         return len(text), len(text)
     return place([error.token])
+
+
+def _with_transposes(tree: Tree, shapes: Mapping[str, Shape]) -> Tree:
+    """The tree where a T above an array is no exponent, whatever else T is called."""
+
+    def changed(node: Tree) -> Tree:
+        match node:
+            case Power(base, Name("T")) if _is_array(base, shapes):
+                return Call("transpose", (base,), span=node.span)
+        return node
+
+    return rebuild(tree, changed) if any(isinstance(node, Power) for node in parts(tree)) else tree
+
+
+def _is_array(tree: Tree, shapes: Mapping[str, Shape]) -> bool:
+    try:
+        return bool(shape(tree, shapes))
+    except FormulaError:  # is told when the whole formula is looked at
+        return False
 
 
 def _resolved(node: Tree, names: Collection[str], *, strangers: bool) -> Tree:

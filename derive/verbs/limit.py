@@ -2,14 +2,17 @@
 
 At infinity the terms x^p e^(cx) of numerator and denominator are ordered by c, then by p, and the leading ones are
 compared; a rate whose sign the symbols' domains do not say leaves the question open. At a finite point the first
-derivatives that do not vanish are compared.
+derivatives that do not vanish are compared. Roots at infinity are roots at zero of the inverse, from each of which
+the power that vanishes there is taken out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import lcm
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.algebra.equality import proved_zero
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.derivatives import is_finite
 from radartrack.derive.verbs.no_closed_form import NoClosedForm, shown
@@ -40,6 +43,8 @@ def _limit(function: Expr, x: Symbol, of_quotient: Callable[[Expr, Symbol], Expr
         return of_quotient(function, x)
     except _NoQuotient:
         pass
+    if of_quotient is _at_infinity and _is_algebraic(function, x):
+        return _of_roots_at_infinity(function, x)
     if isinstance(function, sp.Add | sp.Mul):
         return function.func(*(_limit(part, x, of_quotient) for part in function.args))
     if isinstance(function, sp.Pow) and x not in function.exp.free_symbols:
@@ -109,7 +114,7 @@ def _sign(rate: Expr) -> int:
 
 def _at_point(function: Expr, x: Symbol, point: Expr) -> Expr:
     above, below = sp.fraction(sp.together(function))
-    if any(not _is_smooth(part) for part in (above, below)):
+    if any(not _is_smooth(part, x, point) for part in (above, below)):
         raise _NoQuotient
     first, second = (_first_derivative(part, x, point) for part in (above, below))
     if first[0] < second[0]:
@@ -117,11 +122,55 @@ def _at_point(function: Expr, x: Symbol, point: Expr) -> Expr:
     return first[1] / second[1] if first[0] == second[0] else ZERO
 
 
-def _is_smooth(part: Expr) -> bool:
-    """Whether only polynomials, sines, cosines and exponentials occur."""
+def _is_smooth(part: Expr, x: Symbol, point: Expr) -> bool:
+    """Whether only polynomials, sines, cosines and exponentials occur, and roots of what does not vanish there."""
+    roots = {power for power in part.atoms(sp.Pow) if x in power.free_symbols and not isinstance(power.exp, sp.Integer)}
     return not part.atoms(sp.Function) - part.atoms(sp.cos, sp.sin, sp.exp, sp.cosh, sp.sinh) and all(
-        isinstance(power.exp, sp.Integer) for power in part.atoms(sp.Pow)
+        isinstance(root, sp.exp) or (isinstance(root.exp, sp.Rational) and _is_fixed(root.base.xreplace({x: point})))
+        for root in roots
     )
+
+
+def _is_fixed(value: Expr) -> bool:
+    """Whether a value is finite and known to be no zero."""
+    return is_finite(value) and bool(sp.factor(value).is_positive)
+
+
+def _is_algebraic(function: Expr, x: Symbol) -> bool:
+    return not any(x in part.free_symbols for part in function.atoms(sp.Function, sp.exp)) and all(
+        isinstance(power.exp, sp.Rational) for power in function.atoms(sp.Pow) if x in power.free_symbols
+    )
+
+
+def _of_roots_at_infinity(function: Expr, x: Symbol) -> Expr:
+    """The limit of roots of quotients of polynomials: that at zero of the inverse, or of a root of it."""
+    degree = lcm(*(power.exp.q for power in function.atoms(sp.Pow) if isinstance(power.exp, sp.Rational)))
+    small = sp.Symbol("{inverse}", positive=True)
+    try:
+        return _limit(_without_poles(function.xreplace({x: small**-degree}), small), small, _at_zero)
+    except NoClosedForm:
+        raise NoClosedForm(f"the limit of {_shown(function)} is infinite, or cannot be decided here") from None
+
+
+def _at_zero(quotient: Expr, symbol: Symbol) -> Expr:
+    return _at_point(quotient, symbol, ZERO)
+
+
+def _without_poles(function: Expr, small: Symbol) -> Expr:
+    """With the powers of what becomes small taken out of roots."""
+    if isinstance(function, sp.Pow) and small in function.free_symbols and not isinstance(function.exp, sp.Integer):
+        above, below = sp.fraction(sp.together(_without_poles(function.base, small)))
+        orders = [_lowest(sp.expand(part), small) for part in (above, below)]
+        rest = sp.expand(above / small ** orders[0]) / sp.expand(below / small ** orders[1])
+        return small ** (function.exp * (orders[0] - orders[1])) * rest**function.exp
+    arguments = [_without_poles(argument, small) for argument in function.args]
+    return function.func(*arguments) if arguments else function
+
+
+def _lowest(total: Expr, small: Symbol) -> Expr:
+    """The least power in a polynomial, perhaps of a root."""
+    powers = (term.as_powers_dict().get(small, ZERO) for term in sp.Add.make_args(total))
+    return min(powers, key=float)
 
 
 def _first_derivative(part: Expr, x: Symbol, point: Expr) -> tuple[int, Expr]:
@@ -130,7 +179,7 @@ def _first_derivative(part: Expr, x: Symbol, point: Expr) -> tuple[int, Expr]:
         value = sp.cancel(sp.expand(part.xreplace({x: point})))
         if not is_finite(value):
             raise _NoQuotient
-        if value != ZERO:
+        if value != ZERO and not proved_zero(value):
             return order, value
         part = sp.diff(part, x)
     if sp.expand(part) == ZERO:

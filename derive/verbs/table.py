@@ -14,6 +14,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian, taylor
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
+from radartrack.derive.verbs.gates import probability, quantile
 from radartrack.derive.verbs.integrals import integrated
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.matrix_exponential import exponential
@@ -106,6 +107,8 @@ def _symbols(verb: str, argument: Expression) -> list[Symbol]:
 
 VERBS: Mapping[str, Verb] = MappingProxyType(
     {
+        "chi2cdf": entrywise(probability),
+        "chi2inv": entrywise(quantile),
         "det": lambda arguments: determinant(_matrix(arguments[0])),
         "diag": _diag,
         "diff": entrywise(_diff),

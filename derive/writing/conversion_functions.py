@@ -21,8 +21,9 @@ from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.stable.horner import nested
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.computed_statements import Statements, beside, joined
 from radartrack.derive.writing.numpy_expression import FUNCTIONS
-from radartrack.derive.writing.numpy_writer import INDENT, REMAINDER, VERSION, WIDTH, assignments, beside
+from radartrack.derive.writing.numpy_writer import INDENT, REMAINDER, VERSION, WIDTH, assignments
 
 
 class Words(NamedTuple):
@@ -66,6 +67,27 @@ def _remainder(x: float, order: int) -> float:
 '''
 REMAINDER_OF_KIND = {ARRAYS: REMAINDER, LOOPS: REMAINDER_OF_A_NUMBER}
 OF_A_NUMBER = {numpy.removeprefix("np."): function.__name__ for function, numpy in FUNCTIONS.items()} | {"abs": "fabs"}
+
+
+@dataclass(frozen=True)
+class Conversion:
+    """One conversion as it is computed.
+
+    Attributes:
+        name: model and method.
+        symbols: names of the arguments.
+        shapes: of mean and covariance.
+        statements: the entries of the mean, then those of the covariance.
+        title: what it converts how.
+        meaning: of mean and covariance.
+    """
+
+    name: str
+    symbols: tuple[str, ...]
+    shapes: tuple[Index, Index]
+    statements: Statements
+    title: str
+    meaning: str
 
 
 @dataclass(frozen=True)
@@ -136,7 +158,7 @@ def covariance_of(quantities: Mapping[str, Quantity], model: str, method: str) -
     return quantity_of(quantities, model, METHODS[method].covariance)
 
 
-def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str) -> ConversionCode:
+def conversion_of(quantities: Mapping[str, Quantity], model: str, method: str) -> Conversion:
     """Derive one conversion.
 
     Raises:
@@ -147,18 +169,29 @@ def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str)
     covariance = quantities[quantity_of(quantities, model, words.covariance)]
     bias = quantities[quantity_of(quantities, model, words.bias)] if words.bias else None
     mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
-    form = beside(_together(mean, form_of(covariance)), covariance)
+    form = beside(_with_squared_exponentials(_together(mean, form_of(covariance))), covariance)
     given = {symbol: nested(value) for symbol, value in form.definitions.items()}
-    definitions, results = with_common_parts(given, form.entries.map_distinct(nested))
-    places = [*_places("mean", estimate.shape), *_places("covariance", covariance.shape)]
-    lines = assignments((symbol.name, value) for symbol, value in definitions.items())
-    lines += assignments(zip(places, results, strict=True))
+    statements = joined(*with_common_parts(given, form.entries.map_distinct(nested)))
     symbols = tuple(symbol.name for symbol in covariance.symbols)
     less = f" less the {bias.meaning}" if bias else ""
     meaning = f"Mean: {estimate.meaning}{less}. Covariance: {covariance.meaning}"
-    intermediates = frozenset(symbol.name for symbol in definitions)
-    title = f"Conversion {model}, {method}"
-    return ConversionCode(f"{model}_{method}", symbols, intermediates, tuple(lines), title, meaning)
+    shapes = (estimate.shape, covariance.shape)
+    return Conversion(f"{model}_{method}", symbols, shapes, statements, f"Conversion {model}, {method}", meaning)
+
+
+def conversion_code(quantities: Mapping[str, Quantity], model: str, method: str) -> ConversionCode:
+    """Derive one conversion and write it for NumPy.
+
+    Raises:
+        KeyError: a part of it is missing.
+    """
+    found = conversion_of(quantities, model, method)
+    mean, covariance = found.shapes
+    places = [*_places("mean", mean), *_places("covariance", covariance)]
+    lines = assignments(found.statements.definitions)
+    lines += assignments(zip(places, found.statements.results, strict=True))
+    intermediates = frozenset(name for name, _ in found.statements.definitions)
+    return ConversionCode(found.name, found.symbols, intermediates, tuple(lines), found.title, found.meaning)
 
 
 def module_text(codes: Sequence[ConversionCode], kind: str) -> str:
@@ -193,6 +226,16 @@ def _together(first: StableForm, second: StableForm) -> StableForm:
     second = second.renamed({symbol: sp.Symbol(f"{symbol.name}_2", real=True) for symbol in clashes})
     entries = (*first.entries, *second.entries)
     return StableForm({**first.definitions, **second.definitions}, Tensor((len(entries),), entries))
+
+
+def _with_squared_exponentials(form: StableForm) -> StableForm:
+    """The same with e^(2x) as the square of e^x where both are there: an exponential less, for a rounding more."""
+    known = {value.args[0]: symbol for symbol, value in form.definitions.items() if isinstance(value, sp.exp)}
+    definitions = {
+        symbol: known[value.args[0] / 2] ** 2 if isinstance(value, sp.exp) and value.args[0] / 2 in known else value
+        for symbol, value in form.definitions.items()
+    }
+    return StableForm(definitions, form.entries, form.arbitrary)
 
 
 def _places(name: str, shape: Index) -> list[str]:

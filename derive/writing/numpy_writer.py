@@ -11,8 +11,8 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import nested
-from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.symbolic import Expr
+from radartrack.derive.writing.computed_statements import first_or_known, statements_of
 from radartrack.derive.writing.numpy_expression import code, terms
 
 VERSION = "1"
@@ -133,44 +133,41 @@ def body(quantity: Quantity, form: StableForm) -> str:
     """The statements that compute a quantity as it is rewritten, without the docstring."""
     if not quantity.symbols:
         return f"return np.array({nested(form.entries.map(code), gap=', ')})[()]"
-    form = beside(form, quantity)
-    definitions, results = with_common_parts(form.definitions, form.entries)
+    statements = statements_of(quantity, form)
     names = [symbol.name for symbol in quantity.symbols]
     arguments = ", ".join(names)
     lines = [f"arguments = _floats({arguments})", f"{arguments}{',' * (len(names) == 1)} = arguments"]
-    lines += assignments((symbol.name, definition) for symbol, definition in definitions.items())
+    lines += assignments(statements.definitions)
     lines.append(f"result = _empty(arguments, {quantity.shape})")
     places = (f"result[{', '.join(['...', *map(str, index)])}]" for index, _ in form.entries.items())
-    lines += assignments(zip(places, results, strict=True))
+    lines += assignments(zip(places, statements.results, strict=True))
     lines.append("return result[()]" if not quantity.shape else "return result")
     return "\n".join(lines)
 
 
-def beside(form: StableForm, quantity: Quantity) -> StableForm:
-    """The form with an underscore behind every intermediate that is called like one of the arguments."""
-    taken = {symbol.name for symbol in quantity.symbols}
-    renamed: dict[Symbol, Symbol] = {}
-    for symbol in form.definitions:
-        if symbol.name in taken:
-            renamed[symbol] = sp.Symbol(f"{symbol.name}_", real=True)
-    return form.renamed(renamed) if renamed else form
-
-
 def assignments(pairs: Iterable[tuple[str, Expr]]) -> list[str]:
     """One assignment a pair of target and value; a value that was computed before is copied."""
-    first: dict[Expr, str] = {}
-    lines = []
-    for target, expression in pairs:
-        known = first.setdefault(expression, target)
-        if known == target or expression.is_Atom:
-            lines.append(_assignment(target, expression))
-        else:
-            lines.append(f"{target} = {known}")
-    return lines
+    return [
+        f"{target} = {value}" if isinstance(value, str) else _assignment(target, value)
+        for target, value in first_or_known(pairs)
+    ]
 
 
 def docstring(quantity: Quantity, accuracy: str) -> str:
     """Name, definition, conditioning, source, shapes, units, domain and measured error."""
+    shape = ", ".join(map(str, quantity.shape))
+    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
+    return _escaped(documentation(quantity, returns, [f"Accuracy: {accuracy}"]))
+
+
+def documentation(quantity: Quantity, returns: str, accuracy: Sequence[str]) -> str:
+    """What is said of a function in any language.
+
+    Args:
+        quantity: what it computes.
+        returns: what it gives back.
+        accuracy: sentences on its errors.
+    """
     meaning = quantity.meaning[0].upper() + quantity.meaning[1:]
     facts = [
         f"Name: {quantity.name}.",
@@ -179,18 +176,22 @@ def docstring(quantity: Quantity, accuracy: str) -> str:
         f"Source: {quantity.source.reference}.",
     ]
     arguments = [f"{INDENT}{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}." for s in quantity.symbols]
-    shape = ", ".join(map(str, quantity.shape))
-    returns = f"Shape of the broadcast arguments{f' + ({shape})' if shape else ''}, unit {quantity.unit_text}."
     scale = "the sizes of the terms" if quantity.is_difference else quantity.measured_against
     against = f" Errors are measured against {scale}." if scale else ""
+    *earlier, last = accuracy
     sections = [
         f"{meaning}.",
         "\n".join(line for fact in facts for line in textwrap.wrap(fact, WIDTH - 4)),
         *(["\n".join(["Args:", *arguments])] if arguments else []),
         "\n".join(["Returns:", *textwrap.wrap(returns, WIDTH - 4, initial_indent=INDENT, subsequent_indent=INDENT)]),
-        "\n".join(textwrap.wrap(f"Accuracy: {accuracy}{against}", WIDTH - 4)),
+        "\n".join(line for said in [*earlier, f"{last}{against}"] for line in textwrap.wrap(said, WIDTH - 4)),
     ]
-    return _escaped("\n\n".join(sections))
+    return "\n\n".join(sections)
+
+
+def wrapped(text: str) -> str:
+    """In lines."""
+    return "\n".join(textwrap.wrap(text, WIDTH - 4))
 
 
 def _escaped(text: str) -> str:

@@ -1,4 +1,4 @@
-"""A quantity for people to read: as text that the formula reader takes back, as LaTeX, and as NumPy code."""
+"""A quantity for people to read: as text that the formula reader takes back, as LaTeX, as NumPy code, and as C."""
 
 from __future__ import annotations
 
@@ -10,7 +10,11 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, nested
 from radartrack.derive.stable.quantity_form import form_of, readable
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.writing.c99 import c_elementary
+from radartrack.derive.writing.c99.c_expression import CExpression, in_listing
+from radartrack.derive.writing.c99.c_function import listing
 from radartrack.derive.writing.common_subexpressions import with_common_parts
+from radartrack.derive.writing.computed_statements import Statements, beside, joined
 from radartrack.derive.writing.numpy_expression import code
 from radartrack.derive.writing.numpy_writer import helpers
 from radartrack.derive.writing.short_formula import LONG, plain, printed, short
@@ -64,13 +68,32 @@ def _wanted(quantity: Quantity, index: Index | None, given: Mapping[Symbol, Expr
 
 def python(quantity: Quantity, index: Index | None = None) -> str:
     """NumPy statements that run where the symbols have values; the last ones compute the entries asked for."""
-    form = form_of(quantity)
-    wanted = form.entries if index is None else Tensor((), (form.entries[index],))
-    definitions, results = with_common_parts(form.only(wanted).definitions, wanted)
-    lines = [f"{symbol.name} = {code(definition)}" for symbol, definition in definitions.items()]
-    lines.append(f"result = {nested(Tensor(wanted.shape, tuple(results)).map(code))}")
+    statements, shape = _computed(quantity, index)
+    lines = [f"{name} = {code(definition)}" for name, definition in statements.definitions]
+    lines.append(f"result = {nested(Tensor(shape, statements.results).map(code))}")
     helper = helpers("\n".join(lines))
     return "\n".join(["import numpy as np\n", *(["Floats = np.ndarray | float", helper, ""] if helper else []), *lines])
+
+
+def c(quantity: Quantity, index: Index | None = None) -> str:
+    """A C99 function over math.h, with the helpers that it calls."""
+    statements, shape = _computed(quantity, index)
+    name = "_".join([quantity.module, quantity.function, *map(str, index or ())])
+    symbols = [symbol.name for symbol in quantity.symbols]
+    written = listing(statements, symbols, name, shape, CExpression(name_of=in_listing))
+    return (
+        "\n".join(["#include <math.h>\n", c_elementary.helpers("", "", written), written])
+        .replace("\n\n\n", "\n\n")
+        .rstrip()
+    )
+
+
+def _computed(quantity: Quantity, index: Index | None) -> tuple[Statements, Index]:
+    """The statements of all entries or of one, and their shape."""
+    form = form_of(quantity)
+    wanted = form.entries if index is None else Tensor((), (form.entries[index],))
+    kept = beside(form.only(wanted), quantity)
+    return joined(*with_common_parts(kept.definitions, kept.entries)), wanted.shape
 
 
 def latex_name(symbol: Symbol) -> str:

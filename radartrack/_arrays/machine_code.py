@@ -6,8 +6,10 @@ instead; why is logged at the level INFO.
 """
 
 import importlib
+import os
 from collections.abc import Callable
 from functools import cache
+from threading import RLock
 from typing import Any, TypeVar
 
 import numpy as np
@@ -18,6 +20,11 @@ COMPILED_FROM = 256  # plots; for fewer NumPy is fast enough, and the compiler n
 BLOCK = 16384  # plots; the arguments are still in the cache when they have been checked
 
 Compiled = TypeVar("Compiled")
+
+_at_numba = RLock()
+"""Held while Numba is loaded or compiles, and waited for before a fork: in the child nobody would go on with it."""
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_at_numba.acquire, after_in_parent=_at_numba.release, after_in_child=_at_numba.release)
 
 
 @cache
@@ -76,7 +83,8 @@ def _compiled(loop: Callable[..., None], **options: Any) -> Callable[..., None]:
 def attempted(attempt: Callable[[], Compiled], failure: str) -> Compiled | None:
     """What something that Numba does results in; None, and why is logged, where that fails."""
     try:
-        return attempt()
+        with _at_numba:
+            return attempt()
     except Exception as error:  # noqa: BLE001 - another package, or its files, may be broken in any way
         import logging  # noqa: PLC0415 - seldom needed
 

@@ -12,6 +12,7 @@ and float16. Python's own int and float adapt to the arrays beside them, as they
 import math
 import operator
 import reprlib
+import sys
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, TypeAlias, TypeVar
 
@@ -290,7 +291,8 @@ def common_shape(shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def _array(name: str, value: object) -> NDArray[Any]:
-    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+    loaded = "numpy.ma" in sys.modules  # without it there are no masked arrays, and it takes long to load
+    if loaded and isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
         masked = np.count_nonzero(np.ma.getmaskarray(value))
         raise ValueError(f"{name} must have no masked entries; got {masked} among {value.size}")
     try:

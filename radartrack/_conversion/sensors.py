@@ -1,6 +1,6 @@
 """What the measurement models are called in public, and which values their arguments may have."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeAlias, get_args
@@ -129,10 +129,17 @@ class Sensor(NamedTuple):
             ValueError: they do.
 
         """
+        for name, array, domain in self.conditions(values, of):
+            require_within(name, array, domain)
+
+    def conditions(
+        self, values: Mapping[str, RealArray] | Mapping[str, float], of: str = ""
+    ) -> Iterator[tuple[str, RealArray, Domain]]:
+        """What `require_possible` checks: the name, the values and the interval of each quantity."""
         if "u" in self.coordinates:
-            _require_in_front(values, of)
+            yield _reach(values, of)
         if "path" in self.coordinates:
-            _require_triangle(values, of)
+            yield from _of_triangle(values, of)
 
     def evaluate(self, word: str, values: Mapping[str, RealArray]) -> RealArray:
         """Call a generated function with the values, by symbol, that it takes."""
@@ -160,25 +167,27 @@ def chosen_axis(sensor: str, default: AzimuthFrom | None, azimuth_from: AzimuthF
     return chosen
 
 
-def _require_in_front(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> None:
+def _reach(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> tuple[str, RealArray, Domain]:
     """Directions stay in the unit circle despite their errors."""
     reach = np.hypot(values["u"], values["v"])
     reach = reach + MARGIN * np.maximum(values["sigma_u"], values["sigma_v"])
-    require_within(f"sqrt(u^2 + v^2) + {MARGIN} max(u_std, v_std){of}", np.asarray(reach), DIRECTION)
+    return f"sqrt(u^2 + v^2) + {MARGIN} max(u_std, v_std){of}", np.asarray(reach), DIRECTION
 
 
-def _require_triangle(values: Mapping[str, RealArray] | Mapping[str, float], of: str) -> None:
+def _of_triangle(
+    values: Mapping[str, RealArray] | Mapping[str, float], of: str
+) -> Iterator[tuple[str, RealArray, Domain]]:
     """The path stays longer than the baseline, and the azimuth off the angles at which a shorter one has no end.
 
     As a function of the azimuth the range has poles at the imaginary angles whose cosine is path over baseline.
     """
     path, baseline = values["path"], values["baseline"]
     share = (baseline + MARGIN * np.asarray(values["sigma_path"])) / path
-    require_within(f"(baseline + {MARGIN} path_std)/path{of}", np.asarray(share), TRIANGLE)
+    yield f"(baseline + {MARGIN} path_std)/path{of}", np.asarray(share), TRIANGLE
     with np.errstate(divide="ignore", over="ignore"):  # without a baseline the pole is at infinity
         pole = np.arccosh(path / np.asarray(baseline))
     turned = MARGIN * np.asarray(values["sigma_beta"]) / pole
-    require_within(f"{MARGIN} azimuth_std/arccosh(path/baseline){of}", np.asarray(turned), ROUND_THE_BASELINE)
+    yield f"{MARGIN} azimuth_std/arccosh(path/baseline){of}", np.asarray(turned), ROUND_THE_BASELINE
 
 
 _RANGE = Argument("r", RANGE)

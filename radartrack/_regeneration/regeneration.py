@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import errno
+import importlib.metadata
 import importlib.util
 import json
 import math
@@ -11,14 +12,16 @@ import os
 import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from radartrack._regeneration.single_precision import error_in_single
 from radartrack._system import written_files
 from radartrack._system.deriving_process import prepare
 from radartrack._system.directory_swap import replace_directory, replace_file
@@ -53,16 +56,36 @@ SCREENING = "screening.json"
 Files = dict[str, str]
 Written = tuple[str, str, dict[str, Any]]  # statements, formula, and values to screen formulas by
 Task = str | tuple[str, str]  # a quantity's name, or model and method of a conversion
-Done = Written | ConversionCode
 Step = Callable[[str], None]
+
+
+class Writer(NamedTuple):
+    """How a language writes one quantity, and one conversion by model and method."""
+
+    quantity: Callable[[Quantity], Any]
+    conversion: Callable[[Mapping[str, Quantity], str, str], Any]
 
 
 @dataclass(frozen=True)
 class Accuracy:
-    """What was measured of one function: the digest of its code, and the largest error in ulp."""
+    """What was measured of one function.
+
+    Attributes:
+        code: the digest of its code.
+        ulp: the largest error in double precision.
+        single: that in single precision, in ulp of that.
+        single_points: at how many points that was: where nothing leaves the range of single precision.
+    """
 
     code: str
     ulp: float
+    single: float = math.nan
+    single_points: int | None = None
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether nothing is left to be measured."""
+        return not math.isnan(self.ulp) and self.single_points is not None
 
     @property
     def sentence(self) -> str:
@@ -73,6 +96,22 @@ class Accuracy:
             f"at most {self.ulp:g} ulp from 50-digit arithmetic at {POINTS} points of this domain "
             "(float64, independent errors)."
         )
+
+    @property
+    def in_double(self) -> str:
+        """For the comment in C."""
+        return f"Accuracy in double: {self.sentence.replace('float64', 'double, by the same statements in NumPy')}"
+
+    @property
+    def in_single(self) -> str:
+        """For the comment in C."""
+        if self.single_points is None:
+            return "Accuracy in float: not measured."
+        if not self.single_points:
+            return "Accuracy in float: none; everywhere in this domain something leaves the range of float."
+        where = "these points" if self.single_points >= POINTS else f"the {self.single_points} of these points"
+        outside = "" if self.single_points >= POINTS else " at which nothing leaves the range of float"
+        return f"Accuracy in float: at most {self.single:g} ulp of float at {where}{outside}."
 
 
 Record = dict[str, Accuracy]  # by quantity
@@ -146,21 +185,25 @@ def _on_one_line(said: object) -> str:
 
 
 def derive(quantities: Mapping[str, Quantity], step: Step) -> Derivation:
-    """The code and formula of all quantities, and their conversions; `step` is told each name as its turn comes.
+    """The code and formula of all quantities, and their conversions; `step` is told each name as its turn comes."""
+    done = worked_out(quantities, step, Writer(written, conversion_code))
+    derived = []
+    for name, quantity in quantities.items():
+        statements, typeset, values = done[name]
+        derived.append(Derived(Function(quantity, statements), typeset, values))
+    return Derivation(derived, [code for code in done.values() if isinstance(code, ConversionCode)])
+
+
+def worked_out(quantities: Mapping[str, Quantity], step: Step, writer: Writer) -> dict[Task, Any]:
+    """What is written of each quantity and conversion.
 
     Those of the catalogue are derived in one process a core, a model of a user's own in this one.
     """
     tasks = _tasks(quantities)
     if quantities == catalogue():
         with ended_on_failure(Workers(mp_context=get_context("spawn"), initializer=prepare)) as pool:
-            done = _told(tasks, pool.map(_of_catalogue, tasks, chunksize=CHUNK), step)
-    else:
-        done = _told(tasks, (_done_or_refused(task, quantities) for task in tasks), step)
-    derived = []
-    for name, quantity in quantities.items():
-        statements, typeset, values = done[name]
-        derived.append(Derived(Function(quantity, statements), typeset, values))
-    return Derivation(derived, [code for code in done.values() if isinstance(code, ConversionCode)])
+            return _told(tasks, pool.map(partial(_of_catalogue, writer=writer), tasks, chunksize=CHUNK), step)
+    return _told(tasks, (_done_or_refused(task, quantities, writer) for task in tasks), step)
 
 
 def _tasks(quantities: Mapping[str, Quantity]) -> list[Task]:
@@ -171,15 +214,15 @@ def _tasks(quantities: Mapping[str, Quantity]) -> list[Task]:
     return tasks
 
 
-def _of_catalogue(task: Task) -> Done:
-    return _done(task, catalogue())
+def _of_catalogue(task: Task, writer: Writer) -> Any:
+    return _done(task, catalogue(), writer)
 
 
-def _done(task: Task, quantities: Mapping[str, Quantity]) -> Done:
-    return written(quantities[task]) if isinstance(task, str) else conversion_code(quantities, *task)
+def _done(task: Task, quantities: Mapping[str, Quantity], writer: Writer) -> Any:
+    return writer.quantity(quantities[task]) if isinstance(task, str) else writer.conversion(quantities, *task)
 
 
-def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
+def _done_or_refused(task: Task, quantities: Mapping[str, Quantity], writer: Writer) -> Any:
     """The code of one task of a model of a user's own.
 
     Raises:
@@ -187,7 +230,7 @@ def _done_or_refused(task: Task, quantities: Mapping[str, Quantity]) -> Done:
         NotProved: a rewritten form is not proved equal to its definition.
     """
     with _refusing(task if isinstance(task, str) else ".".join(task)):
-        return _done(task, quantities)
+        return _done(task, quantities, writer)
 
 
 @contextmanager
@@ -201,7 +244,7 @@ def _refusing(name: str) -> Iterator[None]:
         raise NotDerived(f"{name} cannot be derived: {_on_one_line(error)}") from error
 
 
-def _told(tasks: Sequence[Task], done: Iterable[Done], step: Step) -> dict[Task, Any]:
+def _told(tasks: Sequence[Task], done: Iterable[Any], step: Step) -> dict[Task, Any]:
     found = {}
     for task, result in zip(tasks, done, strict=True):
         if isinstance(task, str):
@@ -221,9 +264,19 @@ def read_record(directory: Path) -> Record:
     """The accuracy measured before, by quantity; empty where there is none or it cannot be read."""
     try:
         stored = json.loads((directory / RECORD).read_bytes())
-        return {name: Accuracy(str(row["code"]), float(row["ulp"])) for name, row in stored.items()}
+        return {name: _accuracy(row) for name, row in stored.items()}
     except (OSError, ValueError, TypeError, KeyError, AttributeError):
         return {}
+
+
+def _accuracy(row: Mapping[str, Any]) -> Accuracy:
+    single = row.get("single")
+    known = Accuracy(str(row["code"]), float(row["ulp"]))
+    if single is None:
+        return known
+    return replace(
+        known, single=math.nan if single["ulp"] is None else float(single["ulp"]), single_points=int(single["points"])
+    )
 
 
 def read_records(directory: Path, quantities: Mapping[str, Quantity]) -> list[Record]:
@@ -253,30 +306,42 @@ def with_measured(functions: Iterable[Function], known: Sequence[Record], step: 
     """
     by_name = {function.quantity.name: function for function in functions}
     record = as_recorded(by_name.values(), known)
-    missing = [by_name[name] for name, accuracy in record.items() if math.isnan(accuracy.ulp)]
+    missing = [by_name[name] for name, accuracy in record.items() if not accuracy.is_complete]
     with tempfile.TemporaryDirectory() as folder:
         modules = _load(_modules(missing, record), Path(folder))
         for function in missing:
             quantity = function.quantity
             step(f"{quantity.name}: measuring")
             try:
-                found = measure(modules[quantity.module], quantity)
+                record[quantity.name] = measured(modules[quantity.module], function, record[quantity.name])
             except (ArithmeticError, TypeError, ValueError) as error:
                 raise NotDerived(f"{quantity.name} cannot be measured: {_on_one_line(error)}") from error
-            record[quantity.name] = Accuracy(function.digest, found)
     return record
+
+
+def measured(module: ModuleType, function: Function, known: Accuracy) -> Accuracy:
+    """What is known of a function with what is missing."""
+    quantity = function.quantity
+    ulp = measure(module, quantity) if math.isnan(known.ulp) else known.ulp
+    single, points = error_in_single(getattr(module, quantity.function), quantity, sample(quantity, POINTS))
+    everywhere = points if quantity.symbols else POINTS * points
+    return Accuracy(function.digest, ulp, _rounded_up(single) if points else math.nan, everywhere)
 
 
 def measure(module: ModuleType, quantity: Quantity) -> float:
     """The largest error over random points, rounded up to half an ulp."""
     with np.errstate(all="ignore"):  # what overflows is an infinite error
         found = errors(getattr(module, quantity.function), quantity, sample(quantity, POINTS)).max()
-    return math.ceil(2 * found) / 2 if math.isfinite(found) else math.inf
+    return _rounded_up(found)
+
+
+def _rounded_up(ulp: float) -> float:
+    """To half an ulp; what is no number is infinitely wrong."""
+    return math.ceil(2 * ulp) / 2 if math.isfinite(ulp) else math.inf
 
 
 def texts(derivation: Derivation, record: Record) -> Files:
     """The files of the generated package, the formula book, of the catalogue its values, and the record of them all."""
-    rows = {name: {"code": accuracy.code, "ulp": accuracy.ulp} for name, accuracy in sorted(record.items())}
     pages = [
         Page(derived.function.quantity, derived.formula, record[derived.function.quantity.name].sentence)
         for derived in derivation.quantities
@@ -284,7 +349,7 @@ def texts(derivation: Derivation, record: Record) -> Files:
     files = {
         "__init__.py": PACKAGE,
         "py.typed": "",
-        RECORD: json.dumps(rows, indent=1) + "\n",
+        RECORD: record_text(record),
         BOOK: book(pages),
         **_modules(derivation.functions, record),
     }
@@ -294,6 +359,28 @@ def texts(derivation: Derivation, record: Record) -> Files:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
     return files | {written_files.RECORD: written_files.record(files)}
+
+
+def record_text(record: Record) -> str:
+    """The file of what was measured."""
+    rows = {name: _row(accuracy) for name, accuracy in sorted(record.items())}
+    return json.dumps(rows, indent=1) + "\n"
+
+
+def _row(accuracy: Accuracy) -> dict[str, Any]:
+    row: dict[str, Any] = {"code": accuracy.code, "ulp": accuracy.ulp}
+    if accuracy.single_points is not None:
+        ulp = None if math.isnan(accuracy.single) else accuracy.single
+        row["single"] = {"ulp": ulp, "points": accuracy.single_points}
+    return row
+
+
+def own_version() -> str:
+    """Of the installed package."""
+    try:
+        return importlib.metadata.version("radartrack")
+    except importlib.metadata.PackageNotFoundError:
+        return "0"
 
 
 def _screening(quantities: Iterable[Derived]) -> str:

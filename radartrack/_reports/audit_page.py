@@ -5,51 +5,63 @@ Formulas are MathML, which browsers typeset by themselves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from html import escape
+from importlib.resources import files
 from typing import Any
 
-from radartrack._reports import audit_text, experiment_section
+from radartrack._reports import audit_text, experiment_section, scoreboard
 from radartrack._reports.experiment_section import Experiment
-from radartrack._system import terminal
+from radartrack._system import harmless_text
 
 STYLE = """
-:root { color-scheme: light dark; --ink: #1c1e21; --paper: #fcfcfa; --line: #d8d8d2; --dim: #63666b;
-  --good: #1d6b3a; --bad: #a3231f; --open: #7a5a00; --wash: #f2f2ee; }
-@media screen and (prefers-color-scheme: dark) { :root { --ink: #e6e6e3; --paper: #17181a; --line: #3a3c40;
-  --dim: #a2a5aa; --good: #74c990; --bad: #ff8d86; --open: #e3bd55; --wash: #202225; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 62rem; padding: 1.5rem 1rem 4rem; color: var(--ink); background: var(--paper);
-  font: 1rem/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2.5rem; line-height: 1.35; }
 h3 { font-size: 1rem; margin: 0; display: flex; flex-wrap: wrap; gap: .25rem .75rem; align-items: baseline; }
+h3 span { min-width: 0; overflow-wrap: anywhere; }
 .counts { color: var(--dim); }
 article { border-top: 1px solid var(--line); padding: .9rem 0; }
 .verdict { font-weight: 600; } .equal .verdict, .equal_numerically .verdict { color: var(--good); }
 .differs .verdict, .wrong_dimensions .verdict { color: var(--bad); } .undecided .verdict { color: var(--open); }
 .where { color: var(--dim); font-weight: 400; font-size: .9rem; }
-p { margin: .35rem 0; overflow-wrap: anywhere; } h3 span { min-width: 0; overflow-wrap: anywhere; }
-dl { margin: .5rem 0 0; } dt { color: var(--dim); font-size: .85rem; margin-top: .45rem; }
-dd { margin: 0; overflow-wrap: anywhere; } code { font: .88rem/1.45 ui-monospace, monospace; }
-.formula { overflow-x: auto; overflow-y: hidden; padding: .3rem .6rem; background: var(--wash); border-radius: .3rem;
-  margin: .35rem 0; }
-math { font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", math; font-size: 1.15rem; }
-math[display=block] { width: max-content; }
-.array { border: solid currentColor; border-width: 0 1px; border-radius: .6em; padding: 0 .25em; }
+.summary { font-size: 1.1rem; }
+.filter { display: flex; flex-wrap: wrap; gap: .35rem 1.2rem; margin: .75rem 0 0; padding: .35rem .8rem .5rem;
+  border: 1px solid var(--line); border-radius: .35rem; }
+.filter legend { color: var(--dim); font-size: .85rem; padding: 0 .3rem; }
+.filter label { cursor: pointer; } .filter input { accent-color: var(--accent); }
+body:has(#show-wrong:checked) article:not(.differs, .wrong_dimensions),
+body:has(#show-undecided:checked) article:not(.undecided),
+body:has(#show-equal:checked) article:not(.equal, .equal_numerically) { display: none; }
+dd .different { background: none; color: var(--good); }
 nav a { color: inherit; }
-@media print { body { max-width: none; font-size: 10pt; padding: 0; } article { break-inside: avoid; }
-  .formula { background: none; border: 1px solid var(--line); overflow: visible; } }
+@media print { article { break-inside: avoid; } .filter { display: none; } }
 """
+KINDS = {
+    "wrong": ("differs", "wrong_dimensions"),
+    "undecided": ("undecided",),
+    "equal": ("equal", "equal_numerically"),
+}
+"""What can be shown alone, in the order in which claims stand on the page."""
+SAID = {"wrong": "not equal"}  # some of these are right in a convention of their own
+
+
+@cache
+def look() -> str:
+    """What all pages look like."""
+    return files("radartrack._reports").joinpath("look.css").read_text(encoding="utf-8")
 
 
 def page(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experiment] = ()) -> str:
     """The whole page for some papers, after any experiments; what comes from files is escaped and made harmless."""
-    audits = terminal.shown(audits)
+    audits = harmless_text.shown(audits)
     title = "Reproduction of papers" if experiments else "Audit of printed formulas"
     sections = [experiment_section.section(experiment) for experiment in experiments]
     sections += [_paper(audit, number) for number, audit in enumerate(audits)]
-    style = STYLE + experiment_section.STYLE if experiments else STYLE
+    style = look() + STYLE + (experiment_section.STYLE if experiments else "")
     contents = _contents(audits, experiments) if experiments else ""
+    contents += _summary([record for audit in audits for record in audit["claims"]])
+    if not experiments and len(audits) > 1:
+        style += scoreboard.STYLE
+        sections.insert(0, scoreboard.scoreboard(audits))
     body = "\n".join(sections)
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -68,25 +80,56 @@ def _contents(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experim
     return f'<nav aria-label="Contents">\n<ul>\n{items}\n</ul>\n</nav>\n'
 
 
+def _summary(records: Sequence[Mapping[str, Any]]) -> str:
+    """How many claims there are of each verdict, and which of them are shown: a choice that needs no script."""
+    counts = {kind: sum(record["verdict"] in verdicts for record in records) for kind, verdicts in KINDS.items()}
+    found = [(kind, f"{count} {SAID.get(kind, kind)}") for kind, count in counts.items() if count]
+    choices = [("all", f"all {len(records)}"), *found]
+    labels = "\n".join(
+        f'<label><input type="radio" name="show" id="show-{kind}"{" checked" if kind == "all" else ""}> {words}</label>'
+        for kind, words in choices
+    )
+    return (
+        f'<p class="summary">{escape(audit_text.summary(records))}</p>\n'
+        f'<fieldset class="filter">\n<legend>Claims shown</legend>\n{labels}\n</fieldset>\n'
+    )
+
+
+def _rank(record: Mapping[str, Any]) -> int:
+    """What is wrong comes first."""
+    return next(rank for rank, verdicts in enumerate(KINDS.values()) if record["verdict"] in verdicts)
+
+
 def _paper(audit: Mapping[str, Any], number: int) -> str:
-    records = audit["claims"]
+    records = sorted(audit["claims"], key=_rank)
     articles = "\n".join(map(_claim, records))
     heading = f"<h2>{escape(audit['paper'])}</h2>"
     counted = f'<p class="counts">{escape(audit_text.summary(records))}</p>'
-    return f'<section id="formulas-{number}">\n{heading}\n{counted}\n{articles}\n</section>'
+    origin = "".join(f'<p class="where">{escape(line)}</p>' for line in _origin(audit))
+    return f'<section id="formulas-{number}">\n{heading}\n{counted}\n{origin}{articles}\n</section>'
+
+
+def _origin(audit: Mapping[str, Any]) -> Iterator[str]:
+    """Where the claims come from."""
+    if audit.get("doi"):
+        yield f"doi:{audit['doi']}"
+    if audit.get("url"):
+        commit = f", commit {audit['commit'][:12]}" if audit.get("commit") else ""
+        yield f"{audit['url'].removeprefix('https://')}{commit}"
+    if audit.get("seen"):
+        yield f"Seen: {audit['seen']}"
 
 
 def _claim(record: Mapping[str, Any]) -> str:
     verdict = record["verdict"]
-    places = [record["equation"], f"p. {record['page']}" if record["page"] else ""]
-    where = ", ".join(place for place in places if place)
     parts = [
-        _heading(record["id"], audit_text.WORDS[verdict], where),
+        _heading(record["id"], audit_text.WORDS[verdict], scoreboard.place(record)),
         f"<p><code>{escape(record['quantity'])}</code></p>" if record["quantity"] else "",
         _formula(record.get("printed_mathml", ""), record["printed"]),
         f"<p>{escape(record['reason'])}</p>",
         _details(record) if verdict in audit_text.WRONG else "",
         f'<p class="where">{escape(record["note"])}</p>' if record["note"] not in {"", record["printed"]} else "",
+        f'<p class="where">Seen: {escape(record["seen"])}</p>' if record.get("seen") else "",
     ]
     identity = escape(record["id"], quote=True)
     return f'<article class="{verdict}" id="{identity}">{"".join(parts)}</article>'

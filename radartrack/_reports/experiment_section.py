@@ -14,6 +14,7 @@ table.findings { border-collapse: collapse; width: 100%; font-size: .92rem; marg
 .findings th { font-weight: 400; } .findings thead th { color: var(--dim); } .findings td { overflow-wrap: break-word; }
 .agrees { color: var(--good); font-weight: 600; } .disagrees { color: var(--bad); font-weight: 600; }
 .depends { color: var(--open); font-weight: 600; }
+.found { font-size: 1.1rem; max-width: 46rem; }
 .remark { display: block; color: var(--dim); font-size: .85rem; }
 figure { margin: 1.5rem 0; } figcaption { font-size: .9rem; margin-top: .4rem; }
 figure img { display: block; width: 100%; max-width: 46rem; height: auto; background: #fff; border-radius: .3rem; }
@@ -48,7 +49,8 @@ class Experiment(NamedTuple):
         paper: the short name, as the claims file is called.
         title: the heading.
         findings: with the keys what, printed, ours, interval, verdict and remark.
-        figures: in the order in which they are read.
+        figures: in the order in which they are read, the one that shows what was found first.
+        found: what was found, in a sentence or two.
 
     """
 
@@ -56,6 +58,7 @@ class Experiment(NamedTuple):
     title: str
     findings: Sequence[Mapping[str, str]]
     figures: Sequence[Shown]
+    found: str = ""
 
 
 def section(experiment: Experiment) -> str:
@@ -63,12 +66,12 @@ def section(experiment: Experiment) -> str:
     rows = "\n".join(map(_row, experiment.findings))
     headings = "".join(f'<th scope="col" role="columnheader">{h}</th>' for h in ("what", *HEADINGS.values()))
     figures = "\n".join(map(_figure, experiment.figures))
+    found = f'<p class="found">{escape(experiment.found)}</p>\n' if experiment.found else ""
     return (
-        f'<section id="{identity(experiment)}">\n<h2>{escape(experiment.title)}</h2>\n'
-        f'<p class="counts">{NOTE}</p>\n'
+        f'<section id="{identity(experiment)}">\n<h2>{escape(experiment.title)}</h2>\n{found}{figures}\n'
+        f'<h3>The paper’s numbers beside ours</h3>\n<p class="counts">{NOTE}</p>\n'
         f'<table class="findings" role="table">\n<thead role="rowgroup"><tr role="row">{headings}</tr></thead>\n'
-        f'<tbody role="rowgroup">\n{rows}\n</tbody>\n</table>\n'
-        f"{figures}\n</section>"
+        f'<tbody role="rowgroup">\n{rows}\n</tbody>\n</table>\n</section>'
     )
 
 

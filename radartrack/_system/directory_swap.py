@@ -76,13 +76,25 @@ def replace_file(target: Path, content: str | bytes) -> None:
         OSError: the file system refuses, or there is a device, a pipe or a directory.
 
     """
+    replace_file_by(target, lambda new: _write(new, content))
+
+
+def replace_file_by(target: Path, write: Callable[[Path], None]) -> None:
+    """Replace a file, or create it, in one step by what `write` puts at the new place that it is handed.
+
+    A symbolic link at `target` is followed. Whatever goes wrong, the file is as before.
+
+    Raises:
+        OSError: the file system refuses, or there is a device, a pipe or a directory.
+        Exception: whatever `write` raises.
+
+    """
     target = Path(os.path.realpath(target))
     if target.exists() and not target.is_file():
         raise OSError(errno.EINVAL, "this is no file that could be replaced", str(target))
     new = target.with_name(f".swap-{secrets.token_hex(8)}")
     try:
-        with new.open("xb") as file:
-            file.write(content.encode() if isinstance(content, str) else content)
+        write(new)
         if target.exists():
             shutil.copymode(target, new)
         _flush(new)
@@ -91,6 +103,11 @@ def replace_file(target: Path, content: str | bytes) -> None:
         new.unlink(missing_ok=True)
         raise
     _flush(target.parent)
+
+
+def _write(new: Path, content: str | bytes) -> None:
+    with new.open("xb") as file:
+        file.write(content.encode() if isinstance(content, str) else content)
 
 
 def _beside(target: Path, role: str) -> Path:

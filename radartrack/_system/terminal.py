@@ -7,13 +7,29 @@ import os
 import re
 import sys
 import unicodedata
-from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from io import TextIOWrapper
 from typing import Any, Literal
 
 import typer
 from rich.console import Console
+
+from radartrack._system.harmless_text import harmless, one_line, shown
+
+__all__ = [
+    "NARROWEST",
+    "PLAIN_WIDTH",
+    "SPELLED",
+    "complain",
+    "console",
+    "error_console",
+    "harmless",
+    "one_line",
+    "prepare",
+    "report_lost_output",
+    "say",
+    "shown",
+]
 
 PLAIN_WIDTH = 120  # in a file or a pipe
 NARROWEST = 40  # columns below which nothing is laid out any more
@@ -26,8 +42,6 @@ _SIGNS = {
     "±": "+-", "√": "sqrt", "∞": "inf", "→": "->", "°": " deg", "∂": "d", "✗": "x", "“": '"', "”": '"', "„": '"',
     "‘": "'", "’": "'", "⋮": ":", "█": "#", "━": "-", "╸": "-", "╺": "-", "─": "-", "│": "|", "•": "*",
 }  # fmt: skip
-_UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}
-_HARMLESS = set("\n\t\u200c\u200d\u2061\u2062\u2063\u2064")  # joiners of letters, and what MathML does not show
 
 
 def prepare() -> None:
@@ -61,28 +75,6 @@ def complain(text: str) -> None:
     """Write one line to the error stream; when nobody can read it, that is no failure of what was asked for."""
     with suppress(OSError):
         typer.echo(one_line(text), err=True)
-
-
-def harmless(text: str) -> str:
-    """The text with what a terminal would obey, or what would reorder it, written out: ESC is shown as its number."""
-    return "".join(_written_out(sign) if _is_unseen(sign) else sign for sign in text)
-
-
-def one_line(text: str) -> str:
-    """Harmless, and without line breaks, so that it cannot pass for another line."""
-    return harmless(re.sub(r"\s*[\n\r\t\v\f\x85\u2028\u2029]\s*", " ", text))
-
-
-def shown(record: Any) -> Any:
-    """A record for people: every text in it, keys too, on one harmless line."""
-    match record:
-        case str():
-            return one_line(record)
-        case Mapping():
-            return {shown(name): shown(value) for name, value in record.items()}
-        case Sequence():
-            return [shown(value) for value in record]
-    return record
 
 
 def report_lost_output(error: OSError) -> None:
@@ -131,14 +123,6 @@ def _drop_what_is_left() -> None:
             with suppress(OSError):
                 os.dup2(nowhere, stream.fileno())
     os.close(nowhere)
-
-
-def _is_unseen(sign: str) -> bool:
-    return not sign.isprintable() and unicodedata.category(sign) in _UNSEEN and sign not in _HARMLESS
-
-
-def _written_out(sign: str) -> str:
-    return sign.encode("ascii", "backslashreplace").decode() if ord(sign) > 127 else f"\\x{ord(sign):02x}"
 
 
 def _spelled(error: UnicodeError) -> tuple[str, int]:

@@ -24,7 +24,8 @@ PROCESSES = 2
 
 def audit(
     files: Annotated[
-        list[Path] | None, typer.Argument(help="Claims files; without any, the papers that are shipped.")
+        list[Path] | None,
+        typer.Argument(help="Claims files, or what is shipped by its name: papers, literature, libraries, prosov."),
     ] = None,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the verdicts here as JSON.")] = None,
     html_out: Annotated[Path | None, typer.Option("--html", help="Write a page with typeset formulas here.")] = None,
@@ -38,13 +39,13 @@ def audit(
     Exit 0, or 2 when a file or a claim in it cannot be read, or a result cannot be written.
     """
     from radartrack._reports import audit_page, audit_table
-    from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims, shipped
+    from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims
 
     kept = [*(files or ()), *([model] if model else ())]
     output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, kept=kept)
     beside = declared(model)
     try:
-        papers = [read_claims(path, keep_unreadable=True) for path in files or shipped()]
+        papers = [read_claims(path, keep_unreadable=True) for path in chosen(files)]
     except ClaimsError as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None
@@ -62,6 +63,27 @@ def audit(
             terminal.complain(problem)
     if problems:
         raise typer.Exit(2)
+
+
+def chosen(files: list[Path] | None) -> list[Path]:
+    """The claims files that are meant: a path is itself, a name that is no path the files shipped under it.
+
+    Without any, the three papers whose experiments are repeated.
+
+    Raises:
+        ClaimsError: where there is neither.
+    """
+    from radartrack.derive.checking.papers.claims_file import ClaimsError, shipped, shipped_names
+
+    paths: list[Path] = []
+    for one in files or [Path("papers")]:
+        found = [one] if one.exists() or one.suffix else shipped(str(one))
+        if not found:
+            raise ClaimsError(
+                f"{one}: no such file, and no claims are shipped by this name: {', '.join(shipped_names())}"
+            )
+        paths += found
+    return paths
 
 
 def decided(
@@ -82,7 +104,7 @@ def decided(
         worlds += [declared_for_it] * len(paper.claims)
     records, errors = _decided(claims, worlds, timeout, typeset=typeset)
     rest = iter(records)
-    audits = [{"paper": p.paper, "file": p.name, "claims": [next(rest) for _ in p.claims]} for p in papers]
+    audits = [{**paper.told, "claims": [next(rest) for _ in paper.claims]} for paper in papers]
     places = [f"{paper.name}: " for paper in papers for _ in paper.claims]
     return audits, [place + error for place, error in zip(places, errors, strict=True) if error]
 

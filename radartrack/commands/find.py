@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from importlib.resources import files
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -84,7 +85,10 @@ def search_over(own: Collection[Quantity] = ()) -> FormulaSearch:
 def proved(
     candidates: Sequence[Candidate], decider: Decider, models: tuple[Mapping[str, Any], ...] = ()
 ) -> Iterator[tuple[Candidate, str]]:
-    """Those that a formula is proved to be, or is to many digits, and which of the two."""
+    """Those that a formula is proved to be, or is to many digits, and which of the two; perhaps in another convention.
+
+    In which convention a formula is another quantity's is what a check of it says.
+    """
     from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 
     for candidate in candidates[:PROVED]:
@@ -95,6 +99,9 @@ def proved(
             continue  # an entry that the quantity of today does not have
         if record["verdict"] in {"equal", "equal_numerically"}:
             yield candidate, "proved" if record["verdict"] == "equal" else record["reason"]
+        elif otherwise := next((one for one in record["remarks"] if one.startswith("equal ")), ""):
+            words = " ".join(part for part in (candidate.convention, otherwise.removeprefix("equal ")) if part)
+            yield replace(candidate, convention=words), "proved"
 
 
 def _tell(candidate: Candidate, proof: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import typer
 
 
-def pairs(given: list[str], option: str) -> dict[str, str]:
+def pairs(given: list[str], option: str, form: str = "name=formula, such as rho=0") -> dict[str, str]:
     """`name=value` as a mapping.
 
     Raises:
@@ -15,7 +15,7 @@ def pairs(given: list[str], option: str) -> dict[str, str]:
     for one in given:
         name, sign, value = one.partition("=")
         if not sign or not name.strip() or not value.strip():
-            raise typer.BadParameter(f"{one!r} must be name=formula, such as rho=0", param_hint=option)
+            raise typer.BadParameter(f"{one!r} must be {form}", param_hint=option)
         if name.strip() in found:
             raise typer.BadParameter(f"{name.strip()} is given twice", param_hint=option)
         found[name.strip()] = value.strip()

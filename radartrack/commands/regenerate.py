@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 from rich.progress import MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
@@ -18,36 +19,48 @@ if TYPE_CHECKING:
     from radartrack.derive.language.quantity import Quantity
 
 
+class Language(StrEnum):
+    """What is written."""
+
+    NUMPY = "numpy"
+    C = "c"
+
+
+SIGN = {Language.NUMPY: "__init__.py", Language.C: "radartrack.h"}  # by which a directory of each is known
+
+
 def regenerate(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; print how the disk differs.")] = False,
     out: Annotated[Path | None, typer.Option(help="Write here instead of the checkout's generated/.")] = None,
     model: ModelFile = None,
+    language: Annotated[Language, typer.Option(help="NumPy modules, or C99 headers.")] = Language.NUMPY,
 ) -> None:
     """Derive everything and write generated/ and the formula book; with --check, exit 1 where they differ from that.
 
-    With --model, what is derived is your models alone, and it wants --out.
+    With --model, what is derived is your models alone, and it wants --out; so does --language c.
     """
     from radartrack._regeneration import regeneration
     from radartrack.derive.language.stable_form import NotProved
 
-    directory = _directory(out, model)
+    directory = _directory(out, model, language)
     quantities = _quantities(model)
+    target = _target(language)
     if not check:
-        _refuse_unwritable(directory, regeneration.names(quantities))
+        _refuse_unwritable(directory, target.names(quantities))
     try:
         with _progress(len(quantities)) as step:
-            derivation = regeneration.derive(quantities, step)
+            derivation = target.derive(quantities, step)
             functions = derivation.functions
             known = regeneration.read_records(directory, quantities)
             measured = regeneration.as_recorded(functions, known)
             if not check:
                 measured = regeneration.with_measured(functions, known, step)
+        files = target.texts(derivation, measured)
     except regeneration.NotDerived as error:
         _refuse(f"Nothing was written: {error}")
     except NotProved as error:
         terminal.complain(f"Nothing was written: {error}")
         raise typer.Exit(2 if model else 1) from None
-    files = regeneration.texts(derivation, measured)
     found = [difference for difference in regeneration.differences(directory, files) if difference]
     if check:
         _report(found, directory)
@@ -58,14 +71,23 @@ def regenerate(
     terminal.say(f"{len(functions)} functions {done} {terminal.one_line(str(directory))}")
 
 
-def _directory(out: Path | None, model: Path | None) -> Path:
-    """Where the modules go.
+def _target(language: Language) -> Any:
+    """The module that names, derives and writes the files of a language."""
+    from radartrack._regeneration import c_headers, regeneration
+
+    return c_headers if language is Language.C else regeneration
+
+
+def _directory(out: Path | None, model: Path | None, language: Language) -> Path:
+    """Where the modules or headers go.
 
     Raises:
         typer.Exit: when that is not said, or is a place with files that no derivation wrote.
     """
     from radartrack._regeneration import regeneration
 
+    if out is None and language is Language.C:
+        _refuse("--language c wants --out DIR, the directory for the headers.")
     if out is None:
         source = None if model else regeneration.source_directory()
         if source is None:
@@ -76,6 +98,10 @@ def _directory(out: Path | None, model: Path | None) -> Path:
         _refuse(f"--out must be a directory; {out} is a file.")
     if not regeneration.may_be_written(out):
         _refuse(f"--out must be new, empty or written by this command; {out} holds other files.")
+    found = regeneration.owners(out)
+    for other in Language:
+        if other is not language and SIGN[other] in found.ours | found.edited:
+            _refuse(f"--out must be a directory for --language {language} alone; {out} is one of --language {other}.")
     return out
 
 

@@ -97,11 +97,11 @@ def _written(paper: Paper, found: Reproduction, out: Path) -> Experiment:
     for name, table in (*found.tables.items(), ("findings", found.findings_table())):
         written_files.write(out, f"{found.paper}_{name}.csv", table.csv())
     shown = []
-    for picture in paper.pictures(found):
+    for picture in sorted(paper.pictures(found), key=lambda one: one.name != found.shown_by):
         for name, content in picture.files().items():
             written_files.write(out, name, content)
         shown.append(Shown(picture.svg(), picture.caption, picture.alt))
-    return Experiment(found.paper, found.title, [vars(finding) for finding in found.findings], shown)
+    return Experiment(found.paper, found.title, [vars(finding) for finding in found.findings], shown, found.found)
 
 
 def _report(names: Sequence[str], experiments: Sequence[Experiment]) -> str:
@@ -119,6 +119,8 @@ def _report(names: Sequence[str], experiments: Sequence[Experiment]) -> str:
 def _show(found: Reproduction, console: Console) -> None:
     """The findings of one paper, the paper's number first."""
     console.print(f"\n[bold]{_cell(found.title)}[/bold]", highlight=False)
+    if found.found:
+        console.print(_cell(found.found), highlight=False)
     table = Table(box=None, pad_edge=False)
     for heading, share in (("what", 4), ("the paper", 2), ("ours", 3), ("interval", 2)):
         table.add_column(heading, overflow="fold", ratio=share)

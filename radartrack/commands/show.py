@@ -18,9 +18,11 @@ class Format(StrEnum):
     TEXT = "text"
     LATEX = "latex"
     PYTHON = "python"
+    C = "c"
 
 
-COMMENT = {Format.TEXT: "", Format.LATEX: "% ", Format.PYTHON: "# "}
+COMMENT = {Format.TEXT: "", Format.LATEX: "% ", Format.PYTHON: "# ", Format.C: "// "}
+CODE = {Format.PYTHON, Format.C}
 
 
 def show(
@@ -37,8 +39,8 @@ def show(
     from radartrack.derive.writing import quantity_text
 
     quantity, index = quantity_name.read(name, own_quantities(model).values())
-    if given and format is Format.PYTHON:
-        raise typer.BadParameter("code is that of the whole formula; leave --given or --format python out")
+    if given and format in CODE:
+        raise typer.BadParameter(f"code is that of the whole formula; leave --given or --format {format} out")
     try:
         conditions = conditions_for(refer_to(quantity), pairs(given or [], "--given"))
     except FormulaError as error:
@@ -49,8 +51,9 @@ def show(
         terminal.say(
             f"{COMMENT[format]}given:        {', '.join(f'{one} = {value}' for one, value in conditions.items())}"
         )
-    if format is Format.PYTHON:
-        terminal.say(f"\n{quantity_text.python(quantity, index)}")
+    if format in CODE:
+        code = quantity_text.python if format is Format.PYTHON else quantity_text.c
+        terminal.say(f"\n{code(quantity, index)}")
         return
     formula = {Format.TEXT: quantity_text.text, Format.LATEX: quantity_text.latex}[format]
     terminal.say(f"\n{formula(quantity, index, conditions)}")

@@ -31,8 +31,22 @@ if TYPE_CHECKING:
 
 CHECKPOINT = "radartrack-verify.jsonl"
 PLAIN_WIDTH = 140  # in a file or a pipe
-PATHS = {"function": "f", "arrays": "a", "one plot": "1", "machine code": "m"}  # in the table
+PATHS = {
+    "function": "f",
+    "arrays": "a",
+    "one plot": "1",
+    "machine code": "m",
+    "C": "c",
+    "C single": "s",
+}  # in the table
 INTERRUPTED = 130
+
+
+class Language(StrEnum):
+    """Which code is verified."""
+
+    NUMPY = "numpy"
+    C = "c"
 
 
 class EngineName(StrEnum):
@@ -42,7 +56,7 @@ class EngineName(StrEnum):
     DASK = "dask"
 
 
-def verify(  # noqa: PLR0913, PLR0917 - each is an option of the command
+def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     names: Annotated[list[str] | None, typer.Argument(help="Quantities or parts of names; without any, all.")] = None,
     full: Annotated[bool, typer.Option("--full", help="100 000 points, 100 000 000 draws, and mutants.")] = False,
     draws: Annotated[int | None, typer.Option(help="Draws at each point of the simulation.", min=1)] = None,
@@ -59,6 +73,9 @@ def verify(  # noqa: PLR0913, PLR0917 - each is an option of the command
         typer.Option(help="Kept while a run is not complete; the same run goes on from it.", show_default=CHECKPOINT),
     ] = None,
     model: ModelFile = None,
+    language: Annotated[
+        Language, typer.Option(help="NumPy as it is generated, or C99 as it would be, compiled here.")
+    ] = Language.NUMPY,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the record here.")] = None,
     prove: Annotated[
         Path | None,
@@ -67,7 +84,8 @@ def verify(  # noqa: PLR0913, PLR0917 - each is an option of the command
 ) -> None:
     """Measure every layer of verification and show the worst function first.
 
-    With --model, what is verified is the quantities of your models, whose code is derived first.
+    With --model, what is verified is the quantities of your models, whose code is derived first. With --language c
+    it is the functions of C in double and single precision, which take a C compiler: cc, or what CC names.
 
     Exit 1 when a layer fails, 2 for names that fit nothing or what cannot be written, 130 when interrupted.
     """
@@ -77,7 +95,8 @@ def verify(  # noqa: PLR0913, PLR0917 - each is an option of the command
     from radartrack.verification.campaign import FULL, QUICK, Campaign, report
     from radartrack.verification.engines import Unreachable
 
-    where = _engine(engine, scheduler, workers)
+    where = chosen_engine(engine, scheduler, workers)
+    _refuse_without_compiler(language)
     declared = _declared(model)
     chosen = _chosen(names or [], declared.quantities or catalogue())
     if prove is not None:
@@ -88,7 +107,7 @@ def verify(  # noqa: PLR0913, PLR0917 - each is an option of the command
         return
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
-    work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared)
+    work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared, language is Language.C)
     work = _with_checkpoint(work, asked_for=checkpoint is not None)
     output_files.refuse_unwritable({"--json": json_out}, kept=[work.kept.path] if work.kept.path else ())
     try:
@@ -127,6 +146,14 @@ def _prove(chosen: Sequence[str], path: Path) -> None:
             enough = ENOUGH * max(known.ulp, 0.5) if known is not None else 0.0
             rows[name] = certificate(quantity, source_of(quantity), enough, BOXES)
     write(rows, path)
+
+
+def _refuse_without_compiler(language: Language) -> None:
+    from radartrack.verification.compiled_c import COMPILERS, compiler
+
+    if language is Language.C and compiler() is None:
+        terminal.complain(f"--language c needs a C compiler; there is no {', '.join(COMPILERS)}, nor what CC names.")
+        raise typer.Exit(2)
 
 
 def _with_checkpoint(work: Campaign, *, asked_for: bool) -> Campaign:
@@ -203,7 +230,12 @@ def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity]) -> list
     return list(found) if patterns else known
 
 
-def _engine(name: EngineName, scheduler: str | None, workers: int | None) -> Engine:
+def chosen_engine(name: EngineName, scheduler: str | None, workers: int | None) -> Engine:
+    """Who does the work.
+
+    Raises:
+        typer.BadParameter: for options that do not go together, and without what is needed.
+    """
     from radartrack.verification.engines import Dask, Local
 
     if name is EngineName.LOCAL:

@@ -68,7 +68,18 @@ def reproduce(runs: int = RUNS, tracks: int = TRACKS, seed: int = 0, step: Step 
         "figure_1": _one_run((seed, 1)),
         "deviation_9": _deviation(tracks, seed, step),
     }
-    return Reproduction("gao", TITLE, tables, (*_examples(), *_fusions(compared), *_deviations(tables["deviation_9"])))
+    findings = (*_examples(), *_fusions(compared), *_deviations(tables["deviation_9"]))
+    return Reproduction("gao", TITLE, tables, findings, _found(tables["deviation_9"]), "gao_deviation_9")
+
+
+def _found(rows: Table) -> str:
+    """What the figure shows, in a sentence or two."""
+    speeds, estimates = rows.column("speed_m_s"), rows.column("printed_m")
+    return (
+        f"(9) does not measure the deviation: of {TRUE_STD:g} m it makes {number(estimates[0])} m at "
+        f"{speeds[0]:g} m/s and {number(estimates[-1], 3)} m at {speeds[-1]:g} m/s. Whether fusing by scatter is "
+        "better than by error propagation depends on the situation, which the paper does not give."
+    )
 
 
 def _fusion(compared: Mapping[str, Comparison]) -> Table:

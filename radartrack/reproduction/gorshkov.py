@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -55,7 +55,17 @@ def reproduce(trials: int = TRIALS, seed: int = 0, step: Step = silent) -> Repro
         step(f"Gorshkov: radar {name}")
         compared[name] = compare(radar, scans=SCANS, trials=trials, seed=(seed, name), false_alarm=FALSE_ALARM)
     tables = {"errors": _errors(compared), "gains": _gains(compared)}
-    return Reproduction("gorshkov", TITLE, tables, tuple(_findings(compared)))
+    findings = tuple(_findings(compared))
+    return Reproduction("gorshkov", TITLE, tables, findings, _found(findings), "gorshkov_figure_1")
+
+
+def _found(findings: Sequence[Finding]) -> str:
+    """What the figures show, in a sentence or two."""
+    agree = sum(finding.verdict == "agrees" for finding in findings)
+    wrong = (finding.what for finding in findings if finding.verdict != "agrees")
+    others = "; ".join(what[0].lower() + what[1:] for what in wrong)
+    rest = f" What differs: {others}." if others else ""
+    return f"{agree} of {len(findings)} statements hold, by simulation and by the closed forms.{rest}"
 
 
 def coefficient(radar: Radar) -> float:

@@ -74,7 +74,20 @@ def reproduce(
     }
     tables["map_fits"] = _fits(tables["map"], mapped_trials)
     step("Prosov: F as printed")
-    return Reproduction("prosov", TITLE, tables, (*_findings(tables, trials), _printed_transition(trials // 10, seed)))
+    findings = (*_findings(tables, trials), _printed_transition(trials // 10, seed))
+    found = _found(tables["figures_1_2"])
+    return Reproduction("prosov", TITLE, tables, findings, found, f"prosov_figure_{DEGREES[-1]}")
+
+
+def _found(rows: Table) -> str:
+    """What the figures show, in a sentence or two."""
+    last = rows.where(azimuth_std_deg=DEGREES[-1])
+    printed, right = (last.where(method=version).column("delta_x_percent")[-1] for version in VERSIONS)
+    return (
+        "The bias correction (10) is printed with the wrong sign, and as printed it changes the filter’s error of x by "
+        f"{number(printed)} % at {DEGREES[-1]}°; with the sign put right, by {number(right)} %. Plots that are weighed "
+        "by covariances computed from themselves add a bias of their own, which the wrong sign takes away."
+    )
 
 
 def figure(degrees: int, trials: int = TRIALS, seed: int = 0) -> Iterator[tuple[str, Tracked]]:

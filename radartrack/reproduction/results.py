@@ -85,12 +85,24 @@ class Finding:
 
 @dataclass(frozen=True)
 class Reproduction:
-    """One paper: its name, its tables by name, and what was found."""
+    """One paper: its name, its tables by name, and what was found.
+
+    Attributes:
+        paper: its short name.
+        title: the heading.
+        tables: the data, by name.
+        findings: the paper's numbers beside ours.
+        found: what was found, in a sentence or two.
+        shown_by: the name of the figure that shows it.
+
+    """
 
     paper: str
     title: str
     tables: Mapping[str, Table]
     findings: tuple[Finding, ...]
+    found: str = ""
+    shown_by: str = ""
 
     def findings_table(self) -> Table:
         """The findings as columns."""

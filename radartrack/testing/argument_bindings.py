@@ -6,14 +6,17 @@ import inspect
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice, pairwise, permutations, product
+from types import MappingProxyType
 from typing import Any
 
+from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.variable import Variable
 from radartrack.testing.argument_names import meanings
 from radartrack.testing.called_function import Binding, Form, Parameter
 
 MOST = 800  # ways to call a function that are tried
 TELLING = 2  # parameters with telling names that leave one other no choice
+USUAL = 12  # bindings of vectors, cut in all places as they are listed, before other orders are tried
 ORDERS = 120  # of the symbols in one vector
 
 Declared = Sequence[tuple[str, bool, bool]]  # name, whether it may be left out, whether it goes by name
@@ -45,6 +48,7 @@ def bindings(
     symbols: Sequence[Variable],
     stated: Mapping[str, str | Sequence[str]],
     needed: Collection[str],
+    pairs: Mapping[str, tuple[str, str]] = MappingProxyType({}),
 ) -> Iterator[Binding]:
     """The ways to call a function, the likeliest first.
 
@@ -53,13 +57,18 @@ def bindings(
         symbols: that a call has values for; correlations may stay without a place.
         stated: parameter → the symbol, or the symbols of a vector, that the user says it takes.
         needed: the symbols on which the quantity depends where all correlations are zero.
+        pairs: correlation → the two deviations that it joins.
     """
     given = declared(function)
     fewer = [symbol for symbol in symbols if symbol.name in needed]
     independent = [symbol for symbol in symbols if not symbol.is_correlation]
-    for known in dict.fromkeys(map(tuple, (symbols, independent, fewer))):
-        places = given if given is not None else [(f"argument {n + 1}", False, False) for n, _ in enumerate(known)]
-        yield from islice(_distinct(_all(places, known, stated)), MOST)
+    sets = list(dict.fromkeys(map(tuple, (symbols, independent, fewer))))
+    unnamed = [[(f"argument {n + 1}", False, False) for n, _ in enumerate(known)] for known in sets]
+    places = unnamed if given is None else [given] * len(sets)
+    for known, taken in zip(sets, places, strict=True):
+        yield from islice(_distinct(_numbers(taken, known, stated)), MOST)
+    for known, taken in zip(sets, places, strict=True):
+        yield from islice(_distinct(_arrays(taken, known, stated, pairs)), MOST)
 
 
 def _distinct(found: Iterator[Binding]) -> Iterator[Binding]:
@@ -70,7 +79,10 @@ def _distinct(found: Iterator[Binding]) -> Iterator[Binding]:
             yield one
 
 
-def _all(places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]) -> Iterator[Binding]:
+def _numbers(
+    places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]
+) -> Iterator[Binding]:
+    """A symbol for each parameter."""
     needed = {symbol.name for symbol in symbols if not symbol.is_correlation}
     required = [place for place in places if not place[1]]
     for chosen in _selections(places, required, symbols):
@@ -78,9 +90,21 @@ def _all(places: Declared, symbols: Sequence[Variable], stated: Mapping[str, str
         yield from first
         yield from (replace(one, form=Form.ARRAYS) for one in first)
         yield from islice((one for one in _scalars(chosen, symbols, stated) if needed <= set(one.symbols)), 1, None)
+
+
+def _arrays(
+    places: Declared,
+    symbols: Sequence[Variable],
+    stated: Mapping[str, str | Sequence[str]],
+    pairs: Mapping[str, tuple[str, str]],
+) -> Iterator[Binding]:
+    """Parameters that are vectors or covariance matrices."""
+    required = [place for place in places if not place[1]]
     for chosen in (required, list(places)):
         for form in (Form.SCALARS, Form.COLUMNS):
-            yield from (replace(one, form=form) for one in _vectors(chosen, symbols, stated))
+            for one in _vectors(chosen, symbols, stated):
+                yield replace(one, form=form)
+                yield from (replace(other, form=form) for other in _with_covariance(one, symbols, pairs))
 
 
 def _selections(places: Declared, required: Declared, symbols: Sequence[Variable]) -> Iterator[Declared]:
@@ -131,11 +155,54 @@ def _vectors(
             known[name] = (stated[name],) if isinstance(stated[name], str) else tuple(stated[name])  # type: ignore[assignment]
         elif len(places) > 1 and len(found := meanings(name, symbols)) == 1:
             known[name] = (found[0],)
-    vectors = [place for place in places if place[0] not in known]
+    fewer = list(_fewer(known, stated))
+    for part in (slice(0, USUAL), slice(USUAL, None)):
+        for named in fewer:
+            yield from islice(_filled(places, names, named, stated), part.start, part.stop)
+    free = set(names) - {name for one in known.values() for name in one}
+    correlations = {symbol.name for symbol in symbols if symbol.is_correlation}
+    if correlations & free:
+        yield from _vectors(places, [symbol for symbol in symbols if symbol.name not in correlations], stated)
+
+
+def _with_covariance(
+    binding: Binding, symbols: Sequence[Variable], pairs: Mapping[str, tuple[str, str]]
+) -> Iterator[Binding]:
+    """The same with deviations that are passed together as the covariance matrix of the errors."""
+    deviations = {symbol.name for symbol in symbols if is_deviation(symbol)}
+    for place, parameter in enumerate(binding.parameters):
+        own = [name for name in parameter.symbols if name in deviations]
+        joined = [name for name in parameter.symbols if name in pairs]
+        if len(own) > 1 and {*own, *joined} == set(parameter.symbols) and parameter.is_vector:
+            try:
+                correlated = tuple((own.index(a), own.index(b)) for a, b in map(pairs.__getitem__, joined))
+            except ValueError:  # a correlation with what is passed elsewhere
+                continue
+            matrix = replace(parameter, symbols=(*own, *joined), correlated=correlated)
+            yield replace(binding, parameters=(*binding.parameters[:place], matrix, *binding.parameters[place + 1 :]))
+
+
+def _fewer(
+    known: Mapping[str, tuple[str, ...]], stated: Mapping[str, str | Sequence[str]]
+) -> Iterator[Mapping[str, tuple[str, ...]]]:
+    """What parameters take by their names; then one of them as a vector all the same: `x` may be a whole state."""
+    yield known
+    for name in known:
+        if name not in stated:
+            yield {other: symbols for other, symbols in known.items() if other != name}
+
+
+def _filled(
+    places: Declared,
+    names: Sequence[str],
+    known: Mapping[str, tuple[str, ...]],
+    stated: Mapping[str, str | Sequence[str]],
+) -> Iterator[Binding]:
+    """Vectors of the symbols that no parameter takes by its name."""
+    count = sum(place[0] not in known for place in places)
     taken = {name for one in known.values() for name in one}
-    free = [name for name in names if name not in taken]
-    for orders in _orders(free):
-        for groups in _groups(orders, len(vectors)):
+    for orders in _orders([name for name in names if name not in taken]):
+        for groups in _groups(orders, count):
             left = iter(groups)
             filled = [(place, known.get(place[0]) or next(left)) for place in places]
             yield Binding(
@@ -149,9 +216,6 @@ def _vectors(
                     for (name, _, by_name), group in filled
                 )
             )
-    correlations = {symbol.name for symbol in symbols if symbol.is_correlation}
-    if correlations & set(free):
-        yield from _vectors(places, [symbol for symbol in symbols if symbol.name not in correlations], stated)
 
 
 def _orders(free: Sequence[str]) -> Iterator[tuple[str, ...]]:

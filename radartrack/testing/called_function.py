@@ -40,17 +40,32 @@ class Parameter:
         symbols: one, or several in one vector.
         is_vector: whether they are passed as a vector.
         is_keyword: whether it is passed by name.
+        correlated: of deviations that are passed as a covariance matrix, for each correlation among the symbols the
+            places of its deviations; None where they are passed as they are.
     """
 
     name: str
     symbols: tuple[str, ...]
     is_vector: bool = False
     is_keyword: bool = False
+    correlated: tuple[tuple[int, int], ...] | None = None
 
     @property
     def words(self) -> str:
         """`az: beta`, `state: (x, y)`."""
-        return f"{self.name}: ({', '.join(self.symbols)})" if self.is_vector else f"{self.name}: {self.symbols[0]}"
+        listed = ", ".join(self.symbols)
+        if self.correlated is not None:
+            return f"{self.name}: the covariance matrix of {listed}"
+        return f"{self.name}: ({listed})" if self.is_vector else f"{self.name}: {self.symbols[0]}"
+
+    def matrix(self, values: list[float]) -> Array:
+        """The covariance matrix of deviations, with the correlations that come after them."""
+        assert self.correlated is not None  # noqa: S101 - only then is there one
+        count = len(values) - len(self.correlated)
+        found = np.eye(count)
+        for (i, j), correlation in zip(self.correlated, values[count:], strict=True):
+            found[i, j] = found[j, i] = correlation
+        return found * np.outer(values[:count], values[:count])
 
 
 @dataclass(frozen=True)
@@ -78,7 +93,8 @@ class Binding:
         named: dict[str, Any] = {}
         for parameter in self.parameters:
             values = [self.changes.get(name, _itself)(point[name]) for name in parameter.symbols]
-            value = self._handed(values, is_vector=parameter.is_vector)
+            matrix = parameter.correlated is not None
+            value = parameter.matrix(values) if matrix else self._handed(values, is_vector=parameter.is_vector)
             if parameter.is_keyword:
                 named[parameter.name] = value
             else:

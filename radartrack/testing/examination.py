@@ -11,8 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
-from radartrack.derive.checking.comparing.order_of_difference import is_deviation
-from radartrack.derive.units import RADIAN
+from radartrack.derive.language.quantity import Quantity
 from radartrack.testing.argument_bindings import bindings
 from radartrack.testing.argument_names import is_degrees, is_variance
 from radartrack.testing.called_function import Array, Binding, Calls, Parameter, called
@@ -27,6 +26,7 @@ from radartrack.testing.function_conventions import (
     as_variances,
     deviations_of,
     in_degrees,
+    is_direction,
 )
 from radartrack.testing.function_slips import SlipSearch, merged
 from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
@@ -39,8 +39,9 @@ SCREENING = 24
 CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
-FAILING = 40  # ways to call it after which a function that raises at all of them is given up
+FAILING = 80  # ways to call it after which a function that raises at all of them is given up
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
+RIVALS = 6  # quantities of the same model in other symbols that the function may be
 READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
 EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
@@ -131,7 +132,8 @@ class Examination:
         found: list[Reading] = []
         callable_as: set[tuple[Parameter, ...]] = set()
         failed = 0
-        for binding in bindings(self._function, self._wanted.symbols, self._arguments, self._wanted.needed):
+        wanted, pairs = self._wanted, correlated_pairs(self._wanted.quantity)
+        for binding in bindings(self._function, wanted.symbols, self._arguments, wanted.needed, pairs):
             if binding.parameters in callable_as:  # in another form
                 continue
             here = list(self._of_binding(binding))
@@ -200,8 +202,9 @@ class Examination:
             self._troubles[calls.trouble] = None
             return
         tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
-        found = _unwrapped(calls.values, expected)
-        for wrong, arrangement in Arrangements(wanted, self._stated_order).best(found, expected.values, tolerance):
+        for wrong, arrangement in Arrangements(wanted, self._stated_order).best(
+            calls.values, expected.values, tolerance
+        ):
             yield Reading(wanted, replace(bound, changes=bound.changes), change, arrangement, wrong)
 
     @property
@@ -220,23 +223,40 @@ class Examination:
         """The quantity of the same model that the function is exactly."""
         own = self._wanted.quantity
         known = {symbol.name for symbol in first.wanted.symbols}
-        kin = [
-            one
-            for one in family(own)
-            if one.shape == own.shape
-            and one is not own
-            and known <= {symbol.name for symbol in one.symbols} <= known | set(first.wanted.given)
+        kin = [one for one in family(own) if one.shape == own.shape and one is not own]
+        kin.sort(key=lambda one: -SequenceMatcher(None, one.name, own.name).ratio())
+        alike = [
+            one for one in kin if known <= {symbol.name for symbol in one.symbols} <= known | set(first.wanted.given)
         ]
-        for quantity in sorted(kin, key=lambda one: -SequenceMatcher(None, one.name, own.name).ratio()):
-            given = {s.name: first.wanted.given[s.name] for s in quantity.symbols if s.name in first.wanted.given}
-            wanted = Wanted(quantity, first.wanted.places, first.wanted.shape, given)
-            self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
-            bare = replace(first.binding, changes={})
-            for change in (AS_ASKED, *argument_changes(wanted.symbols)):
-                exact = [one for one in self._read(wanted, bare, change) if one.wrong == 0]
-                if exact and change.cost <= 1:
-                    return replace(min(exact, key=lambda one: one.cost), other=True)
+        for quantity in alike:
+            if (found := self._as_kin(quantity, first)) is not None:
+                return found
+        others = [one for one in kin if one not in alike and self._wanted.given.keys() <= _names(one)]
+        return next((found for one in others[:RIVALS] if (found := self._as_another(one)) is not None), None)
+
+    def _as_kin(self, quantity: Quantity, first: Reading) -> Reading | None:
+        """The function as a quantity of the same symbols, which is called alike."""
+        given = {s.name: first.wanted.given[s.name] for s in quantity.symbols if s.name in first.wanted.given}
+        wanted = Wanted(quantity, first.wanted.places, first.wanted.shape, given)
+        self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
+        bare = replace(first.binding, changes={})
+        for change in (AS_ASKED, *argument_changes(wanted.symbols)):
+            exact = [one for one in self._read(wanted, bare, change) if one.wrong == 0]
+            if exact and change.cost <= 1:
+                return replace(min(exact, key=lambda one: one.cost), other=True)
         return None
+
+    def _as_another(self, quantity: Quantity) -> Reading | None:
+        """The function as a quantity of other symbols, such as another noise; only where nothing else is changed."""
+        stated = {parameter: symbols for parameter, symbols in self._arguments.items() if symbols in _names(quantity)}
+        wanted = Wanted(quantity, self._wanted.places, self._wanted.shape, self._wanted.given)
+        other = Examination(self._function, wanted, stated, self._stated)
+        try:
+            best = other._readings()[0]
+        except CannotDiagnose:
+            return None
+        self._tried |= {(quantity.name, *key): found for key, found in other._tried.items()}
+        return replace(best, other=True) if best.cost == 0 else None
 
     # What it has at points
 
@@ -406,7 +426,7 @@ class Examination:
             worst=_worst(expected, found, errors),
             convention=reading.words,
             differences=tuple(words) or ("it differs",),
-            undefined=tuple(_undefined(calls, found, expected)),
+            undefined=(*_undefined(calls, found, expected), *self._changing(reading)),
             remarks=self._remarks(reading, calls),
             arguments=_said(reading.binding),
         )
@@ -421,12 +441,9 @@ class Examination:
 
 def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -> Array:
     """Angles that come back, moved by whole turns to the exact ones; a turned one is as exact as the turn, no more."""
-    wanted = expected.wanted
-    if len(wanted.quantity.shape) > 1:
-        return found
     found = found.copy()
-    for column, place in enumerate(wanted.places):
-        if wanted.quantity.unit(place) == RADIAN and not any(is_deviation(s) for s in wanted.symbols):
+    for column, place in enumerate(expected.wanted.places):
+        if is_direction(expected.wanted, place):
             exact = expected.values[:, column]
             with np.errstate(all="ignore"):
                 turns = np.nan_to_num(np.round((found[:, column] - exact) / (2 * np.pi)), posinf=0.0, neginf=0.0)
@@ -507,6 +524,18 @@ def _size(expected: Expected, place: int) -> Iterator[float]:
     """The scales of the deviations at a point: the larger they are, the less of an edge it is."""
     for name in deviations_of(expected.wanted.symbols):
         yield float(np.log10(max(expected.points[name][place], 1e-300)))
+
+
+def correlated_pairs(quantity: Quantity) -> dict[str, tuple[str, str]]:
+    """The correlations of the errors of its model, each with the deviations that it joins."""
+    if quantity.model is None:
+        return {}
+    sigma = dict(zip(quantity.model.measured, quantity.model.deviations, strict=False))
+    return {rho.name: (sigma[a].name, sigma[b].name) for (a, b), rho in quantity.model.correlations.items()}
+
+
+def _names(quantity: Quantity) -> set[str]:
+    return {symbol.name for symbol in quantity.symbols}
 
 
 def _said(binding: Binding) -> tuple[str, ...]:

@@ -151,24 +151,30 @@ class Arrangements:
         self._size = len(wanted.places)
 
     @cached_property
-    def units(self) -> list[tuple[str, Array, Array, int]]:
-        """Words, factors, offsets, cost."""
+    def units(self) -> list[tuple[str, Array, Array, float]]:
+        """Words, factors, offsets, cost; degrees of an azimuth from the other axis are both."""
         ones, zeros = np.ones(self._size), np.zeros(self._size)
-        found = [("", ones, zeros, 0)]
+        senses = [("", ones, zeros, 0.0), *self._senses(ones, zeros)]
         powers = np.array([float(self._wanted.quantity.unit(place).radian) for place in self._wanted.places])
-        if powers.any():
-            found.append(("the result in degrees", HALF_TURN**powers, zeros, 1))
-        found.append(("the opposite sign", -ones, zeros, 1))
+        if not powers.any():
+            return senses
+        degrees = HALF_TURN**powers
+        inner = [(f"{words} and " if words else "", *rest) for words, *rest in senses]
+        return senses + [
+            (f"{words}the result in degrees", factors * degrees, offsets * degrees, cost + 1)  # type: ignore[operator]
+            for words, factors, offsets, cost in inner
+        ]
+
+    def _senses(self, ones: Array, zeros: Array) -> Iterator[tuple[str, Array, Array, float]]:
+        """In which sense angles are counted, and what is subtracted from what."""
+        yield "the opposite sign", -ones, zeros, 1.0
         if (turned := self._azimuth) is not None:
             offset = np.where(turned, np.pi / 2, 0.0) if self._is_map else zeros
-            found.append(
-                ("the azimuth counted from the other axis (pi/2 - beta)", np.where(turned, -1.0, 1.0), offset, 1)
-            )
+            yield "the azimuth counted from the other axis (pi/2 - beta)", np.where(turned, -1.0, 1.0), offset, 1.0
         if AZIMUTH in self._names:
             column = self._names.index(AZIMUTH)
             often = np.array([place[1:].count(column) for place in self._wanted.places])
-            found.append((f"the derivative by {AZIMUTH} likewise", (-1.0) ** often, zeros, 0))
-        return found
+            yield f"the derivative by {AZIMUTH} likewise", (-1.0) ** often, zeros, 0.0
 
     @cached_property
     def _azimuth(self) -> npt.NDArray[np.bool_] | None:
@@ -183,6 +189,11 @@ class Arrangements:
     @property
     def _is_map(self) -> bool:
         return len(self._wanted.quantity.shape) == 1
+
+    @cached_property
+    def _angles(self) -> npt.NDArray[np.bool_]:
+        """The entries that are directions, which whole turns do not change."""
+        return np.array([is_direction(self._wanted, place) for place in self._wanted.places])
 
     @cached_property
     def orders(self) -> list[tuple[str, tuple[int, ...], float]]:
@@ -212,7 +223,9 @@ class Arrangements:
             if offsets.any():
                 back = np.where(offsets[:, np.newaxis] != 0, np.angle(np.exp(1j * back)), back)
             with np.errstate(all="ignore"):
-                near = np.abs(back - expected[:, :, np.newaxis]) <= tolerance[:, :, np.newaxis]
+                away = back - expected[:, :, np.newaxis]
+                away[:, self._angles] = np.angle(np.exp(1j * away[:, self._angles]))
+                near = np.abs(away) <= tolerance[:, :, np.newaxis]
             same = np.all(near, axis=0)
             counted = [(self._wrong(same, sources), own, said, sources) for said, sources, own in self.orders]
             for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
@@ -222,6 +235,13 @@ class Arrangements:
     def _wrong(self, same: npt.NDArray[np.bool_], sources: tuple[int, ...]) -> int:
         entries = self._wanted.entries
         return len({entries[place] for place, source in enumerate(sources) if not same[place, source]})
+
+
+def is_direction(wanted: Wanted, place: Index) -> bool:
+    """Whether an entry of a map is an angle that has a value modulo a turn, and is no error."""
+    quantity = wanted.quantity
+    is_angle = len(quantity.shape) <= 1 and quantity.unit(place) == RADIAN
+    return is_angle and not any(is_deviation(symbol) for symbol in wanted.symbols)
 
 
 def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, _Move, float]]:

@@ -15,11 +15,13 @@ from pathlib import Path
 from typing import Any
 
 from radartrack.derive.language.quantity import Quantity
+from radartrack.verification import compiled_c
 from radartrack.verification.checkpoint import Checkpoint, digest_of
 from radartrack.verification.engines import Engine
 from radartrack.verification.layers import monte_carlo
 from radartrack.verification.layers.dimensions import Dimensions
 from radartrack.verification.layers.identity import Identity
+from radartrack.verification.layers.loosened import in_single
 from radartrack.verification.layers.mutants import Mutants
 from radartrack.verification.layers.quadrature import Quadrature
 from radartrack.verification.layers.rounding import Rounding
@@ -67,9 +69,10 @@ class Effort:
         return [*found, Mutants(self.mutants, self.seed)] if self.mutants else found
 
     def layers_along(self, path: str) -> list[Layer]:
-        """Those that look at code; a derivation, its mutants and the function as written are looked at once."""
-        once = Identity | Mutants | Rounding
-        return [layer for layer in self.layers if path == FUNCTION or not isinstance(layer, once)]
+        """Those that look at code; a derivation and its mutants are looked at once, with the function."""
+        return [
+            layer for layer in self.layers if path == FUNCTION or not isinstance(layer, Identity | Mutants | Rounding)
+        ]
 
 
 QUICK = Effort(points=2_000, nodes=1, draws=1 << 20, mutants=0)
@@ -94,6 +97,9 @@ class Examination:
         """The outcome as JSON has it."""
         try:
             quantity = self.own.find(self.name)
+            if self.path in compiled_c.PATHS:
+                layer = in_single(self.layer) if self.path == compiled_c.SINGLE else self.layer
+                return asdict(examined(layer, quantity, compiled_c.along(self.path, quantity)))
             function = self.own.function(quantity)
             subject = (quantity, function) if function else along(self.path, quantity)
             return asdict(examined(self.layer, *subject))
@@ -110,12 +116,14 @@ class Campaign:
         effort: spent on each.
         checkpoint: a file to go on from, or the place for one; None for none.
         own: models of one's own that the names may be of; their code is added before anything runs.
+        in_c: whether what is verified is the code in C, compiled, in both precisions.
     """
 
     names: Sequence[str]
     effort: Effort
     checkpoint: Path | None = None
     own: OwnModels = NONE
+    in_c: bool = False
     _trials: dict[str, list[Trial]] = field(default_factory=dict)
     _reasons: dict[str, str] = field(default_factory=dict)
 
@@ -127,7 +135,7 @@ class Campaign:
             NotACheckpoint: when the file that is given holds something else.
         """
         return Checkpoint(
-            self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, *self.own.tables)))
+            self.checkpoint, digest_of(_sources(), repr((sorted(self.names), self.effort, self.in_c, *self.own.tables)))
         )
 
     def run(self, engine: Engine, step: Step) -> list[dict[str, Any]]:
@@ -145,15 +153,23 @@ class Campaign:
 
     def _tasks(self) -> Iterator[Examination | Draws]:
         for name in self.names:
-            for layer in self.effort.layers:
+            for layer in self._layers:
                 yield from self._examinations(name, layer)
         for name in self.names:
             for trial in self._simulations(self._find(name)):
                 yield from tasks_for(trial.experiment, self.effort.draws)
 
     def _examinations(self, name: str, layer: Layer) -> list[Examination]:
-        paths = paths_of(self._find(name))
+        paths = self._paths(self._find(name))
         return [Examination(name, layer, path, self.own) for path in paths if layer in self.effort.layers_along(path)]
+
+    @property
+    def _layers(self) -> list[Layer]:
+        """Those of the effort; for C those that look at code."""
+        return self.effort.layers_along(compiled_c.DOUBLE) if self.in_c else self.effort.layers
+
+    def _paths(self, quantity: Quantity) -> tuple[str, ...]:
+        return compiled_c.PATHS if self.in_c else paths_of(quantity)
 
     def _find(self, name: str) -> Quantity:
         return self.own.find(name)
@@ -175,10 +191,10 @@ class Campaign:
 
     def _record(self, name: str, done: Mapping[str, Any]) -> dict[str, Any]:
         quantity = self._find(name)
-        outcomes = [self._along_all_paths(self._examinations(name, layer), done) for layer in self.effort.layers]
+        outcomes = [self._along_all_paths(self._examinations(name, layer), done) for layer in self._layers]
         outcomes.append(asdict(self._monte_carlo(quantity, done)))
         verdict = max(map(Outcome.read, outcomes), key=lambda outcome: outcome.severity).verdict
-        return {"quantity": name, "verdict": verdict, "paths": list(paths_of(quantity)), "layers": outcomes}
+        return {"quantity": name, "verdict": verdict, "paths": list(self._paths(quantity)), "layers": outcomes}
 
     def _along_all_paths(self, tasks: Sequence[Examination], done: Mapping[str, Any]) -> dict[str, Any]:
         """The worst outcome of one layer, and the figure of each path."""
@@ -194,8 +210,24 @@ class Campaign:
         planned = self._simulations(quantity)
         if not planned:
             return Outcome.failed(monte_carlo.NAME, self._reasons[quantity.name])
-        results = ((trial, self._sums(trial, done), _departures(quantity, trial)) for trial in planned)
+        results = ((trial, self._sums(trial, done), self._departures(quantity, trial)) for trial in planned)
         return monte_carlo.decided(results, budget(quantity))
+
+    def _departures(self, quantity: Quantity, trial: Trial) -> dict[str, Departures]:
+        """How far other paths depart from the function that was simulated; one that breaks down is nowhere.
+
+        Where errors are small, a simulation tells apart what single precision does not.
+        """
+        found = {}
+        for path in self._paths(quantity):
+            if path in {FUNCTION, compiled_c.SINGLE}:
+                continue
+            try:
+                other = compiled_c.along(path, quantity) if self.in_c else along(path, quantity)[1]
+                found[path] = departures(quantity, trial, self._function(quantity), other)
+            except BROKEN:
+                found[path] = (math.nan,)
+        return found
 
     def _sums(self, trial: Trial, done: Mapping[str, Any]) -> Sums | ValueError:
         total: Sums | None = None
@@ -217,17 +249,6 @@ def report(records: Sequence[Mapping[str, Any]], effort: Effort) -> dict[str, An
         "versions": {"python": platform.python_version(), "radartrack": _own_version(), **versions},
         "functions": list(records),
     }
-
-
-def _departures(quantity: Quantity, trial: Trial) -> dict[str, Departures]:
-    """How far the conversions depart from the function that was simulated; one that breaks down is nowhere."""
-    others, found = paths_of(quantity)[1:], {}
-    for path in others:
-        try:
-            found[path] = departures(quantity, trial, generated(quantity), along(path, quantity)[1])
-        except BROKEN:
-            found[path] = (math.nan,)
-    return found
 
 
 def _installed(name: str) -> bool:

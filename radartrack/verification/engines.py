@@ -17,6 +17,7 @@ from radartrack._system.worker_processes import Workers, ended_on_failure, serve
 Task = Callable[[], Any]
 Results: TypeAlias = Generator[tuple[int, Any], None, None]
 AHEAD = 3  # tasks per worker that wait for their turn; the rest is not made before it is needed
+PATIENCE = 10  # seconds for a scheduler to answer
 
 
 class Unreachable(RuntimeError):
@@ -114,7 +115,7 @@ class Dask:
         logging.disable(logging.CRITICAL)
         try:
             distributed.comm.resolve_address(self.scheduler)
-            return distributed.Client(self.scheduler, set_as_default=False)
+            return distributed.Client(self.scheduler, timeout=PATIENCE, set_as_default=False)
         except (OSError, OverflowError, ValueError) as error:
             raise Unreachable(f"the Dask scheduler {self.scheduler!r} cannot be reached: {error}") from None
         finally:

@@ -18,6 +18,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.verification.domain_points import Points
 
 Norm = Callable[[list[float]], float]
+SINGLE = 2.0**29  # ulp of double precision in one of single precision
 Exact = Callable[[Tensor[Expr], Sequence[Symbol]], Callable[[Sequence[float]], Tensor[Any]]]
 
 
@@ -53,6 +54,11 @@ def errors(
     """The largest error of any entry at each point, in ulp of what `Yardstick` measures it against."""
     computed = np.asarray(function(**points), dtype=np.float64).reshape(-1, math.prod(quantity.shape))
     return np.asarray(Yardstick(quantity, points, exact_arithmetic).errors(computed).max(axis=-1))
+
+
+def in_single(points: Points) -> Points:
+    """The points that single precision has closest to these."""
+    return {name: values.astype(np.float32).astype(np.float64) for name, values in points.items()}
 
 
 def _scales(quantity: Quantity, exact_arithmetic: Exact) -> Callable[[tuple[float, ...], tuple[Any, ...]], list[float]]:

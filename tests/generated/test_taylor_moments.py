@@ -113,6 +113,7 @@ MOMENTS = {
     "bias.fourth_order": mean_of(4),
     "covariance.linear": covariance_of(1),
     "covariance.second_order": covariance_of(2),
+    "covariance.third_order": covariance_of(3),
     "std.linear": linear_deviations,
     "std.position": root_mean_square_deviation,
     "validity.linear": neglected_after(1),

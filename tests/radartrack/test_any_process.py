@@ -181,6 +181,24 @@ def test_numpy_serves_where_the_numba_that_is_installed_cannot_be_loaded(text: s
     assert run(SERVED + "served()", "numba", PYTHONPATH=path) == "served\n"
 
 
+FORKED_WHILE_IT_LOADS = (
+    SERVED.replace("os.write", "assert 'numba' in sys.modules; os.write")
+    + f"""
+threading.Thread(target=machine_code.is_available).start()
+while "numba" not in sys.modules:
+    time.sleep(1e-3)
+{FORKED}"""
+)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
+def test_a_process_that_is_forked_while_another_thread_loads_numba_is_served(tmp_path: Path) -> None:
+    (tmp_path / "numba").mkdir()
+    (tmp_path / "numba" / "__init__.py").write_text("import time; time.sleep(0.3)")
+    path = os.pathsep.join(filter(None, [str(tmp_path), os.environ.get("PYTHONPATH")]))
+    assert run(FORKED_WHILE_IT_LOADS, "numba", PYTHONPATH=path) == "served\nserved\n"
+
+
 KEPT = """
 import sys, numpy as np, radartrack as rt
 from radartrack._arrays import machine_code

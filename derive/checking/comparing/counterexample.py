@@ -30,6 +30,7 @@ from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 
 MATTERS = 0.01  # a relative difference that nobody overlooks
+TELLS = 1e3  # one beyond which the derived value may only happen to vanish at a point
 DOMAIN_POINTS = 40
 STEP = 0.5
 NEARLY_NOTHING = 0.05  # of its floor: where a scale is less, a difference is not measured against it
@@ -39,18 +40,20 @@ SAME = 1e-6  # relative differences that are one but for rounding
 def find_difference(comparison: Comparison, domain: Domain) -> Values | None:
     """The plainest round point at which the formulas differ by an amount that matters, else where they differ most.
 
-    Points of ordinary size come after the round ones, then points all over the domain.
+    Points of ordinary size come after the round ones, then points all over the domain. A point at which the derived
+    value vanishes, as a difference does where all symbols are alike, tells less than any other.
     """
     found: list[Values] = []
-    for point in domain.round():
-        values = comparison.differ_at(point)
-        if values is not None and values.relative >= MATTERS:
-            return values
-        found += [values] if values else []
-    if found:
-        return max(found, key=lambda values: values.relative)
     others = chain(domain.ordinary(6), domain.spread(12))
-    return next((values for point in others if (values := comparison.differ_at(point))), None)
+    for points in (domain.round(), others):
+        for point in points:
+            values = comparison.differ_at(point)
+            if values is not None and (MATTERS <= values.relative <= TELLS or (points is others and not found)):
+                return values
+            found += [values] if values else []
+        if found and all(values.relative < MATTERS for values in found):
+            return max(found, key=lambda values: values.relative)
+    return found[0] if found else None
 
 
 @dataclass(frozen=True)
@@ -128,7 +131,8 @@ class Relative:
 
 def worst_over_domain(relative: Relative, domain: Domain, start: Point) -> Worst:
     """The largest relative difference among points of the domain, and where steps from its corners and zeros lead."""
-    best = _largest(relative.at(start, anywhere=True), domain.spread(DOMAIN_POINTS), relative)
+    here = relative.at(start, anywhere=True)
+    best = _largest(here if here.relative <= TELLS else relative.at(start), domain.spread(DOMAIN_POINTS), relative)
     for symbol in domain.symbols:
         moved = [best.point | {symbol.name: value} for value in _neighbours(symbol, best.point, STEP)]
         best = _largest(best, filter(domain.contains, moved), relative)

@@ -1,4 +1,7 @@
-"""Beside what an entry may not nearly vanish where its difference is measured against it."""
+"""Beside what an entry may not nearly vanish where its difference is measured against it.
+
+Where its terms cancel, a formula is as small as one likes, and every difference as large beside it.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from radartrack.derive.language.tensor import Index
 from radartrack.derive.symbolic import Expr
 
 
-def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
+def squared_scale(reference: Reference, entry: Index) -> tuple[Expr, str]:
     """Beside the entries of its unit for one of a tensor, beside its variances for a covariance, else beside itself.
 
     Returns:
@@ -29,3 +32,11 @@ def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
     beside = [one for index, one in whole.items() if part.quantity.unit(index) == unit]
     words = "the entries of its unit together" if len(beside) > 1 else ""
     return sp.Add(*(one**2 for one in beside)), words
+
+
+def squared_floor(reference: Reference, entry: Index) -> tuple[Expr, str]:
+    """Beside what an entry may not nearly vanish: its scale; for a sum that is no quantity its terms, which cancel."""
+    formula = sp.unguarded(reference.entries[entry])
+    if reference.part is not None or not formula.is_Add:
+        return squared_scale(reference, entry)
+    return sp.Add(*(term**2 for term in formula.args)), "its terms together"

@@ -14,10 +14,11 @@ from radartrack.derive.checking.question.conditions import under, when_zero
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import RADIAN, Unit
+from radartrack.derive.units import RADIAN, SECOND, Unit
 
 IN_DEGREES = sp.Integer(180) / sp.pi
 PER_RADIAN = RADIAN**-1
+PER_SECOND = RADIAN / SECOND
 Name = TypeVar("Name")
 ONE, NOTHING = sp.Integer(1), sp.Integer(0)
 
@@ -89,7 +90,7 @@ OURS = Convention()
 
 def conventions(asked: Asked) -> Iterator[Convention]:
     """Ours, each other one alone, and every two that go together; each with and without correlation."""
-    angles, returned = [*_other_axes(asked)], [*_returned_angles(asked)]
+    angles, returned = [*_other_axes(asked), *_other_senses(asked)], [*_returned_angles(asked)]
     degrees, variances = [*_degrees(asked)], [*_variances(asked)]
     kinds = (angles, returned, degrees, variances)
     singles = [OURS, *chain.from_iterable(kinds)]
@@ -128,6 +129,15 @@ def _other_axes(asked: Asked) -> Iterator[Convention]:
             words = tuple(f"-{one} for {one}" for one in free)
             both: dict[Symbol, Expr] = {**changes, **opposite}
             yield Convention((*replaced, *words), notes, both, both, (), factors, {}, cost + 0.1, is_slip=True)
+
+
+def _other_senses(asked: Asked) -> Iterator[Convention]:
+    """A rate of turn counted the other way: clockwise."""
+    for one in asked.reference.symbols:
+        if one.unit == PER_SECOND and one.low < 0 < one.high and one in _used(asked):
+            opposite: dict[Symbol, Expr] = {one: -one}
+            words, notes = (f"-{one} for {one}",), ("counted the other way",)
+            yield Convention(words, notes, opposite, opposite, cost=0.9, is_slip=True)
 
 
 def _derived_by(asked: Asked, names: Sequence[str]) -> bool:

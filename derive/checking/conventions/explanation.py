@@ -8,7 +8,12 @@ from functools import cached_property, lru_cache
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.equality import proved_equal
-from radartrack.derive.algebra.principal_angles import equal_angles, equal_modulo_half_turn, equal_modulo_turn
+from radartrack.derive.algebra.principal_angles import (
+    equal_angles,
+    equal_function,
+    equal_modulo_half_turn,
+    equal_modulo_turn,
+)
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.convention import Convention, conventions
 from radartrack.derive.checking.conventions.entry_order import Arrangement, arrangements_that_fit
@@ -105,9 +110,15 @@ def _turn(printed: Expr, expected: Expr) -> str:
     """How far two angles agree: up to a turn, or where what an inverse tangent divides by is positive."""
     if equal_modulo_turn(printed, expected):
         return "up to whole turns"
-    if not equal_modulo_half_turn(printed, expected):
-        return ""
-    return f"where {half_plane(printed, expected)}"
+    if equal_modulo_half_turn(printed, expected):
+        return f"where {half_plane(printed, expected)}"
+    for inverse in expected.atoms(sp.atan2) if expected.is_Function else ():
+        above, beside = inverse.args
+        if printed.func is sp.acos and equal_function(printed, expected, sp.cos):
+            return f"where {above} > 0"
+        if printed.func is sp.asin and equal_function(printed, expected, sp.sin):
+            return f"where {beside} > 0"
+    return ""
 
 
 def half_plane(printed: Expr, expected: Expr) -> str:

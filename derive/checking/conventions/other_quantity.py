@@ -7,7 +7,7 @@ is looked up, so that only few equalities are left to prove.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from functools import lru_cache
@@ -32,11 +32,13 @@ from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import Unit
 
 SECONDS = 2.0  # of one core, spent on deriving other quantities to compare with
 RIVALS = 6  # quantities of other models that a formula is read again for
 PREDICTED = "predicted_"
 TRIALS = 8  # conventions in which the print is compared with them
+_processor_time: Callable[[], float] = getattr(time, "thread_time", time.perf_counter)  # browsers do not count it
 
 
 @dataclass(frozen=True)
@@ -85,10 +87,10 @@ def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
 
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
-    deadline = time.thread_time() + SECONDS
+    deadline = _processor_time() + SECONDS
     for quantity in _candidates(part.quantity):
         for places, name in _slices(part, quantity):
-            if time.thread_time() > deadline:
+            if _processor_time() > deadline:
                 return
             if asked.may_be(quantity, places):
                 yield from (f"{sign}{name}{words}" for sign, words in _equalities(trials, quantity, places))
@@ -157,11 +159,16 @@ def rivals(reference: Reference) -> list[str]:
         common = words & set(other.name.split(".")[1:])
         if other is part.quantity or other.shape != part.quantity.shape or not common:
             continue
-        if set(other.symbols) == set(part.quantity.symbols):
+        if _with_units(other) == _with_units(part.quantity):
             continue  # one of those that are compared by value
         if all(Dimension.of(other.unit(p)).agrees(d) for p, d in zip(part.places, dimensions, strict=True)):
             found.append((-len(common), other.name + _brackets(part, other)))
     return [name for _, name in sorted(found)[:RIVALS]]
+
+
+def _with_units(quantity: Quantity) -> set[tuple[str, Unit]]:
+    """The symbols of a quantity; those of one name may be of several units."""
+    return {(symbol.name, symbol.unit) for symbol in quantity.symbols}
 
 
 def _candidates(quantity: Quantity) -> list[Quantity]:

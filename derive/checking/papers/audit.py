@@ -50,11 +50,4 @@ def decisions(claim: Claim, world: World = CATALOGUE) -> Iterator[Verdict]:
 
 def record(claim: Claim, verdict: Verdict) -> dict[str, Any]:
     """A claim with its verdict as plain data."""
-    told = {
-        "id": claim.id,
-        "equation": claim.equation,
-        "page": claim.page,
-        "note": claim.note,
-        "at": dict(claim.at),
-    }
-    return told | verdict.record()
+    return claim.told | verdict.record()

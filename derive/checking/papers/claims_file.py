@@ -30,6 +30,10 @@ OF_UNIT = re.compile(r"[^\W\d_]+")
 HIGHEST_ORDER = 12  # in the deviations
 BOUND = re.compile(rf"(?P<number>{NUMBER.pattern})\s*(?P<unit>.*)")
 DECLARED = ("paper", "doi", "symbols", "let", "given", "model", "define")  # what a file says for all its claims
+ORIGIN = ("kind", "url", "commit", "seen")  # where a file has its claims from
+KINDS = ("paper", "library")
+TOLD = ("id", "equation", "page", "note", "file", "lines", "seen", "matters", "repair", "finding")
+SHIPPED = Path(__file__).parents[2] / "claims"
 WORLD = ("symbols", "let", "given", "model", "define")  # of these, what formulas can use
 TRENDS = ("increasing", "decreasing", "convex", "concave")
 
@@ -80,6 +84,12 @@ class Claim:
         equation: number in print.
         page: in print.
         note: what a reader should know, such as what is illegible.
+        file: in the sources of a library.
+        lines: of that file.
+        seen: where the formula was seen printed, or from where its form is known, if not as the others of the file.
+        matters: of a claim that is wrong, what a radar would see of it.
+        repair: of a claim that is wrong, what would be right, where nothing is suggested.
+        finding: of a claim that is wrong, the page of `docs/findings` about it, without its ending.
         unreadable: what is wrong with the fields in a file; nothing else of the claim is known then.
     """
 
@@ -114,6 +124,12 @@ class Claim:
     equation: str = ""
     page: str = ""
     note: str = ""
+    file: str = ""
+    lines: str = ""
+    seen: str = ""
+    matters: str = ""
+    repair: str = ""
+    finding: str = ""
     unreadable: str = ""
 
     @property
@@ -146,6 +162,22 @@ class Claim:
         return f"{number} {self.unit}" if has_unit else number
 
     @property
+    def told(self) -> dict[str, Any]:
+        """What a record tells of the claim beside the verdict."""
+        return {name: getattr(self, name) for name in TOLD} | {"sense": self.sense, "at": dict(self.at)}
+
+    @property
+    def sense(self) -> str:
+        """In which sense a formula is right, where it is not exactly: to an order, in a limit, nearly."""
+        return ", ".join(
+            [
+                *([f"to order {self.to_order}"] if self.to_order is not None else []),
+                *(f"where {name} goes to {value}" for name, value in self.limit.items()),
+                *([f"to {self.error_at_most}"] if self.error_at_most else []),
+            ]
+        )
+
+    @property
     def settings(self) -> str:
         """Where a number is meant, as short text."""
         return ", ".join(f"{name} = {value}" for name, value in self.at.items())
@@ -160,12 +192,27 @@ class ClaimsFile:
         paper: author, title, year.
         claims: in their order.
         declared: what the file says beside claims, models and their symbols, as data; it is read with the first claim.
+        kind: paper, or library of code.
+        doi: of the paper, where there is one.
+        url: of the library.
+        commit: of its sources.
+        seen: where the formulas were seen printed, or from where their form is known.
     """
 
     name: str
     paper: str
     claims: tuple[Claim, ...]
     declared: tuple[Mapping[str, Any], ...] = ()
+    kind: str = "paper"
+    doi: str = ""
+    url: str = ""
+    commit: str = ""
+    seen: str = ""
+
+    @property
+    def told(self) -> dict[str, Any]:
+        """What an audit tells of the file beside its claims."""
+        return {"paper": self.paper, "file": self.name} | {name: getattr(self, name) for name in ("doi", *ORIGIN)}
 
 
 def read_claims(path: Path, *, keep_unreadable: bool = False) -> ClaimsFile:
@@ -222,17 +269,31 @@ def _content(path: Path) -> bytes:
     return content
 
 
-def shipped() -> list[Path]:
-    """The claims files that come with the package, by name."""
-    return sorted((Path(__file__).parents[2] / "claims").glob("*.toml"))
+def shipped(name: str = "papers") -> list[Path]:
+    """The claims files of this name that come with the package: of a folder, or a single one; none for no such name.
+
+    The papers whose experiments are repeated stand alone, `literature` and `libraries` beside them.
+    """
+    if name == "papers":
+        return sorted(SHIPPED.glob("*.toml"))
+    return sorted(
+        path for path in SHIPPED.rglob("*.toml") if name in {path.stem, *path.relative_to(SHIPPED).parts[:-1]}
+    )
+
+
+def shipped_names() -> list[str]:
+    """The names that `shipped` knows: folders, then files."""
+    folders = sorted(path.name for path in SHIPPED.iterdir() if path.is_dir())
+    return ["papers", *folders, *sorted(path.stem for path in SHIPPED.rglob("*.toml"))]
 
 
 def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> ClaimsFile:
-    allowed = (*DECLARED, "claim")
+    allowed = (*DECLARED, *ORIGIN, "claim")
     if unknown := sorted(data.keys() - set(allowed)):
         raise ClaimsError(f"{unknown[0][:80]} is no field of a claims file; allowed: {', '.join(allowed)}")
     if not isinstance(data.get("paper"), str) or not data["paper"].strip():
         raise ClaimsError("paper must be text: author, title, year")
+    origin = {name: _ORIGIN[name](data[name], name) for name in _ORIGIN if name in data}
     tables = data.get("claim")
     if not isinstance(tables, list) or not tables or not all(isinstance(table, dict) for table in tables):
         raise ClaimsError("claim must be one or more tables, each begun by [[claim]]")
@@ -243,7 +304,7 @@ def _file(data: Mapping[str, Any], name: str, *, keep_unreadable: bool) -> Claim
         claim = _claim(table, number, claims, keep_unreadable=keep_unreadable)
         claims[claim.id] = claim
     declared = (declarations(data),) if data.keys() & set(WORLD) else ()
-    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()), declared)
+    return ClaimsFile(name, data["paper"].strip(), tuple(claims.values()), declared, **origin)
 
 
 def _claim(table: Mapping[str, Any], number: int, before: Mapping[str, Claim], *, keep_unreadable: bool) -> Claim:
@@ -512,4 +573,17 @@ _FIELDS: Mapping[str, Callable[[object, str], Any]] = {
     "equation": _text,
     "page": _page,
     "note": _text,
+    "file": _text,
+    "lines": _text,
+    "seen": _text,
+    "matters": _text,
+    "repair": _text,
+    "finding": _id,
+}
+_ORIGIN: Mapping[str, Callable[[object, str], str]] = {
+    "doi": _text,
+    "kind": _one_of(KINDS),
+    "url": _text,
+    "commit": _text,
+    "seen": _text,
 }

@@ -152,11 +152,7 @@ def decide_all(
 def undecided(claim: Claim, reason: str) -> Record:
     """The record of a claim on which nothing can be said."""
     return {
-        "id": claim.id,
-        "equation": claim.equation,
-        "page": claim.page,
-        "note": claim.note,
-        "at": dict(claim.at),
+        **claim.told,
         "verdict": "undecided",
         "quantity": claim.quantity,
         "printed": claim.printed,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.check import Question
 from radartrack.derive.checking.comparing.counterexample import Relative, counterexample
-from radartrack.derive.checking.comparing.difference_scale import squared_floor
+from radartrack.derive.checking.comparing.difference_scale import squared_scale
 from radartrack.derive.checking.comparing.error_bound import largest_error, proved_within
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.papers.claims_file import BOUND
@@ -23,9 +24,10 @@ from radartrack.derive.symbolic import Expr
 SHARES = ("", "1", "%")
 
 
-def bounded(question: Question, bound: str) -> Verdict:
-    """The verdict: differs where a larger error is found, equal where a proof excludes one, else equal numerically.
+def bounded(question: Question, bound: str) -> Iterator[Verdict]:
+    """The verdict, as it is before the proof and after it.
 
+    It differs where a larger error is found, is equal where a proof excludes one, and else equal numerically.
     A bound in % or without a unit is relative, to what the worst difference is relative to; one in a unit is absolute.
 
     Raises:
@@ -33,7 +35,7 @@ def bounded(question: Question, bound: str) -> Verdict:
     """
     most, is_relative, scale = _read(bound)
     worst = 0.0
-    proved = bool(question.symbols)
+    errors = []
     for entry in question.printed.entries.indices:
         try:
             found = question.printed.names.dimension_of(question.printed.entries[entry])
@@ -41,21 +43,22 @@ def bounded(question: Question, bound: str) -> Verdict:
             if not is_relative:
                 check_dimension(Dimension.of(scale.unit), question.reference.dimension(entry))
         except WrongDimensions as error:
-            return _verdict(question, Outcome.WRONG_DIMENSIONS, str(error))
+            yield _verdict(question, Outcome.WRONG_DIMENSIONS, str(error))
+            return
         printed, derived = question.printed_entry(entry), question.derived_entry(entry)
         square = (
-            under(question.conditions, squared_floor(question.reference, entry)[0]) if is_relative else sp.Integer(1)
+            under(question.conditions, squared_scale(question.reference, entry)[0]) if is_relative else sp.Integer(1)
         )
         largest = largest_error(Relative(printed, derived, square, question.symbols), question.domain)
         if largest.relative > most:
-            return _too_large(question, entry, largest.relative, largest.point, bound, scale)
+            yield _too_large(question, entry, largest.relative, largest.point, bound, scale)
+            return
         worst = max(worst, largest.relative)
-        error_of = (printed - derived) / (sp.sqrt(square) if not _is_square(square, derived) else derived)
-        proved = proved and proved_within(error_of, most, question.symbols)
+        errors.append((printed - derived) / (sp.sqrt(square) if not _is_square(square, derived) else derived))
     told = f"the largest error found is {_spoken(worst, scale)}, at most {bound}"
-    if proved:
-        return _verdict(question, Outcome.EQUAL, f"{told} by proof{question.sense}")
-    return _verdict(question, Outcome.EQUAL_NUMERICALLY, f"{told}{question.sense}, not proved")
+    yield _verdict(question, Outcome.EQUAL_NUMERICALLY, f"{told}{question.sense}, not proved")
+    if question.symbols and all(proved_within(error, most, question.symbols) for error in errors):
+        yield _verdict(question, Outcome.EQUAL, f"{told} by proof{question.sense}")
 
 
 def _read(bound: str) -> tuple[float, bool, Scale]:

@@ -23,7 +23,7 @@ def formula_verdicts(claim: Claim, world: World) -> Iterator[Verdict]:
         FormulaError, UnknownQuantity, UnknownEntry: when it cannot be read.
     """
     if claim.error_at_most:
-        yield bound_verdict(claim, world)
+        yield from bound_verdicts(claim, world)
         return
     steps = list(pairwise(claim.chain)) or [(claim.left, claim.right)]
     try:
@@ -45,12 +45,13 @@ def sense_of(claim: Claim) -> Sense:
 
 
 def _step(claim: Claim, left: str, right: str, world: World) -> Iterator[Verdict]:
-    question = ask_identity(left, right, given=claim.given, let=claim.let, world=world, sense=sense_of(claim))
+    sense = sense_of(claim)
+    question = ask_identity(left, right, given=claim.given, let=claim.let, world=world, sense=sense, alike=claim.chain)
     yield from question.answers()
 
 
-def bound_verdict(claim: Claim, world: World) -> Verdict:
-    """Whether the error of an approximation stays within what is said of it."""
+def bound_verdicts(claim: Claim, world: World) -> Iterator[Verdict]:
+    """Whether the error of an approximation stays within what is said of it: as it is found, then as it is proved."""
     if not claim.is_identity:
         return bounded(_question(claim, world), claim.error_at_most)
     sense = sense_of(claim)

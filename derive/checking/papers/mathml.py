@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 from html import escape
 from itertools import pairwise
 from typing import Any
 
 from radartrack.derive.checking.papers.claims_file import Claim
-from radartrack.derive.checking.reporting.verdict import Verdict
+from radartrack.derive.checking.reporting.verdict import Suggestion, Verdict
+from radartrack.derive.formula.differing_parts import differing_parts
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.printing import text_of_place
@@ -21,11 +22,14 @@ from radartrack.derive.formula.tree import (
     Name,
     Negation,
     Number,
+    Path,
     Power,
     Product,
     Quotient,
     Sum,
     Tree,
+    children,
+    subtree,
 )
 from radartrack.derive.reading.text import read_text
 
@@ -38,50 +42,179 @@ GREEK = {
 THIN = '<mspace width="0.167em"/>'  # around functions: sin α cos β
 APPLY, TIMES, MINUS = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>", "<mo>−</mo>"
 SQUARED_BY_NAME = {"sin", "cos", "tan", "sinh", "cosh", "tanh"}
+DIFFERENT = "different"  # the class of a part in which a formula differs from another one
 LONGEST = 4000
 
 
 def formulas(claim: Claim, verdict: Verdict) -> dict[str, Any]:
-    """The printed and the derived formula and the suggestions, typeset where they are formulas."""
+    """The printed and the derived formula and the suggestions, typeset where they are formulas.
+
+    In what is printed, that part stands out which the first suggestion changes; in each suggestion, what it changes.
+    """
+    if not claim.is_formula:
+        return {"printed_mathml": "", "derived_mathml": "", "suggestions_mathml": [""] * len(verdict.suggestions)}
+    printed = tree_of(verdict.printed)
+    typeset = [_suggested(printed, suggestion) for suggestion in verdict.suggestions]
+    wrong = typeset[0][1] if typeset else ()
     return {
-        "printed_mathml": mathml(verdict.printed) if claim.is_formula else "",
-        "derived_mathml": mathml(verdict.derived) if claim.is_formula else "",
-        "suggestions_mathml": [mathml(suggestion.formula) for suggestion in verdict.suggestions],
+        "printed_mathml": block(printed, wrong) if printed is not None else "",
+        "derived_mathml": mathml(verdict.derived),
+        "suggestions_mathml": [shown for shown, _ in typeset],
     }
 
 
-def mathml(text: str) -> str:
-    """A formula as a MathML element; nothing when it is none, or too long to typeset."""
+def _suggested(printed: Tree | None, suggestion: Suggestion) -> tuple[str, frozenset[Path]]:
+    """A suggestion typeset, and the paths of what it changes in what is printed."""
+    tree = tree_of(suggestion.formula)
+    if tree is None or isinstance(tree, Name):  # the name of another quantity has no formula beside the printed one
+        return (block(tree) if tree is not None else ""), frozenset()
+    if printed is None or suggestion.definition:
+        return block(tree), frozenset()
+    entry = suggestion.entry
+    try:
+        before = subtree(printed, entry)
+    except IndexError:  # a vector printed as a matrix of one column, and the like
+        return block(tree), frozenset()
+    theirs, ours = differing_parts(before, tree)
+    return block(tree, ours), frozenset((*entry, *path) for path in theirs)
+
+
+def mathml(text: str, differing: Iterable[Path] = ()) -> str:
+    """A formula as a MathML element; nothing when it is none, or too long to typeset.
+
+    Args:
+        text: as it was read.
+        differing: the paths of parts of its tree that stand out.
+    """
+    tree = tree_of(text)
+    return block(tree, differing) if tree is not None else ""
+
+
+def block(tree: Tree, differing: Iterable[Path] = ()) -> str:
+    """A tree as a MathML element of its own."""
+    return f'<math display="block">{element(tree, differing)}</math>'
+
+
+def tree_of(text: str) -> Tree | None:
+    """The tree of a formula that was read before; None when it is none, or too long to typeset."""
+    if len(text) > LONGEST:
+        return None
     names = set(re.findall(r"[A-Za-z_]\w*", text)) - SPELLINGS.keys() - {"pi", "e"}
     try:
-        tree = read_text(text, names) if len(text) <= LONGEST else None
+        return read_text(text, names)
     except FormulaError:
-        return ""
-    return f'<math display="block">{element(tree)}</math>' if tree is not None else ""
+        return None
 
 
-def element(tree: Tree) -> str:
+def element(tree: Tree, differing: Iterable[Path] = ()) -> str:
     """One tree as MathML."""
-    match tree:
-        case Number() | Constant() | Name():
-            return _atom(tree)
-        case Sum(terms):
-            return _row(*(_term(term, first=not place) for place, term in enumerate(terms)))
-        case Product(factors):
-            return _product(factors)
-        case Quotient(numerator, denominator):
-            return f"<mfrac>{element(numerator)}{element(denominator)}</mfrac>"
-        case Negation(operand):
-            return _row(MINUS, _bracketed(operand) if isinstance(operand, Sum | Negation) else element(operand))
-        case Power(base, exponent):
-            return _power(base, exponent)
-        case Call(function, arguments):
-            return _call(function, arguments)
-        case Array(entries):
-            return _array(entries)
-        case Entries(array, places):
-            shown = ", ".join(map(text_of_place, places))
-            return f"<msub>{_factor(array)}<mrow><mtext>{shown}</mtext></mrow></msub>"
+    return _Typesetting(frozenset(differing)).element(tree, ())
+
+
+class _Typesetting:
+    """How a tree is typeset, some parts of which stand out.
+
+    Args:
+        differing: the paths of these parts.
+    """
+
+    def __init__(self, differing: Collection[Path]) -> None:
+        self._differing = differing
+
+    def element(self, tree: Tree, path: Path) -> str:
+        """One part."""
+        shown = self._plain(tree, path)
+        return f'<mrow class="{DIFFERENT}">{shown}</mrow>' if path in self._differing else shown
+
+    def _plain(self, tree: Tree, path: Path) -> str:
+        match tree:
+            case Number() | Constant() | Name():
+                return _atom(tree)
+            case Sum(terms):
+                return _row(*(self._term(term, (*path, place)) for place, term in enumerate(terms)))
+            case Product(factors):
+                return self._product(factors, path)
+            case Quotient():
+                return f"<mfrac>{''.join(self._below(tree, path))}</mfrac>"
+            case Negation(operand):
+                return _row(MINUS, self._factor(operand, (*path, 0)))
+            case Power(base, exponent):
+                return self._power(base, exponent, path)
+            case Call(function):
+                return self._call(function, tree, path)
+            case Array(entries):
+                return self._array(entries, path)
+            case Entries(array, places):
+                shown = ", ".join(map(text_of_place, places))
+                return f"<msub>{self._factor(array, (*path, 0))}<mrow><mtext>{shown}</mtext></mrow></msub>"
+
+    def _below(self, tree: Tree, path: Path) -> list[str]:
+        return [self.element(child, (*path, place)) for place, child in enumerate(children(tree))]
+
+    def _bracketed(self, tree: Tree, path: Path) -> str:
+        return _row("<mo>(</mo>", self.element(tree, path), "<mo>)</mo>")
+
+    def _term(self, term: Tree, path: Path) -> str:
+        """A term with its sign, which stands out with it."""
+        if isinstance(term, Negation):
+            shown = MINUS + self._factor(term.operand, (*path, 0))
+        else:
+            shown = self._bracketed(term, path) if isinstance(term, Sum) else self._plain(term, path)
+            shown = shown if path[-1] == 0 else f"<mo>+</mo>{shown}"
+        return f'<mrow class="{DIFFERENT}">{shown}</mrow>' if path in self._differing else shown
+
+    def _product(self, factors: Sequence[Tree], path: Path) -> str:
+        parts = [self._factor(factors[0], (*path, 0))]
+        for place, (before, factor) in enumerate(pairwise(factors), start=1):
+            thin = THIN if _is_named(before) or _is_named(factor) else ""
+            parts += [TIMES, thin, self._factor(factor, (*path, place))]
+        return _row(*parts)
+
+    def _factor(self, factor: Tree, path: Path) -> str:
+        return self._bracketed(factor, path) if isinstance(factor, Sum | Negation) else self.element(factor, path)
+
+    def _power(self, base: Tree, exponent: Tree, path: Path) -> str:
+        above = self.element(exponent, (*path, 1))
+        stands_out = (*path, 0) in self._differing
+        match base:
+            case Call(function, (argument,)) if (
+                function in SQUARED_BY_NAME and isinstance(exponent, Number) and not stands_out
+            ):
+                return self._applied(f"<msup><mi>{function}</mi>{above}</msup>", argument, (*path, 0, 0))
+            case Name(name) if not stands_out:
+                return _name(name, above)
+            case Number() | Constant() | Name():
+                return f"<msup>{self.element(base, (*path, 0))}{above}</msup>"
+            case _:
+                return f"<msup>{self._bracketed(base, (*path, 0))}{above}</msup>"
+
+    def _call(self, function: str, call: Tree, path: Path) -> str:
+        arguments = self._below(call, path)
+        match function:
+            case "sqrt":
+                return f"<msqrt>{arguments[0]}</msqrt>"
+            case "abs":
+                return _row("<mo>|</mo>", arguments[0], "<mo>|</mo>")
+            case "transpose":
+                return f"<msup>{self._factor(children(call)[0], (*path, 0))}<mi>T</mi></msup>"
+            case "exp":
+                return f'<msup><mi mathvariant="normal">e</mi>{arguments[0]}</msup>'
+        if len(arguments) == 1:
+            return self._applied(f"<mi>{function}</mi>", children(call)[0], (*path, 0))
+        return _row(f"<mi>{function}</mi>", APPLY, "<mo>(</mo>", "<mo>,</mo>".join(arguments), "<mo>)</mo>")
+
+    def _applied(self, function: str, argument: Tree, path: Path) -> str:
+        if isinstance(argument, Name | Number):
+            return _row(function, APPLY, THIN, self.element(argument, path))
+        return _row(function, APPLY, self._bracketed(argument, path))
+
+    def _array(self, entries: tuple[Tree, ...], path: Path) -> str:
+        rows = (
+            self._below(entry, (*path, place)) if isinstance(entry, Array) else [self.element(entry, (*path, place))]
+            for place, entry in enumerate(entries)
+        )
+        table = "".join(f"<mtr>{''.join(f'<mtd>{cell}</mtd>' for cell in row)}</mtr>" for row in rows)
+        return f'<mtable class="array">{table}</mtable>'
 
 
 def _atom(tree: Number | Constant | Name) -> str:
@@ -99,73 +232,10 @@ def _row(*parts: str) -> str:
     return f"<mrow>{''.join(parts)}</mrow>"
 
 
-def _bracketed(tree: Tree) -> str:
-    return _row("<mo>(</mo>", element(tree), "<mo>)</mo>")
-
-
-def _term(term: Tree, *, first: bool) -> str:
-    if isinstance(term, Negation):
-        operand = term.operand
-        return MINUS + (_bracketed(operand) if isinstance(operand, Sum | Negation) else element(operand))
-    shown = _bracketed(term) if isinstance(term, Sum) else element(term)
-    return shown if first else f"<mo>+</mo>{shown}"
-
-
-def _product(factors: Sequence[Tree]) -> str:
-    parts = [_factor(factors[0])]
-    for before, factor in pairwise(factors):
-        parts += [TIMES, THIN if _is_named(before) or _is_named(factor) else "", _factor(factor)]
-    return _row(*parts)
-
-
-def _factor(factor: Tree) -> str:
-    return _bracketed(factor) if isinstance(factor, Sum | Negation) else element(factor)
-
-
 def _is_named(tree: Tree) -> bool:
     """Whether it is a function written with its name, or a power of one."""
     call = tree.base if isinstance(tree, Power) else tree
     return isinstance(call, Call) and call.function not in {"sqrt", "abs", "exp"}
-
-
-def _power(base: Tree, exponent: Tree) -> str:
-    match base:
-        case Call(function, (argument,)) if function in SQUARED_BY_NAME and isinstance(exponent, Number):
-            return _applied(f"<msup><mi>{function}</mi>{element(exponent)}</msup>", argument)
-        case Name(name):
-            return _name(name, element(exponent))
-        case Number() | Constant():
-            return f"<msup>{element(base)}{element(exponent)}</msup>"
-        case _:
-            return f"<msup>{_bracketed(base)}{element(exponent)}</msup>"
-
-
-def _call(function: str, arguments: tuple[Tree, ...]) -> str:
-    if function == "sqrt":
-        return f"<msqrt>{element(arguments[0])}</msqrt>"
-    if function == "abs":
-        return _row("<mo>|</mo>", element(arguments[0]), "<mo>|</mo>")
-    if function == "transpose":
-        return f"<msup>{_factor(arguments[0])}<mi>T</mi></msup>"
-    if function == "exp":
-        return f'<msup><mi mathvariant="normal">e</mi>{element(arguments[0])}</msup>'
-    if len(arguments) == 1:
-        return _applied(f"<mi>{function}</mi>", arguments[0])
-    inside = "<mo>,</mo>".join(map(element, arguments))
-    return _row(f"<mi>{function}</mi>", APPLY, "<mo>(</mo>", inside, "<mo>)</mo>")
-
-
-def _applied(function: str, argument: Tree) -> str:
-    if isinstance(argument, Name | Number):
-        return _row(function, APPLY, THIN, element(argument))
-    return _row(function, APPLY, _bracketed(argument))
-
-
-def _array(entries: tuple[Tree, ...]) -> str:
-    rows = [entry.entries if isinstance(entry, Array) else (entry,) for entry in entries]
-    cells = ("".join(f"<mtd>{element(cell)}</mtd>" for cell in row) for row in rows)
-    table = "".join(f"<mtr>{row}</mtr>" for row in cells)
-    return f'<mtable class="array">{table}</mtable>'
 
 
 def _name(name: str, power: str = "") -> str:

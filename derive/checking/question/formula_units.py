@@ -20,12 +20,12 @@ from radartrack.derive.formula.tree import (
     Constant,
     Name,
     Negation,
-    Number,
     Power,
     Product,
     Quotient,
     Sum,
     Tree,
+    rational_value,
 )
 from radartrack.derive.units import Unit
 
@@ -172,7 +172,7 @@ def _power(base: Tree, exponent: Tree, dimension: Dimension, power: Dimension) -
         return _call("exp", (exponent,), (power,))
     if not power.is_number:
         raise WrongDimensions(f"the exponent {_shown(exponent)} has the unit {power}")
-    value = _value(exponent)
+    value = rational_value(exponent)
     if value is None:
         if not dimension.is_number:
             raise WrongDimensions(f"{_shown(base)} has the unit {dimension} and a variable exponent")
@@ -225,22 +225,7 @@ _WANTED = dict.fromkeys(_PERIODIC, "an angle") | dict.fromkeys(_GROWING, "a numb
 
 
 def _is_zero(tree: Tree) -> bool:
-    return _value(tree) == 0
-
-
-def _value(tree: Tree) -> Fraction | None:
-    """The value of a formula of rational numbers."""
-    match tree:
-        case Number():
-            return tree.value
-        case Negation(operand):
-            value = _value(operand)
-            return None if value is None else -value
-        case Quotient(numerator, denominator):
-            above, below = _value(numerator), _value(denominator)
-            return None if above is None or not below else above / below
-        case _:
-            return None
+    return rational_value(tree) == 0
 
 
 def _shown(tree: Tree) -> str:

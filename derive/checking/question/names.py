@@ -6,12 +6,12 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.catalogue import UnknownQuantity, catalogue
+from radartrack.derive.catalogue import UnknownQuantity, catalogue, common_symbols
 from radartrack.derive.checking.question.formula_entries import entries_of
 from radartrack.derive.checking.question.formula_units import (
     NOTHING,
@@ -61,6 +61,7 @@ class Names(Mapping[str, Expression]):
         let: definitions as formulas, in any order. One may mention the symbol that it hides: beta = "pi/2 - beta".
         world: where quantities are found by name.
         known: what other names stand for.
+        fixed: definitions on which what is compared with rests too: a slip in them would spoil both sides.
     """
 
     def __init__(
@@ -69,10 +70,12 @@ class Names(Mapping[str, Expression]):
         let: Mapping[str, str] = MappingProxyType({}),
         world: World = CATALOGUE,
         known: Mapping[str, Meaning] = MappingProxyType({}),
+        fixed: frozenset[str] = frozenset(),
     ) -> None:
         self.symbols = {name: symbol for name, symbol in symbols.items() if name not in world.spoiled}
         self.let = let
         self._world = world
+        self.fixed = fixed
         self._known: dict[str, Meaning] = dict(known)
         self._mentioned: set[str] = set()  # quantities
 
@@ -117,7 +120,11 @@ class Names(Mapping[str, Expression]):
 
     def knowing(self, more: Mapping[str, Meaning]) -> Names:
         """The same names and more."""
-        return Names(self.symbols, self.let, self._world, {**self._known, **more}) if more else self
+        return Names(self.symbols, self.let, self._world, {**self._known, **more}, self.fixed) if more else self
+
+    def with_symbols(self, more: Mapping[str, Variable]) -> Names:
+        """The same names and symbols more; what was worked out without them is worked out again."""
+        return Names({**self.symbols, **more}, self.let, self._world) if more else self
 
     def meaning(self, name: str) -> Meaning:
         """What a name stands for.
@@ -144,8 +151,8 @@ class Names(Mapping[str, Expression]):
         """A formula in these names, as typed or in LaTeX; raises as `reading`."""
         return self.reading(text, LATEX if latex else TEXT).tree
 
-    def reading(self, text: str, notation: str = TEXT, function: str = "") -> Reading:
-        """A formula in these names, in one of the `NOTATIONS`; of code, perhaps one function.
+    def reading(self, text: str, notation: str = TEXT, function: str = "", wanted: int = 1) -> Reading:
+        """A formula in these names, in one of the `NOTATIONS`; of code, perhaps one function, or several numbers.
 
         Raises:
             FormulaError, UnknownQuantity: when it cannot be read, names what there is not, or becomes too large.
@@ -157,7 +164,7 @@ class Names(Mapping[str, Expression]):
             self.meaning(word)
         self._mentioned |= mentioned
         shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=not typed)
-        found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function)
+        found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function, wanted=wanted)
         self.largeness(found.tree)
         return found
 
@@ -292,7 +299,7 @@ class Names(Mapping[str, Expression]):
 
     def completed(self) -> Names:
         """The same with all definitions that can be read."""
-        found = Names(self.symbols, self.let, self._world, self._known)
+        found = Names(self.symbols, self.let, self._world, self._known, self.fixed)
         for name in islice(self.let, MOST_COMPLETED):
             with suppress(FormulaError, NoClosedForm, UnknownQuantity):
                 found.meaning(name)
@@ -326,7 +333,12 @@ class Names(Mapping[str, Expression]):
                 changed.add(one)
                 before = Names(self.symbols, {}, self._world, {k: v for k, v in meanings.items() if k != one})
                 meanings[one] = replace(self._known[one], value=before.worked_out(own), tree=own)
-        return Names(self.symbols, self.let, self._world, meanings)
+        return Names(self.symbols, self.let, self._world, meanings, self.fixed)
+
+    def fixing(self, tree: Tree) -> Names:
+        """The same names, of which the definitions that a formula needs are not to be mended."""
+        fixed = self.fixed | self.definitions_in(tree).keys()
+        return Names(self.symbols, self.let, self._world, self._known, fixed)
 
     def _without(self, name: str) -> Names:
         let = {one: text for one, text in self.let.items() if one != name}
@@ -373,18 +385,6 @@ def letters_of_catalogue(texts: Iterable[str], let: Mapping[str, str]) -> dict[s
     """The letters of formulas that mean one thing in all of the catalogue, such as r: no paper need declare them."""
     words = {word for text in _with_definitions(texts, let) for word in WORD.findall(text)}
     return {name: symbol for name, symbol in common_symbols().items() if name in words}
-
-
-@cache
-def common_symbols() -> dict[str, Variable]:
-    """The symbols of the catalogue that have one unit wherever they occur."""
-    found: dict[str, Variable] = {}
-    different: set[str] = set()
-    for quantity in catalogue().values():
-        for symbol in quantity.symbols:
-            if found.setdefault(symbol.name, symbol).unit != symbol.unit:
-                different.add(symbol.name)
-    return {name: symbol for name, symbol in found.items() if name not in different}
 
 
 def _found(name: str, world: World) -> Quantity | None:

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from radartrack.derive.catalogue import catalogue
+from radartrack.derive.catalogue import catalogue, common_symbols
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, in_definition
-from radartrack.derive.checking.question.names import QUANTITY, Names, common_symbols, letters_of_catalogue, symbols_for
+from radartrack.derive.checking.question.names import QUANTITY, Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.world import ImplicitDefinition, World
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.unknown_names import unusable

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from math import prod
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
+from radartrack.derive.checking.question.letters.letter_meanings import alike, means
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
-from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text
@@ -123,7 +125,9 @@ def conditions_for(reference: Reference, given: Mapping[str, str], names: Names 
     for name, value in given.items():
         symbol = symbol_called(name, known, reference)
         if symbol is None:
-            raise FormulaError(f"given {name}: the symbols of {reference.text} are {', '.join(symbols)}")
+            near = alike(name, reference.symbols)
+            guess = f"did you mean {near}? The" if near else "the"
+            raise FormulaError(f"given {name}: {guess} symbols of {reference.text} are {', '.join(symbols)}")
         trees[symbol], conditions[symbol] = _condition(name, value, known)
     found = resolved(conditions)
     for symbol, tree in trees.items():
@@ -147,18 +151,20 @@ def read_printed(formula: str, names: Names, expected: Index, notation: str = TE
         NoClosedForm: when it cannot be worked out.
     """
     try:
-        reading = names.reading(formula, notation, function)
+        reading = names.reading(formula, notation, function, prod(expected) if len(expected) == 1 else 1)
         inner, padding = trimmed(reading.tree, expected)
         source = formula if reading.notation in LANGUAGES else ""
         remarks = (*reading.remarks, *((padding,) if padding else ()))
-        return replace(printed(inner, names, expected), tree=reading.tree, source=source, remarks=remarks)
+        found = printed(inner, names, expected, row_by_row=bool(source))
+        return replace(found, tree=reading.tree, source=source, remarks=remarks)
     except FormulaError as error:
         raise error.within(formula) from None
 
 
-def printed(tree: Tree, names: Names, expected: Index) -> Printed:
+def printed(tree: Tree, names: Names, expected: Index, *, row_by_row: bool = False) -> Printed:
     """A formula that was read; raises as `read_printed`."""
     entries, opened = names.entries(tree)
+    entries = reshaped(entries, expected, row_by_row=row_by_row)
     if entries.shape != expected:
         raise FormulaError(f"the formula is {_spoken(entries.shape)}, the quantity is {_spoken(expected)}")
     parts = frozenset(opened) - frozenset(names)
@@ -170,6 +176,8 @@ def symbol_called(name: str, names: Names, reference: Reference) -> Variable | N
     if (found := next((symbol for symbol in reference.symbols if symbol.name == name), None)) is not None:
         return found
     value = names.meaning(name).value if name in names.let else names.symbols.get(name)
+    if value is None and len(meant := means(name, reference.symbols)) == 1 and meant[0][1] == 1:
+        return meant[0][0]  # as in a formula: azimuth for beta
     return value if isinstance(value, Variable) else None
 
 

@@ -15,7 +15,7 @@ from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Search
 from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
-from radartrack.derive.checking.repairing.smallest_edit import values_at
+from radartrack.derive.checking.repairing.smallest_edit import AT_ONE_PLACE, values_at
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Program, Screen, Values, close
 from radartrack.derive.formula.error import FormulaError
@@ -83,6 +83,8 @@ def mended_definitions(
     for candidate in sorted(candidates, key=lambda one: (-len(one.mends), one.cost)):
         if len(candidate.mends) < most or len(found) == ENOUGH:
             break
+        if any(one.name == candidate.name and candidate.cost >= one.cost + AT_ONE_PLACE for one in found):
+            continue
         if trial.is_proved(candidate) and candidate.mended.formula not in {one.formula for one in found}:
             most = len(candidate.mends)
             found.append(candidate.mended)
@@ -212,7 +214,7 @@ class _Trial:
         for name in reversed(self._trees):
             if name in needed:
                 needed |= names_of(self._trees[name])
-        return [name for name in reversed(self._trees) if name in needed]
+        return [name for name in reversed(self._trees) if name in needed - self._names.fixed]
 
     def _slips(self, node: Tree, name: str, *, whole: bool) -> Iterator[Alternative]:
         before = list(self._trees)[list(self._trees).index(name) :]

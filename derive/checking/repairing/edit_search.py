@@ -145,7 +145,8 @@ class Search:
     def _everywhere(self, tree: Tree) -> Iterator[Candidate]:
         program = Program(tree)
         point = {name: values[0] for name, values in self._screen.names.items()}
-        for edit in everywhere(sorted(names_of(tree) & self._kinds.keys()), self._kinds):
+        often = Counter(node.name for _, node in walk(tree) if isinstance(node, Name))
+        for edit in everywhere({name: often[name] for name in sorted(often.keys() & self._kinds.keys())}, self._kinds):
             if edit.values is not None:
                 changed = {name: value(point) for name, value in edit.values.items()}
                 if not close(program(point | changed), self._target[:1]):

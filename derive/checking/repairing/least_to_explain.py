@@ -87,6 +87,8 @@ class Print:
         if complete is not None:
             return replace(best, convention=complete.words if not best.suggestions else "")
         for one in attempted(lambda: self._explanations, lambda _: []):
+            if one.arrangement.words and len(one.wrong) >= len(wrong):
+                continue  # another order that mends nothing is no account, however cheap the edits in it
             if self._least(one) < best.cost:
                 best = min(best, self._edited(one, one.wrong), key=lambda account: account.cost)
         return best

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
@@ -167,27 +167,35 @@ class Everywhere:
     values: Mapping[str, Callable[[Mapping[str, float]], float]] | None = None
 
 
-def everywhere(used: Sequence[str], kinds: Mapping[str, object]) -> Iterator[Everywhere]:
-    """Slips that run through a formula in these symbols."""
+def everywhere(used: Mapping[str, int], kinds: Mapping[str, object]) -> Iterator[Everywhere]:
+    """Slips that run through a formula in these symbols.
+
+    Args:
+        used: how often each of them occurs; what occurs once is changed by an edit of that place.
+        kinds: the symbols allowed, and what makes them alike.
+    """
     for first, second in (("sin", "cos"), ("sinh", "cosh")):
         yield Everywhere(_swap_functions(first, second), f"{first} and {second} swapped everywhere", 1.8)
-    for name in used:
+    for name, count in used.items():
         for other in sorted(kinds):
-            if other != name and kinds[other] == kinds.get(name):
-                both = {name: _like(other), other: _like(name)}
-                yield Everywhere(_swap_names(name, other), f"{name} and {other} swapped", 1.8, both)
-                yield Everywhere(
-                    _put(name, Name(other)), f"{name} should be {other} everywhere", 1.9, {name: _like(other)}
-                )
-            elif other != name and other in used and other in kinds and name < other:
-                both = {name: _like(other), other: _like(name)}
-                yield Everywhere(_swap_names(name, other), f"{name} and {other} swapped", 2.2, both)
-        yield Everywhere(
-            _put(name, Negation(Name(name))), f"the sign of {name} everywhere", 1.9, {name: _power(name, -1)}
-        )
-        squared = Power(Name(name), Number("2"))
-        yield Everywhere(_put(name, squared), f"{name} should be {name}**2 everywhere", 2.0, {name: _power(name, 2)})
-        yield Everywhere(_root_of(name), f"{name}**2 should be {name} everywhere", 2.0)
+            alike = kinds[other] == kinds.get(name)
+            both = {name: _like(other), other: _like(name)}
+            if other != name and (alike or (other in used and name < other)):
+                cost = 1.8 if alike else 2.2
+                yield Everywhere(_swap_names(name, other), f"{name} and {other} swapped", cost, both)
+            if other != name and alike and count > 1:
+                put = {name: _like(other)}
+                yield Everywhere(_put(name, Name(other)), f"{name} should be {other} everywhere", 1.9, put)
+        if count > 1:
+            yield from _to_all(name)
+
+
+def _to_all(name: str) -> Iterator[Everywhere]:
+    """Another sign or power of a symbol wherever it stands."""
+    yield Everywhere(_put(name, Negation(Name(name))), f"the sign of {name} everywhere", 1.9, {name: _power(name, -1)})
+    squared = Power(Name(name), Number("2"))
+    yield Everywhere(_put(name, squared), f"{name} should be {name}**2 everywhere", 2.0, {name: _power(name, 2)})
+    yield Everywhere(_root_of(name), f"{name}**2 should be {name} everywhere", 2.0)
 
 
 def _like(other: str) -> Callable[[Mapping[str, float]], float]:

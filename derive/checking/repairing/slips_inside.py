@@ -87,7 +87,8 @@ class Repair:
         for name, tree in self._definitions.items():
             others = {one: kind for one, kind in kinds.items() if one not in later}
             later.discard(name)
-            yield from ((name, candidate) for candidate in single_edits(tree, others))
+            edits = () if name in self.names.fixed else single_edits(tree, others)
+            yield from ((name, candidate) for candidate in edits)
         if _is_worked_out(self.formula):
             yield from ((FORMULA, candidate) for candidate in single_edits(self.formula.tree, kinds))
 

@@ -22,7 +22,7 @@ from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Name, Number, Power, Product, Sum, Tree, children, parts
+from radartrack.derive.formula.tree import Call, Name, Number, Path, Power, Product, Sum, Tree, children, parts
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -36,6 +36,7 @@ GOOD = 1e-10  # relative error of a value that edits are screened by
 ENOUGH = 5
 EVERYWHERE = 12  # points of the domain, where signs and branches are others
 FARTHER = 1.0  # costlier than the best, and a suggestion is only noise
+AT_ONE_PLACE = 0.3  # so much costlier than an edit of the same part, and it says the same in a longer way
 
 
 @dataclass(frozen=True)
@@ -62,18 +63,39 @@ def suggest(
     search = Search(screen, target, names, printed, _derived_trees(derived, names))
     found = search.edits(printed)
     confirmed = _confirmed(found, names, derived, Domain(symbols, conditions))
-    return [replace(edited, span=first_difference(printed, tree)) for edited, tree in confirmed]
+    told: list[tuple[Edited, Path]] = []
+    for edited, tree in confirmed:
+        path = changed_part(printed, tree)
+        if not any(edited.cost >= one.cost + AT_ONE_PLACE and is_within(path, place) for one, place in told):
+            told.append((edited, path))
+    return [replace(edited, span=_span_at(printed, path)) for edited, path in told]
 
 
-def first_difference(printed: Tree, edited: Tree) -> Span | None:
-    """Where a formula was edited: the smallest part of it that has all that differs."""
-    span = printed.span
+def changed_part(printed: Tree, edited: Tree) -> Path:
+    """Where a formula was edited: the way to the smallest part of it that has all that differs."""
+    path: list[int] = []
     while type(printed) is type(edited) and len(children(printed)) == len(children(edited)):
-        pairs = [(one, other) for one, other in zip(children(printed), children(edited), strict=True) if one != other]
-        if len(pairs) != 1:
+        pairs = list(zip(children(printed), children(edited), strict=True))
+        places = [place for place, (one, other) in enumerate(pairs) if one != other]
+        if len(places) != 1:
             break
-        printed, edited = pairs[0]
-        span = printed.span or span
+        path.append(places[0])
+        printed, edited = pairs[places[0]]
+    return tuple(path)
+
+
+def is_within(path: Path, other: Path) -> bool:
+    """Whether one of two parts is in the other."""
+    shorter = min(len(path), len(other))
+    return path[:shorter] == other[:shorter]
+
+
+def _span_at(tree: Tree, path: Path) -> Span | None:
+    """Where a part stands in the text, or else the smallest around it of which that is known."""
+    span = tree.span
+    for step in path:
+        tree = children(tree)[step]
+        span = tree.span or span
     return span
 
 

@@ -20,6 +20,8 @@ _SAME = MappingProxyType(
         "arctan2": "atan2",
         "absolute": "abs",
         "fabs": "abs",
+        "chi2cdf": "chi2cdf",
+        "chi2inv": "chi2inv",
         "det": "det",
         "determinant": "det",
         "expm": "expm",
@@ -61,6 +63,40 @@ def applied(space: Workspace, function: str, arguments: Sequence[Value], span: S
 def is_function(function: str) -> bool:
     """Whether code calls a function by this name, which else is an array."""
     return _plain(function) in {*_MADE, *_SAME}
+
+
+SEVERAL = frozenset({"cart2pol", "cart2sph", "pol2cart", "sph2cart"})
+
+
+def changed_coordinates(space: Workspace, function: str, arguments: Sequence[Value], span: Span) -> list[Value]:
+    """What MATLAB's functions between coordinates return; azimuth and elevation come first, the range last.
+
+    Raises:
+        FormulaError: for another number of arguments.
+    """
+    flat = function in {"cart2pol", "pol2cart"}
+    _check_number(function, len(arguments), 2 if flat else 3, 3, span)
+    if function in {"pol2cart", "sph2cart"}:
+        return _to_cartesian(space, arguments, span, flat=flat)
+    x, y, *z = arguments
+    ground = space.call("hypot", [x, y], span)
+    azimuth = space.call("atan2", [y, x], span)
+    if flat:
+        return [azimuth, ground, *z]
+    elevation = space.call("atan2", [z[0], ground], span)
+    return [azimuth, elevation, space.call("hypot", [ground, z[0]], span)]
+
+
+def _to_cartesian(space: Workspace, arguments: Sequence[Value], span: Span, *, flat: bool) -> list[Value]:
+    azimuth, *others = arguments
+    if flat:
+        ground, *z = others
+    else:
+        elevation, distance = others
+        ground = space.product([distance, space.call("cos", [elevation], span)], span)
+        z = [space.product([distance, space.call("sin", [elevation], span)], span)]
+    turned = [space.product([ground, space.call(one, [azimuth], span)], span) for one in ("cos", "sin")]
+    return [*turned, *z]
 
 
 def _plain(function: str) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
 from radartrack.derive.formula.tree import Array, Place
-from radartrack.derive.reading.code.code_functions import applied, is_function
+from radartrack.derive.reading.code.code_functions import SEVERAL, applied, changed_coordinates, is_function
 from radartrack.derive.reading.code.syntax_trees import Chain, field, first_error, named, parsed, text_of
 from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
 
@@ -101,6 +101,9 @@ class _MatlabReader:
         right = field(node, "right")
         if right.type == "lambda":  # f = @(x) ...
             right = field(right, "expression")
+        if left.type == "multioutput_variable":
+            self._assign_several(left, right)
+            return
         value = self.value(right)
         if left.type == "function_call":
             places = [self._place(one) for one in self._arguments(left)]
@@ -109,6 +112,18 @@ class _MatlabReader:
             self._space.assign(name, value)
         else:
             raise FormulaError("this cannot be assigned to", span=self._span(left))
+
+    def _assign_several(self, left: Node, right: Node) -> None:
+        """[x, y] = pol2cart(th, r) and its kin."""
+        function = text_of(field(right, "name")) if right.type == "function_call" else ""
+        arguments = [self.value(one) for one in self._arguments(right)] if function in SEVERAL else []
+        if function not in SEVERAL:
+            raise FormulaError("a function that returns several values is not read here", span=self._span(right))
+        for target, value in zip(
+            named(left), changed_coordinates(self._space, function, arguments, self._span(right)), strict=False
+        ):
+            if target.type == "identifier":  # a ~ drops one
+                self._space.assign(text_of(target), value)
 
     def _name(self, node: Node) -> str:
         """A name, or that of a field: plot.x is plot_x."""

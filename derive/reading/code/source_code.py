@@ -65,6 +65,7 @@ def read_code(
     *,
     function: str = "",
     strangers: bool = False,
+    wanted: int = 1,
 ) -> ReadCode:
     """Read code in these symbols, with the arithmetic of its language. It is parsed and never run.
 
@@ -78,6 +79,7 @@ def read_code(
         shapes: of those that stand for arrays.
         function: the function to read, where there are several.
         strangers: whether names that are not known are let through.
+        wanted: how many numbers it is to compute: where as many are assigned that no other rests on, all of them.
 
     Raises:
         FormulaError: when it is no such code, does what formulas do not, or is too large.
@@ -88,7 +90,7 @@ def read_code(
     spoken, first, read = _LANGUAGES[language]
     allowed = check_names(names or ())
     strangers = strangers or names is None
-    space = Workspace(spoken, first, allowed, shapes, strangers)
+    space = Workspace(spoken, first, allowed, shapes, strangers, wanted)
     try:
         plain = _plain(text, language, allowed)
         _check_nesting(plain)

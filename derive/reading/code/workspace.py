@@ -71,6 +71,7 @@ class Workspace:
         names: the symbols that are known.
         shapes: of those that stand for arrays.
         strangers: whether other names are let through.
+        wanted: how many numbers the code is to compute.
     """
 
     language: str
@@ -78,9 +79,11 @@ class Workspace:
     names: Collection[str]
     shapes: Mapping[str, Shape]
     strangers: bool
+    wanted: int = 1
     remarks: list[Remark] = field(default_factory=list)
     _values: dict[str, Value] = field(default_factory=dict)
     _entries: dict[str, dict[tuple[int, ...], Value]] = field(default_factory=dict)
+    _used: set[str] = field(default_factory=set)  # of those that have values, which others rest on
     _last: Value | str | None = None  # a value, or the name of an array of which entries are set
 
     def made(self, tree: Tree, parts: Sequence[Value], *, whole: bool = False) -> Value:
@@ -116,6 +119,7 @@ class Workspace:
             FormulaError: for one that is not known, unless strangers are let through.
         """
         if name in self._values:
+            self._used.add(name)
             return self._values[name]
         if name in self._entries:
             return self._matrix(name, span)
@@ -300,6 +304,8 @@ class Workspace:
     def result(self, value: Value | None = None) -> Value:
         """A value that was returned, or else what was assigned last: all entries of an array, where those were set.
 
+        Where several numbers are wanted, those that were assigned and that no other rests on, if they are as many.
+
         Raises:
             FormulaError: when nothing was.
         """
@@ -307,7 +313,13 @@ class Workspace:
             return value
         if self._last is None:
             raise FormulaError("no value is assigned or returned here")
-        return self._matrix(self._last, (0, 0)) if isinstance(self._last, str) else self._last
+        if isinstance(self._last, str):
+            return self._matrix(self._last, (0, 0))
+        results = [value for name, value in self._values.items() if name not in self._used and not value.shape]
+        if self.wanted > 1 and len(results) == self.wanted and not self._last.shape:
+            spans = [value.tree.span or (0, 0) for value in results]
+            return self.array(results, (spans[0][0], spans[-1][1]))
+        return self._last
 
     def _matrix(self, name: str, span: Span) -> Value:
         entries = self._entries[name]

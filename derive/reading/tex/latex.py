@@ -26,6 +26,7 @@ from radartrack.derive.formula.tree import (
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees, verb
+from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
 from radartrack.derive.reading.tex.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.latex_equations import equations
 from radartrack.derive.reading.tex.latex_hints import hint
@@ -44,7 +45,8 @@ def read_latex(
     and primes are kept in the name where one letter occurs in two ways, and dropped elsewhere. Letters side by side
     are a product, and so is a letter before a bracket: show the reading, `to_text` of the tree, to whoever asked. \pi,
     \mathrm{e} and e are the constants where no symbol has their name. A matrix of one column or row is a vector.
-    Of an equation the right side is read; of several, the one that the others define, or all.
+    Of an equation the right side is read; of several, the one that the others define, or all. Commands that the text
+    defines itself, with \newcommand or \def, are put in.
 
     Args:
         text: the formula, with or without delimiters and environments.
@@ -60,6 +62,8 @@ def read_latex(
     strangers = strangers or names is None
     check_characters(text, allowed, latex=True)
     try:
+        macros, text = defined_macros(text)
+        text = expanded(text, macros)
         found = equations(text)
         rights = [LatexTokens(one.right, allowed, shapes, strangers=strangers) for one in found]
         lefts = [_letter(one.left, allowed) if len(found) > 1 else None for one in found]

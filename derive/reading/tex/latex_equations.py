@@ -59,6 +59,14 @@ _BLANK = re.compile(rf"{_SPACE}*")
 _SPACES_BEHIND = ("\\,", "\\;", "\\:", "\\!", "\\>", "\\quad", "\\qquad", "~")
 _NUMBERED = re.compile(r"(?:~|\\[,;:> ]|\\q?quad(?![A-Za-z])|\s\s)\s*(?P<number>\(\d{1,3}[a-z]?\))$")
 _NULL = re.compile(r"\\(?P<side>left|right)\s*\.")
+# Equations under each other behind a brace: a system, unlike the branches of one function, has a relation in each row.
+_SYSTEM = re.compile(
+    r"(?P<open>\\left\s*(?:\\\{|\\lbrace)\s*|\\\{\s*)?"
+    r"(?P<begin>\\begin\s*\{(?P<name>[dr]?cases|array)\}(?:\s*\{[lcr|@{}\s]*\})?)"
+    r"(?P<body>(?:(?!\\(?:begin|end)\s*\{(?P=name)\}).)*)(?P<end>\\end\s*\{(?P=name)\})(?P<close>\s*\\right\s*\.)?",
+    re.DOTALL,
+)
+_RELATED = re.compile(rf"(?:{_RELATION})\s*$", re.VERBOSE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,10 +100,26 @@ def _without_setting(source: str) -> str:
         return "\\\\" + blank[2:] if found["end"] else blank
 
     bare = _SET.sub(replaced, source)
+    bare = without_braces(bare)
     sides = [found["side"] for found in _NULL.finditer(bare)]
     if sides.count("left") == sides.count("right"):  # brackets that go over two lines
         bare = _NULL.sub(lambda found: " " * len(found.group()), bare)
     return bare
+
+
+def without_braces(text: str) -> str:
+    """A text where equations under each other behind a brace stand without it, each place as it was."""
+    return _SYSTEM.sub(_without_brace, text)
+
+
+def _without_brace(found: re.Match[str]) -> str:
+    """The equations of a system without the brace before them; what is no system stays as it is."""
+    rows = [row for row in found["body"].split("\\\\") if not _BLANK.fullmatch(row)]
+    related = all("=" in (row.split("&")[0] if "if" in row or "text" in row else row) for row in rows)
+    if not rows or not related or _RELATED.search(found.string, 0, found.start()):
+        return found.group()
+    blank = {name: " " * len(found[name] or "") for name in ("open", "begin", "end", "close")}
+    return f"{blank['open']}{blank['begin']}{found['body']}\\\\{blank['end'][2:]}{blank['close']}"
 
 
 def _lines(bare: str, *, aligned: bool) -> Iterator[tuple[list[Span], list[Span]]]:

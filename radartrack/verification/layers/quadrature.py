@@ -38,13 +38,14 @@ POLYNOMIAL_ORDER = 4  # exact to degree seven in what is not an angle
 BLOCK = 64
 ZERO = 2.0**-48  # of what meets in an entry; less is rounding
 MOST_NODES = 2 * 10**7  # of an average, or of an average of averages
-NESTED = {"bias.averaged", "covariance.averaged", "decorrelated.covariance"}
+NESTED = {"bias.averaged", "covariance.averaged", "decorrelated.covariance", "unbiased.covariance.averaged"}
 Array = npt.NDArray[np.float64]
 Point = Mapping[str, Array]
 TAYLOR = {
     "bias.second_order": ("bias.truth", 2),
     "covariance.linear": ("covariance.truth", 1),
     "covariance.second_order": ("covariance.truth", 2),
+    "covariance.third_order": ("covariance.truth", 3),
 }
 
 

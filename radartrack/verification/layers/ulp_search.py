@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +13,7 @@ from radartrack.derive.evaluation.balls import exact_arithmetic
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.verification.domain_points import Points, coarse, sample
-from radartrack.verification.error_in_ulp import errors
+from radartrack.verification.error_in_ulp import SINGLE, Exact, errors, in_single
 from radartrack.verification.outcome import Function, Outcome
 
 NAME = "ulp"
@@ -23,6 +24,7 @@ CORRELATED = 32
 ALLOWANCE = 2.0**10  # correlated errors may nearly cancel; the bound is for independent ones
 SURVIVORS = 0.02
 MOVED = 2.0**-26  # relative, of an argument, to see what its rounding does
+MOVED_SINGLE = 2.0**-12
 
 
 @dataclass(frozen=True)
@@ -33,42 +35,78 @@ class Accuracy:
         points: how many are tried; half are spread over all scales of the domain, and the rest, in generations, are
             bred from the worst found so far: moved a little, or mixed.
         seed: of the points.
+        single: whether the function computes in single precision; it says then where that suffices, by `within_range`.
     """
 
     points: int = 2000
     seed: int = 0
+    single: bool = False
     name: str = NAME
 
     def __call__(self, quantity: Quantity, function: Function) -> Outcome:
         """The largest error found."""
         arithmetic, exact = exact_arithmetic()
         generator = np.random.Generator(np.random.Philox(self.seed + 3))
-        first = sample(quantity, max(1, self.points // 2), self.seed + 4)
-        tried, found = first, errors(function, quantity, first, exact)
-        worst_at_random = float(found.max())
+        first = self._held(sample(quantity, max(1, self.points // 2), self.seed + 4))
+        tried, found = first, self._errors(function, quantity, first, exact)
+        worst_at_random = float(np.nanmax(found, initial=0.0))
         litter = (self.points - len(found)) // GENERATIONS
         for _ in range(GENERATIONS if litter and first else 0):
-            born = _bred(quantity, tried, found, litter, generator)
+            born = self._held(_bred(quantity, tried, np.nan_to_num(found, nan=-1.0, posinf=np.inf), litter, generator))
             tried = {name: np.concatenate([values, born[name]]) for name, values in tried.items()}
-            found = np.concatenate([found, errors(function, quantity, born, exact)])
-        strong_points = coarse(quantity, CORRELATED, self.seed + 7)
-        strong = errors(function, quantity, strong_points, exact)
+            found = np.concatenate([found, self._errors(function, quantity, born, exact)])
+        strong_points = self._held(coarse(quantity, CORRELATED, self.seed + 7))
+        strong = self._errors(function, quantity, strong_points, exact)
+        within = int(np.count_nonzero(~np.isnan(found)))
+        if not within:
+            return Outcome.not_applicable(
+                NAME, "everywhere in the domain something leaves the range of single precision"
+            )
+        found, strong = np.nan_to_num(found, posinf=np.inf), np.nan_to_num(strong, posinf=np.inf)
         bound = BOUNDS.get(quantity.module, BOUND_ELSEWHERE)
         if quantity.name not in catalogue():
-            found = found / _conditions(function, quantity, tried, found > bound)
-            strong = strong / _conditions(function, quantity, strong_points, strong > bound)
+            found = found / self._conditions(function, quantity, tried, found > bound)
+            strong = strong / self._conditions(function, quantity, strong_points, strong > bound)
         place = ", ".join(f"{name}={float(values[found.argmax()])!r}" for name, values in tried.items())
+        counted = (
+            f"{within} of {len(found)} points, where nothing leaves its range"
+            if self.single
+            else f"{len(found)} points"
+        )
         return Outcome.measured(
             NAME,
             max(float(found.max()), float(strong.max()) / ALLOWANCE),
             bound,
-            f"{len(found)} points, {worst_at_random:.2g} ulp before the search, {strong.max():.2g} ulp with large "
+            f"{counted}, {worst_at_random:.2g} ulp before the search, {strong.max():.2g} ulp with large "
             f"correlated errors, {arithmetic}; worst at {place}",
         )
 
+    def _held(self, points: Points) -> Points:
+        """The points as the precision has them."""
+        return in_single(points) if self.single else points
+
+    def _errors(self, function: Function, quantity: Quantity, points: Points, exact: Exact) -> npt.NDArray[np.float64]:
+        """In ulp of the precision; NaN where something leaves the range of single precision."""
+        found = errors(function, quantity, points, exact)
+        if not self.single:
+            return found
+        within: Any = function
+        return np.where(within.within_range(points), found / SINGLE, np.nan)
+
+    def _conditions(
+        self, function: Function, quantity: Quantity, points: Points, wanted: npt.NDArray[np.bool_]
+    ) -> npt.NDArray[np.float64]:
+        moved, rounding = (MOVED_SINGLE, 2.0**-24 / SINGLE) if self.single else (MOVED, 2.0**-53)
+        return _conditions(function, quantity, points, wanted, moved, rounding)
+
 
 def _conditions(
-    function: Function, quantity: Quantity, points: Points, wanted: npt.NDArray[np.bool_]
+    function: Function,
+    quantity: Quantity,
+    points: Points,
+    wanted: npt.NDArray[np.bool_],
+    step: float = MOVED,
+    rounding: float = 2.0**-53,
 ) -> npt.NDArray[np.float64]:
     """How many times its own rounding an error is that comes of rounding the arguments, at wanted points; else 1.
 
@@ -81,12 +119,12 @@ def _conditions(
         return found
     total = np.ones(int(wanted.sum()))
     for name, values in some.items():
-        moved = some | {name: values * (1 + MOVED)}
+        moved = some | {name: values * (1 + step)}
 
         def elsewhere(moved: Points = moved, **_: object) -> object:
             return function(**moved)
 
-        change = errors(elsewhere, quantity, some) * (2.0**-53 / MOVED)
+        change = errors(elsewhere, quantity, some) * (rounding / step)
         total += np.where(np.isfinite(change), change, 0.0)
     found[wanted] = total
     return found

@@ -70,6 +70,30 @@ def _plane_covariance(at: At, number: int) -> Matrix:
     return mpmath.matrix([[x**2, rho * x * y], [rho * x * y, y**2]])
 
 
+def _correlated(at: At) -> tuple[Matrix, Matrix]:
+    """The joint covariance of two errors, and the weights: its inverse times ones, scaled to the sum of one."""
+    one, two = at["sigma_1"], at["sigma_2"]
+    joint = mpmath.matrix([[one**2, at["rho_12"] * one * two], [at["rho_12"] * one * two, two**2]])
+    weights = mpmath.lu_solve(joint, mpmath.matrix([1, 1]))
+    return joint, weights / (weights[0] + weights[1])
+
+
+def _correlated_weights(at: At) -> Tensor[Number]:
+    _, weights = _correlated(at)
+    return Tensor((2,), (weights[0], weights[1]))
+
+
+def _correlated_variance(at: At) -> Tensor[Number]:
+    joint, weights = _correlated(at)
+    return Tensor((), ((weights.T * joint * weights)[0, 0],))
+
+
+def _intersection(at: At) -> Tensor[Number]:
+    first, second = (mpmath.inverse(_plane_covariance(at, number)) for number in (1, 2))
+    found = mpmath.inverse(at["weight"] * first + (1 - at["weight"]) * second)
+    return Tensor.build((2, 2), lambda m, n: found[m, n])
+
+
 DERIVATIONS: dict[str, Callable[[At], Tensor[Number]]] = {
     "fusion.weights.two": _weights,
     "fusion.variance.two": _variance,
@@ -77,4 +101,7 @@ DERIVATIONS: dict[str, Callable[[At], Tensor[Number]]] = {
     "fusion.variance.three": _variance,
     "fusion.weight": _weight,
     "fusion.matrix_weights.two": _matrix_weights,
+    "fusion.correlated.weights": _correlated_weights,
+    "fusion.correlated.variance": _correlated_variance,
+    "fusion.covariance_intersection.covariance": _intersection,
 }

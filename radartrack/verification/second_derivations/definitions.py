@@ -78,9 +78,17 @@ def _error_of_estimate(of: Expectations[V], a: int, b: int) -> V:
 
 def _error_over_prediction(of: Expectations[V], a: int, b: int) -> V:
     """The average over θ = θₚ − wₚ of E[(u_a(θ + w) − h_a(θ)) (u_b(θ + w) − h_b(θ))]."""
+    return of.prediction(_about_truth(of, a, b))
+
+
+def _about_truth(of: Expectations[V], a: int, b: int) -> V:
+    """E[(u_a(θ + w) − h_a(θ)) (u_b(θ + w) − h_b(θ))]."""
     h, u = of.h, of.u
-    given_truth = of.noise(u[a] * u[b]) - of.noise(u[a]) * h[b] - h[a] * of.noise(u[b]) + h[a] * h[b]
-    return of.prediction(given_truth)
+    return of.noise(u[a] * u[b]) - of.noise(u[a]) * h[b] - h[a] * of.noise(u[b]) + h[a] * h[b]
+
+
+def _about_truth_averaged(of: Expectations[V], a: int, b: int) -> V:
+    return of.noise(_about_truth(of, a, b))
 
 
 Vector = Callable[[Any], list[Any]]
@@ -97,6 +105,8 @@ MATRICES: dict[str, Matrix] = {
     "unbiased.covariance": _error_of_estimate,
     "posterior.covariance": _covariance,
     "decorrelated.covariance": _error_over_prediction,
+    "unbiased.covariance.truth": _about_truth,
+    "unbiased.covariance.averaged": _about_truth_averaged,
 }
 ROWS = VECTORS.keys() | MATRICES.keys()
 

@@ -157,6 +157,7 @@ EXPANSIONS: dict[str, Callable[[Model, Mapping[Symbol, Number]], Tensor[Number]]
     "bias.second_order": _moment("bias.truth", 2, 2),
     "covariance.linear": _moment("covariance.truth", 2, 1),
     "covariance.second_order": _moment("covariance.truth", 4, 2),
+    "covariance.third_order": _moment("covariance.truth", 6, 3),
     "std.linear": _std,
     "std.position": _std_of_position,
 }

@@ -70,6 +70,46 @@ def _fading(size: int, at: At) -> tuple[Matrix, Matrix]:
     return gain, accumulated((one - gain * seen) * transition, gain * gain.T)
 
 
+def accumulated_between(first: Matrix, second: Matrix, noise: Matrix) -> Matrix:
+    """The sum of M1^n N (M2^n)' over all n."""
+    total = noise
+    for _ in range(MOST_DOUBLINGS):
+        added = first * total * second.T
+        first, second, total = first * first, second * second, total + added
+        if mpmath.norm(added) <= mpmath.eps * mpmath.norm(total):
+            return total
+    raise ArithmeticError("the doubling did not come to an end")
+
+
+def _cross(at: At) -> Tensor[Number]:
+    """Of two filters of one process, each with its own steady gain, from all accelerations that there were."""
+    with mpmath.workdps(DIGITS):
+        transition, one = exponential(drift(2)), mpmath.eye(2)
+        column = mpmath.matrix([mpmath.mpf(1) / 2, mpmath.mpf(1)])
+        reduced = []
+        for number in (1, 2):
+            gain, _ = _steady(2, {"index": at[f"index_{number}"]})
+            seen = mpmath.matrix(1, 2)
+            seen[0, 0] = mpmath.mpf(1)
+            reduced.append(one - gain * seen)
+        first, second = reduced
+        noise = first * column * column.T * second.T
+        found = accumulated_between(first * transition, second * transition, noise)
+        scale = at["sigma_w"] ** 2
+        return Tensor.build((2, 2), lambda m, n: scale * found[m, n] * at["T"] ** (4 - m - n))
+
+
+def _cross_updated(at: At) -> Tensor[Number]:
+    """One step in matrices, of states in metres and seconds."""
+    transition = exponential(drift(2) * at["T"])
+    column = mpmath.matrix([at["T"] ** 2 / 2, at["T"]])
+    before = mpmath.matrix([[at["cross_00"], at["cross_01"]], [at["cross_10"], at["cross_11"]]])
+    moved = transition * before * transition.T + at["sigma_w"] ** 2 * column * column.T
+    first, second = (mpmath.matrix([[1 - at[f"alpha_{j}"], 0], [-at[f"beta_{j}"] / at["T"], 1]]) for j in (1, 2))
+    found = first * moved * second.T
+    return Tensor.build((2, 2), lambda m, n: found[m, n])
+
+
 def _gain(filter_: Callable[[int, At], tuple[Matrix, Matrix]], size: int) -> Callable[[At], Tensor[Number]]:
     def values(at: At) -> Tensor[Number]:
         with mpmath.workdps(DIGITS):
@@ -90,6 +130,8 @@ def _covariance(filter_: Callable[[int, At], tuple[Matrix, Matrix]], size: int) 
 
 
 DERIVATIONS: dict[str, Callable[[At], Tensor[Number]]] = {
+    "fusion.cross_covariance.steady": _cross,
+    "fusion.cross_covariance.updated": _cross_updated,
     "steady_state.alpha_beta.gain": _gain(_steady, 2),
     "steady_state.alpha_beta.covariance": _covariance(_steady, 2),
     "steady_state.alpha_beta_gamma.gain": _gain(_steady, 3),

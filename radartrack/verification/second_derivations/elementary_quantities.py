@@ -10,13 +10,13 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.verification.second_derivations import (
     arcs,
     best_weights,
-    between_sites,
     doubling,
     straight_lines,
     taylor_terms,
     track_starts,
     van_loan_motion,
 )
+from radartrack.verification.second_derivations.sites import between_sites, on_the_earth
 
 Number = Any
 
@@ -39,6 +39,7 @@ ELEMENTARY = {
         arcs,
         doubling,
         between_sites,
+        on_the_earth,
         track_starts,
     )
     for name, values in module.DERIVATIONS.items()

@@ -118,6 +118,37 @@ def _turning(at: At) -> Driven:
     return Driven(a, g, at["T"])
 
 
+def _spun(at: At, first: Sequence[Number]) -> Matrix:
+    """e, s e, s^2 e/2 and the integrals of the last two after a period, of a vector e in the plane that turns."""
+    size, turn = 10, mpmath.matrix([[0, -at["omega"]], [at["omega"], 0]])
+    rates = mpmath.matrix(size, size)
+    for k in range(3):
+        rates[2 * k : 2 * k + 2, 2 * k : 2 * k + 2] = turn
+    one = mpmath.eye(2)
+    rates[2:4, 0:2] = rates[4:6, 2:4] = rates[6:8, 2:4] = rates[8:10, 4:6] = one
+    start = mpmath.matrix(size, 1)
+    start[0, 0], start[1, 0] = first
+    return mpmath.expm(rates * at["T"]) * start
+
+
+def _bent_turn(at: At) -> Tensor[Number]:
+    """Of a velocity that turns, and is turned by s^2/2 more: a quarter of a turn aside of s^2 v/2."""
+    spun, T = _spun(at, (at["vx"], at["vy"])), at["T"]
+    aside = mpmath.matrix([-spun[9], -spun[5], spun[8], spun[4], T])
+    plain = _turning(at).constant(at["sigma_w"])
+    found = at["sigma_omega"] ** 2 * aside * aside.T
+    found[:4, :4] = found[:4, :4] + plain
+    return _tensor(found)
+
+
+def _bent_heading(at: At) -> Tensor[Number]:
+    """Of a heading that turns: a push of s along it, and one of s^2/2 times the speed aside."""
+    spun, T = _spun(at, (mpmath.cos(at["heading"]), mpmath.sin(at["heading"]))), at["T"]
+    ahead = mpmath.matrix([spun[6], spun[7], T, 0, 0])
+    aside = mpmath.matrix([-at["speed"] * spun[9], at["speed"] * spun[8], 0, T**2 / 2, T])
+    return _tensor(at["sigma_w"] ** 2 * ahead * ahead.T + at["sigma_omega"] ** 2 * aside * aside.T)
+
+
 def _last(size: int) -> Matrix:
     found = mpmath.matrix(size, 1)
     found[size - 1, 0] = mpmath.mpf(1)
@@ -191,6 +222,8 @@ DERIVATIONS: dict[str, Callable[[At], Tensor[Number]]] = {
     **dict(_rows("singer", _forgetting(3), {"": _stationary})),
     **dict(_rows("ornstein_uhlenbeck", _forgetting(2), {"": _white})),
     **dict(_rows("turn.known_rate", _turning, STEPWISE)),
+    "motion.turn.unknown_rate.process_noise.piecewise": _bent_turn,
+    "motion.ctrv.process_noise.piecewise": _bent_heading,
     "motion.plane.transition": _plane_transition,
     "motion.plane.observation": _plane_observation,
 }

@@ -71,3 +71,25 @@ def test_what_the_language_makes_of_a_right_formula_is_said_too():
     verdict = check("polar.map[0]", "y = 4/2*r*cos(beta)/2;", code="c")
     assert verdict.verdict is Outcome.EQUAL
     assert verdict.remarks
+
+
+@pytest.mark.parametrize(
+    ("code", "language", "name"),
+    [
+        ("x = r*math.cos(az); y = r*math.sin(az)", "python", "polar.map"),
+        ("c = cos(az); s = sin(az); x = r*c; y = r*s;", "c", "polar.map"),
+        ("[x, y] = pol2cart(az, r)", "matlab", "polar.map"),
+        ("[th, R] = cart2pol(e, n); h = [R; th];", "matlab", "observe.polar.map"),
+        ("J << cos(az), -r*sin(az), sin(az), r*cos(az);", "cpp", "polar.jacobian"),
+        (
+            "J = np.array([[cos(b), -r*sin(b)], [sin(b), r*cos(b)]])\nP = J @ np.diag([sr**2, sb**2]) @ J.T",
+            "python",
+            "polar.covariance.linear",
+        ),
+    ],
+)
+def test_code_that_computes_several_numbers_is_all_of_them(code: str, language: str, name: str):
+    if language != "python":
+        pytest.importorskip("tree_sitter")
+    given = {"rho": "0"} if "covariance" in name else None
+    assert check(name, code, code=language, given=given).is_equal

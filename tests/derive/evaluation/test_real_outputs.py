@@ -223,7 +223,7 @@ def refusal_of(output: Any) -> str:
 
 
 @given(MAPS)
-@share(0.5)
+@share(0.2)
 def test_any_map_is_differentiated_as_numbers_say_or_refused_on_one_line(tmp_path_factory: Any, output: Any):
     refusal = refusal_of(output)
     if refusal:
@@ -256,6 +256,7 @@ SMOOTH = {
     "a direction": of_numbers(x=sympy.atan2(u, v), y=sympy.sqrt(u**2 + v**2)),
     "a root beside a product": of_numbers(x=u + sympy.sqrt(u * v), y=v * sympy.sqrt(1 + u / v)),
     "a number": of_numbers(x=5.5),
+    "a function of a number": of_numbers(x=(u + 1.25) * sympy.tanh(sympy.Rational(1, 3)), y=v),
 }
 
 

@@ -123,6 +123,26 @@ def test_another_convention_is_said(formula: str, quantity: str, convention: str
     assert [one for one in found if one.quantity == quantity and convention in one.convention] or not convention
 
 
+@pytest.mark.parametrize(
+    ("formula", "quantity"),
+    [
+        ("r*cos(b)*(1 - exp(-s^2/2))", "-polar.bias.truth[0]"),
+        ("P1*P2/(P1 + P2)", "fusion.variance.two"),
+        ("[[dt^4/4, dt^3/2], [dt^3/2, dt^2]]*s^2", "motion.constant_velocity.process_noise.piecewise"),
+        ("[[cos(b), sin(b)], [-a*sin(b), a*cos(b)]]", "polar.jacobian"),
+        ("[[1, 0, T, 0], [0, 1, 0, T], [0, 0, 1, 0], [0, 0, 0, 1]]", "motion.plane.transition"),
+        ("[sqrt(x^2 + y^2), atan2(x, y)]", "observe.polar.map"),
+        ("[[x/sqrt(x^2+y^2), 0, y/sqrt(x^2+y^2), 0], [y/(x^2+y^2), 0, -x/(x^2+y^2), 0]]", "observe.polar.jacobian"),
+        (
+            "[[cos(b), -r*sin(b)], [sin(b), r*cos(b)]]*diag(s_r^2, s_b^2)*[[cos(b), sin(b)], [-r*sin(b), r*cos(b)]]",
+            "polar.covariance.linear",
+        ),
+    ],
+)
+def test_other_signs_orders_and_products_are_candidates_too(formula: str, quantity: str) -> None:
+    assert quantity in {one.quantity for one in search().candidates(read_loosely(formula))}
+
+
 @pytest.mark.parametrize("slip", ["-R*cos(theta)*s_theta^2/3", "-R*cos(theta)*s_theta^2/1.9", "1.1*R*cos(theta)"])
 def test_a_slip_is_near_and_never_found(slip: str) -> None:
     tree = read_loosely(slip)

@@ -108,3 +108,17 @@ def test_a_source_without_equations_is_refused(tmp_path: Path, text: str) -> Non
     source.write_text(text)
     assert CliRunner().invoke(app, ["draft", str(source)]).exit_code == 2
     assert CliRunner().invoke(app, ["draft", str(tmp_path / "missing.tex")]).exit_code == 2
+
+
+def test_an_author_s_commands_and_systems_behind_a_brace_are_equations_too() -> None:
+    source = r"""
+    \newcommand{\be}{\begin{equation}} \newcommand{\ee}{\end{equation}} \newcommand{\sq}[1]{#1^{2}}
+    \be d = \sqrt{\sq{x} + \sq{y}} \ee
+    \be \begin{cases} x = r\cos\theta \\ y = r\sin\theta \end{cases} \ee
+    """
+    found = understood(equations(source))
+    assert [(one.equation.number, to_text(one.tree) if one.tree else "") for one in found] == [
+        ("1", "sqrt(x**2 + y**2)"),
+        ("2", "r*cos(theta)"),
+        ("2", "r*sin(theta)"),
+    ]

@@ -132,6 +132,12 @@ def test_what_authors_write(latex: str, text: str):
         (r"\begin{align} y &= r \\ &\quad + k \\ & - q \end{align}", "r + k - q"),
         (r"\begin{align} y &= r + k \\ &= k + r \end{align}", "k + r"),
         (r"\begin{multline} y = \left( r \right. \\ \left. + k \right) q \end{multline}", "(r + k)*q"),
+        (r"\begin{cases} x = r\cos\theta \\ y = r\sin\theta \end{cases}", "[r*cos(theta), r*sin(theta)]"),
+        (r"\left\{\begin{array}{l} x = r, \\ y = k. \end{array}\right.", "[r, k]"),
+        (r"\newcommand{\sq}[1]{#1^{2}}\newcommand{\rr}{\rho} \sqrt{\sq{\rr}+\sq{k}}", "sqrt(rho**2 + k**2)"),
+        (r"\def\half{\frac12}\def\of#1#2{#1(#2)} \half\,\of{\cos}{\theta} r", "1/2*cos(theta)*r"),
+        (r"\DeclareMathOperator{\dg}{diag} \dg(q, k)", "diag(q, k)"),
+        (r"\newcommand{\s}[2][r]{#2_{#1}} \s{\sigma} + \s[\rho]{\sigma}", "sigma_r + sigma_rho"),
     ],
 )
 def test_several_equations(latex: str, text: str):
@@ -145,6 +151,9 @@ def test_several_equations(latex: str, text: str):
         (r"\tan 2\theta^2", r"this may be the power of \tan or of its argument"),
         (r"\sin^2\theta^2", r"this may be the power of \sin or of its argument"),
         (r"\begin{cases} r \\ k \end{cases}", r"\begin{cases} is not read: give the branch that is meant"),
+        (r"x = \begin{cases} r & k > 0 \\ q = 1 & k = 0 \end{cases}", r"\begin{cases} is not read"),
+        (r"\newcommand{\a}{2\a} \a", r"\a stands for itself"),
+        (r"\def\a{\b\b}\def\b{\c\c}\def\c{\a\a} \a", "\\"),
         (r"\frac{dx}{dt}", "this may be a derivative"),
         (r"\frac{\mathrm{d}x}{\mathrm{d}t}", "this may be a derivative"),
         (r"x^T T", "^T may mean a transpose or a power by T"),

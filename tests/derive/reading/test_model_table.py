@@ -47,6 +47,32 @@ def bistatic() -> dict[str, Any]:
     """)
 
 
+@pytest.mark.parametrize("said", [("S",), ("S", "theta"), ("S", "L")])
+def test_a_symbol_of_which_nothing_is_said_has_the_unit_that_its_outputs_ask_for(said: tuple[str, ...]):
+    """The catalogue has a theta too, which is no angle: a fading factor."""
+    data = bistatic()
+    data["symbols"] = {name: data["symbols"][name] for name in said}
+    (model,) = read_models(data)
+    assert {symbol.name: str(symbol.unit) for symbol in model.arguments} == {"S": "m", "theta": "rad", "L": "m"}
+    assert "fading" not in "".join(symbol.meaning for symbol in model.arguments)
+
+
+def test_a_symbol_of_the_catalogue_need_not_be_declared_and_a_rate_is_found_from_what_it_is_added_to():
+    (model,) = read_models(
+        tomllib.loads("""
+        [[model]]
+        name = "moving"
+        measured = ["r", "beta"]
+        parameters = ["speed", "T", "rate"]
+        outputs = { x = "r*cos(beta + rate*T) + speed*T", y = "r*sin(beta)" }
+        units = { x = "m", y = "m" }
+        """)
+    )
+    units = {symbol.name: str(symbol.unit) for symbol in model.arguments}
+    assert units == {"r": "m", "beta": "rad", "speed": "m/s", "T": "s", "rate": "rad/s"}
+    assert model.measured[0] in models()["polar"].measured
+
+
 @pytest.mark.parametrize("name", models())
 def test_a_built_in_model_written_as_a_table_gives_the_identical_quantities(name: str, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(model_table, "require_own_name", lambda _: None)
@@ -188,7 +214,7 @@ def test_a_motion_has_its_map_and_the_derivatives_of_it_alone():
         ({"units": {"x": "km", "y": "m"}}, "units.x must be an SI unit, m"),
         ({"units": {"x": "furlong", "y": "m"}}, "'furlong' is no unit"),
         ({"units": {"x": "s", "y": "m"}}, "output x is said to be in s"),
-        ({"measured": ["S", "phi"]}, "measured: [symbols] says nothing of phi"),
+        ({"measured": ["S", "theta", "phi"]}, "measured: [symbols] says nothing of phi"),
         ({"measured": "S"}, "measured must be a list of symbols"),
         ({"measured": ["S"] * 13}, "measured names at most 12 symbols"),
         ({"deviations": {"S": "sigma_S"}}, "deviations must name a symbol for each of S, theta"),

@@ -123,7 +123,6 @@ def test_every_node_knows_where_it_stood():
         ("[r, k][2]", "the entry 2 is beyond an array of shape (2,); counting begins at 0", "[r, k][2]"),
         ("lambda x: x", "lambda is not a name here", "lambda"),
         ("r if k else 2", "if is not a name here", "if"),
-        ("r = 2", "give the right-hand side alone, without an equals sign", "="),
         ("r == 2", "give the right-hand side alone, without an equals sign", "="),
         ("r := 2", ": has no meaning here", ":"),
         ("'r'", "quoted text has no place in a formula", "'"),
@@ -204,3 +203,15 @@ def test_an_error_survives_the_way_between_processes():
     error = refusal("2*sigma_b")
     again = pickle.loads(pickle.dumps(error))  # noqa: S301 - made in this line
     assert (str(again), again.message, again.span) == (str(error), error.message, error.span)
+
+
+@pytest.mark.parametrize("left", ["x", "P_11", "P[0, 1]", "f(r, beta)"])
+def test_what_stands_left_of_an_equals_sign_is_left_out(left: str):
+    assert read_text(f"{left} = 2*r", ["r"]) == read_text("2*r", ["r"])
+    assert read_text(f"{left} = 2*r", ["r"]).span == (len(left) + 3, len(left) + 6)
+
+
+@pytest.mark.parametrize("names", [["J"], ["J", "T"]])
+def test_a_t_above_an_array_is_a_transpose_whatever_else_it_is_called(names: list[str]):
+    assert read_text("J*J^T", names, {"J": (2, 2)}) == read_text("J*J.T", names, {"J": (2, 2)})
+    assert read_text("2^T", ["T"]) == Power(Number("2"), Name("T"))

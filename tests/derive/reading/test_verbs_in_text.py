@@ -45,6 +45,9 @@ SAME = {
     "integral([s, s^2], s, 0, T)": "[T^2/2, T^3/3]",
     "limit((1 - exp(-alpha*T))/alpha, alpha, 0)": "T",
     "limit(k/(2*k + 1), k, inf)": "1/2",
+    "chi2inv(99/100, 2)": "2*log(100)",
+    "chi2cdf(x, 4)": "1 - exp(-x/2)*(1 + x/2)",
+    "chi2cdf([2*r, 4*r], 2)": "[1 - exp(-r), 1 - exp(-2*r)]",
     "expectation(r*cos(beta), {beta: sigma})": "r*cos(beta)*exp(-sigma^2/2)",
 }
 
@@ -99,6 +102,9 @@ def test_the_shape_that_is_read_is_the_shape_that_comes_out(text: str):
         ("jacobian(r, x)", "takes a formula or a vector, and a list of names"),
         ("diff(r^2, 2*r)", "wants a symbol where"),
         ("expectation(x, [x])", "expectation takes the deviation"),
+        ("chi2inv(x, 3)", "a probability between 0 and 1 as a number"),
+        ("chi2inv(1.5, 3)", "a probability between 0 and 1 as a number"),
+        ("chi2cdf(x, 2.5)", "degrees of freedom are a whole number"),
         ("taylor(x, [x], 40)", "the order of a Taylor polynomial"),
         ("r + inf", "inf stands only where a limit goes"),
         ("j*sum(j, j, 1, k)*s", "s is not a name here"),
@@ -113,7 +119,7 @@ def test_what_makes_no_sense_is_refused_with_a_word(text: str, message: str):
 
 def test_the_grammar_knows_the_verbs_and_no_others():
     grammar = (Path(reading.__file__).parent / "text.lark").read_text()
-    (listed,) = re.findall(r"VERB\.2: /\(([a-z|]+)\)", grammar)
+    (listed,) = re.findall(r"VERB\.2: /\(([a-z0-9|]+)\)", grammar)
     assert set(listed.split("|")) == set(NAMES_OF_VERBS)
     assert set(VERBS) | {"transpose"} == set(NAMES_OF_VERBS)
 

@@ -18,6 +18,7 @@ from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.derivatives import hessian, jacobian, taylor
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
+from radartrack.derive.verbs.gates import probability, quantile
 from radartrack.derive.verbs.integrals import integrated
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.matrix_exponential import exponential
@@ -120,9 +121,39 @@ def test_limits(function: Expr, point: Expr, value: Expr | int):
     assert proved_equal(limit(function, k, point), ZERO + value)
 
 
+ROOTS_AT_INFINITY = {
+    "a difference": sp.sqrt(k**2 + k) - k,
+    "two radicands": sp.sqrt(k**2 + a * k) - sp.sqrt(k**2 + w * k),
+    "a cube root": k * ((k**3 + a * k) ** sp.Rational(1, 3) - k),
+    "a quotient": k / sp.sqrt(k**2 + a**2),
+    "a root of a quotient": sp.sqrt((4 * k**3 + 1) / (k**3 + k)),
+    "a steady gain by its tracking index": 1 - ((4 + k - sp.sqrt(8 * k + k**2)) / 4) ** 2,
+    "inside a cosine": sp.cos(a * (sp.sqrt(k + 1) - sp.sqrt(k)) * sp.sqrt(k)),
+}
+
+
+@pytest.mark.parametrize("function", ROOTS_AT_INFINITY.values(), ids=ROOTS_AT_INFINITY)
+def test_a_limit_of_roots_is_what_they_come_to_far_out(function: Expr):
+    exact = {symbol: sympy.Rational(str(value)) for symbol, value in VALUES.items()}
+    far = sympy.N(function.xreplace({**exact, k: sympy.Integer(10) ** 24}), 30)
+    assert abs(sympy.N(limit(function, k, sp.oo).xreplace(exact), 30) - far) < 1e-20
+
+
+def test_a_limit_of_roots_where_both_vanish():
+    assert proved_equal(limit((sp.sqrt(a**2 + k**2) - a) / k**2, k, ZERO), 1 / (2 * a))
+
+
 @pytest.mark.parametrize(
     ("function", "point"),
-    [(k**2 / (k + 1), sp.oo), (sp.exp(w * k), sp.oo), (1 / k, ZERO), (sp.sin(k), sp.oo), (sp.log(k), sp.oo)],
+    [
+        (k**2 / (k + 1), sp.oo),
+        (sp.sqrt(k), sp.oo),
+        (sp.sqrt(k**2 + k) - k, -sp.oo),
+        (sp.exp(w * k), sp.oo),
+        (1 / k, ZERO),
+        (sp.sin(k), sp.oo),
+        (sp.log(k), sp.oo),
+    ],
 )
 def test_a_limit_that_is_infinite_missing_or_open_is_refused(function: Expr, point: Expr):
     with pytest.raises(NoClosedForm):
@@ -243,3 +274,20 @@ def test_a_taylor_polynomial_leaves_an_error_of_the_next_order():
 def test_a_function_without_a_taylor_polynomial_is_refused():
     with pytest.raises(NoClosedForm, match="not finite"):
         taylor(1 / x, [x], 2)
+
+
+@pytest.mark.parametrize("degrees", [1, 2, 3, 4, 7, 30])
+@pytest.mark.parametrize("at", ["0.1", "3", "41.7"])
+def test_chi_square_probabilities_are_integrals_of_the_density(degrees: int, at: str) -> None:
+    half = mpmath.mpf(degrees) / 2
+    expected = mpmath.quad(lambda t: 2 * t ** (degrees - 1) * mpmath.exp(-t * t / 2), [0, mpmath.sqrt(mpmath.mpf(at))])
+    expected /= 2**half * mpmath.gamma(half)
+    got = number(probability(sp.Rational(at), sp.Integer(degrees)))
+    assert abs(got - expected) <= mpmath.mpf(10) ** -12 * max(expected, mpmath.mpf(10) ** -12)
+
+
+@pytest.mark.parametrize("degrees", [1, 2, 3, 6, 100])
+@pytest.mark.parametrize("below", ["1/1000", "1/2", "0.99", "0.999999"])
+def test_chi_square_quantiles_are_exceeded_with_what_is_left_of_one(degrees: int, below: str) -> None:
+    gate = quantile(sp.Rational(below), sp.Integer(degrees))
+    assert abs(number(probability(gate, sp.Integer(degrees))) - number(sp.Rational(below))) <= mpmath.mpf(10) ** -14

@@ -8,7 +8,7 @@ from radartrack._reports import audit_page, audit_text
 from radartrack.derive.checking.papers import audit, mathml
 from radartrack.derive.checking.papers.claims_file import Claim
 
-VOID = {"meta"}
+VOID = {"input", "meta"}
 
 
 def _record(claim: Claim) -> dict[str, Any]:
@@ -67,6 +67,29 @@ def test_what_a_claims_file_says_is_text_not_markup(html: str) -> None:
 def test_light_and_dark_phones_and_print_are_provided_for(html: str) -> None:
     for rule in ("prefers-color-scheme: dark", "width=device-width", "@media print", "overflow-x: auto"):
         assert rule in html
+
+
+def test_what_is_wrong_comes_first_and_can_be_shown_alone(html: str) -> None:
+    order = [html.index(f'id="{identity}"') for identity in ("a.wrong", "a.open", "a.right")]
+    assert order == sorted(order)
+    assert html.index("4 claims: ") < order[0]
+    for kind, words in (("all", "all 4"), ("wrong", "2 not equal"), ("undecided", "1 undecided"), ("equal", "1 equal")):
+        assert f'id="show-{kind}"' in html
+        assert f"> {words}</label>" in html
+
+
+def test_the_part_that_a_suggestion_changes_stands_out() -> None:
+    claim = Claim("a", "polar.unbiased.estimate[0]", formula="r*cos(beta)*(1 - sigma_beta^2/2)", given={"rho": "0"})
+    record = _record(claim)
+    (wrong,) = _standing_out(record["printed_mathml"])
+    (meant,) = _standing_out(record["suggestions_mathml"][0])
+    assert wrong == "1−σβ22"
+    assert meant == "eσβ22"
+
+
+def _standing_out(formula: str) -> list[str]:
+    root = ET.fromstring(formula)  # noqa: S314 - our own output
+    return ["".join(part.itertext()) for part in root.iter("mrow") if part.get("class") == "different"]
 
 
 def test_formulas_are_typeset_and_verdicts_named(html: str) -> None:

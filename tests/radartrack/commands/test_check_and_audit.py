@@ -157,6 +157,13 @@ def test_audit_exits_2_where_a_file_cannot_be_read(tmp_path: Path, replaced: str
     assert str(file.name) in result.output.replace("\n", "")
 
 
+def test_audit_says_what_is_shipped_where_a_name_is_neither_file_nor_shipped() -> None:
+    result = _run("audit", "nonsense")
+    assert result.exit_code == 2
+    for word in ("nonsense", "papers", "literature", "libraries", "filterpy"):
+        assert word in result.output
+
+
 CODE = """import numpy as np
 
 

@@ -16,8 +16,13 @@ from tests import conversions
 from tests.written import module_of
 
 POLAR = [find(f"polar.{row}") for row in ("map", "hessian", "bias.truth", "covariance.averaged", "std.position")]
-FORMATS = {"text": quantity_text.text, "latex": quantity_text.latex, "python": quantity_text.python}
-COMMENTS = {"text": "", "latex": "% ", "python": "# "}
+FORMATS = {
+    "text": quantity_text.text,
+    "latex": quantity_text.latex,
+    "python": quantity_text.python,
+    "c": quantity_text.c,
+}
+COMMENTS = {"text": "", "latex": "% ", "python": "# ", "c": "// "}
 
 
 def show(*arguments: str) -> str:
@@ -35,6 +40,14 @@ def test_heading_and_formula_are_shown_for_the_whole_and_for_every_entry(quantit
         assert formula == FORMATS[kind](quantity, index) + "\n"
         assert [line.removeprefix(COMMENTS[kind]) for line in heading.splitlines()] == quantity_text.heading(quantity)
         assert all(line.startswith(COMMENTS[kind]) for line in heading.splitlines())
+
+
+@pytest.mark.parametrize("name", ["polar.covariance.averaged", "polar.bias.truth[0]", "polar.unbiased.covariance[0,1]"])
+def test_what_is_shown_as_c_is_read_back_and_proved_equal(name: str):
+    pytest.importorskip("tree_sitter_c")
+    result = CliRunner().invoke(app, ["check", name, show(name, "--format", "c"), "--code", "c"])
+    assert result.exit_code == 0, result.output
+    assert "equal, proved" in result.output
 
 
 @pytest.mark.parametrize("quantity", [q for q in catalogue().values() if q.module == "observe"], ids=conversions.ids)

@@ -139,3 +139,49 @@ def other_product(r: float, u: float, v: float, sr: float, su: float, sv: float)
     w2 = 1 - u * u - v * v
     factor = (u * u * v * v / w2**3 - (u * u + v * v) / w2**2 - 1 / w2) / 2
     return lost_product(r, u, v, sr, su, sv) + (r * su * sv) ** 2 * factor
+
+
+def piecewise_noise(dt: float, sigma: float) -> Any:
+    """Of an acceleration that is constant over a period."""
+    g = np.array([dt**2 / 2, dt])
+    return sigma**2 * np.outer(g, g)
+
+
+def bearing_of_compass(x: float, y: float) -> float:
+    """Degrees from north, from 0 to 360."""
+    return math.degrees(math.atan2(x, y)) % 360
+
+
+def bearing_in_degrees(x: float, y: float) -> float:
+    return math.degrees(math.atan2(y, x)) % 360
+
+
+def turning(x: Any, dt: float) -> Any:
+    """A state whose name is that of its first part."""
+    px, py, v, yaw, w = x
+    late = yaw + w * dt
+    return [
+        px + v / w * (math.sin(late) - math.sin(yaw)),
+        py + v / w * (math.cos(yaw) - math.cos(late)),
+        v,
+        late,
+        w,
+    ]
+
+
+def of_a_matrix(z: Any, R: Any) -> Any:
+    """The covariance of the errors as a matrix."""
+    r, b = z
+    jacobian = np.array([[math.cos(b), -r * math.sin(b)], [math.sin(b), r * math.cos(b)]])
+    return jacobian @ R @ jacobian.T
+
+
+def of_a_matrix_in_space(r: float, az: float, el: float, covariance: Any) -> Any:
+    c, s, k, t = math.cos(az), math.sin(az), math.cos(el), math.sin(el)
+    jacobian = np.array([[k * s, r * k * c, -r * t * s], [k * c, -r * k * s, -r * t * c], [t, 0, r * k]])
+    return jacobian @ covariance @ jacobian.T
+
+
+def of_a_matrix_wrongly(z: Any, R: Any) -> Any:
+    """The deviations of the matrix are not squared."""
+    return of_a_matrix(z, np.sqrt(np.abs(R)) * np.sign(R))

@@ -80,6 +80,13 @@ def test_slips_of_public_code_are_named(function: Function, name: str, words: st
         (own.in_degrees, "polar.covariance.linear", "beta and sigma_beta in degrees"),
         (own.interleaved, "observe.polar_doppler.jacobian", "the columns in the order x, vx, y, vy"),
         (own.bias_of_truth, "polar.bias.averaged", "this is polar.bias.truth"),
+        (
+            own.piecewise_noise,
+            "motion.constant_velocity.process_noise.continuous",
+            "this is motion.constant_velocity.process_noise.piecewise",
+        ),
+        (own.bearing_in_degrees, "observe.bearing.map", "the result in degrees"),
+        (own.bearing_of_compass, "observe.bearing.map", "from the other axis (pi/2 - beta) and the result in degrees"),
     ],
 )  # fmt: skip
 def test_other_conventions_are_told_and_no_slip_is_made_of_them(function: Function, name: str, words: str) -> None:
@@ -111,6 +118,32 @@ def test_another_order_of_parameters_is_found_without_their_names() -> None:
     found = diagnose(lambda a, b: [b * math.cos(a), b * math.sin(a)], "polar.map")
     assert found.agrees
     assert found.arguments == ("a: beta", "b: r")
+
+
+@pytest.mark.parametrize(
+    ("function", "name", "taken"),
+    [
+        (own.turning, "motion.ctrv.map", "x: (x, y, speed, heading, omega)"),
+        (own.of_a_matrix, "polar.covariance.linear", "R: the covariance matrix of sigma_r, sigma_beta, rho"),
+        (
+            own.of_a_matrix_in_space,
+            "spherical.covariance.linear",
+            "covariance: the covariance matrix of sigma_r, sigma_beta, sigma_epsilon, rho",
+        ),
+    ],
+)
+def test_states_and_covariances_are_passed_whole(function: Function, name: str, taken: str) -> None:
+    found = diagnose(function, name)
+    assert found.agrees
+    assert taken in found.arguments
+    assert not diagnose(own.of_a_matrix_wrongly, "polar.covariance.linear").agrees
+
+
+def test_a_function_that_draws_is_told_to_be_no_function() -> None:
+    generator = np.random.default_rng(3)
+    found = diagnose(lambda r, beta: [r * math.cos(beta) + generator.normal(), r * math.sin(beta)], "polar.map")
+    assert not found.agrees
+    assert "not deterministic" in str(found)
 
 
 def test_a_function_of_a_shared_library_is_diagnosed() -> None:

@@ -9,10 +9,43 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from enum import Enum
 from functools import lru_cache
+from typing import Protocol, TypeVar
 
-from radartrack.derive.language.variable import Variable
+from radartrack.derive.formula.latex_names import GREEK
+
+
+class Known(Protocol):
+    """A symbol of a quantity, as far as letters are concerned."""
+
+    @property
+    def name(self) -> str:
+        """As it is called here."""
+        ...
+
+    @property
+    def meaning(self) -> str:
+        """In the field's words."""
+        ...
+
+    @property
+    def unit(self) -> object:
+        """Its unit, which is printed as text."""
+        ...
+
+    @property
+    def is_correlation(self) -> bool:
+        """Whether it is the correlation of two errors."""
+        ...
+
+    def __hash__(self) -> int:
+        """What is known of it is kept."""
+        ...
+
+
+Symbol = TypeVar("Symbol", bound=Known)
 
 
 class Role(Enum):
@@ -71,6 +104,12 @@ _STRONG = {
     "intensity": "q q_c qc psd q_tilde qtilde",
     "count": "k",
     "index": "j",
+    "turn_rate": "omega Omega turn_rate turnrate yaw_rate yawrate",
+    "heading": "heading course hdg yaw",
+    "speed": "speed",
+    "path": "path bistatic_range total_range",
+    "baseline": "baseline",
+    "rate": "alpha",
 }
 _WEAK = {
     "range": "d D a",
@@ -87,7 +126,29 @@ _WEAK = {
     "intensity": "Q S S_w N_0 Sw",
     "count": "n N m",
     "index": "i l",
+    "turn_rate": "w W",
+    "heading": "psi theta phi",
+    "speed": "s v V",
+    "path": "r R rho rng range",
+    "baseline": "L B b",
 }
+# What a name says of how it was got, or in which unit: target_range, az_rad and rngTrue are ranges and azimuths.
+_LITTLE = (
+    "angle value val meas measured measurement true truth target tgt radar sensor obs observed est estimated raw rad "
+    "radians meters metres polar"
+)
+_SAYS_LITTLE = frozenset(_LITTLE.split())
+_CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
+# Words of the meanings of symbols that tell none apart from another.
+_COMMON = (
+    "along axis axes between both clockwise coordinate correlation counter deviation direction each error errors from "
+    "length mean measurement number other over part point points prediction predictions square standard sum than that "
+    "the third time two unit variable variance weight weighted where which with"
+)
+_COMMON_WORDS = frozenset(_COMMON.split())
+_TOLD_APART = 3  # letters: of so many a word is one, and may begin a longer one
+_DOTTED = re.compile(r"(?:d?dot|hat|tilde|bar|prime|\d)+$")
+_GREEK = frozenset(name.lower() for name in GREEK.values()) | frozenset({"lam", "sig", "eps", "omg", "gam"})
 _DECORATION = re.compile(r"_?(?:hat|tilde|bar|meas|measured|prime|true|0|m|k)$")
 _DEVIATION = re.compile(
     r"(?:sigma|sig|stdev|std|sd|s)_?(?P<of>\w*)$|(?P<before>\w+?)_(?:sigma|std|stdev|sd|dev)$|(?P<joined>\w+)std$"
@@ -104,6 +165,8 @@ def _by_word(table: dict[str, str]) -> dict[str, frozenset[str]]:
 
 
 _STRONG_WORDS, _WEAK_WORDS = _by_word(_STRONG), _by_word(_WEAK)
+
+_NEAR = 0.7  # similarity from which a word is perhaps another one misspelt
 
 
 @lru_cache(maxsize=4096)
@@ -127,7 +190,7 @@ def meanings(name: str) -> Meanings:
 
 
 @lru_cache(maxsize=4096)
-def meaning_of(symbol: Variable) -> Meaning:
+def meaning_of(symbol: Known) -> Meaning:
     """What a symbol of a quantity means."""
     name, predicted = symbol.name.removeprefix("predicted_"), symbol.name.startswith("predicted_")
     if symbol.is_correlation:
@@ -137,13 +200,70 @@ def meaning_of(symbol: Variable) -> Meaning:
     return Meaning(role, _OWN.get(base, ""), predicted)
 
 
-def means(name: str, symbols: Iterable[Variable], *, weak: bool = False) -> list[tuple[Variable, int]]:
+def means(name: str, symbols: Iterable[Symbol], *, weak: bool = False) -> list[tuple[Symbol, int]]:
     """The symbols that a name means, each with the power to which it is meant: 2 for a variance."""
-    said = meanings(name)
-    return list(_meant(said.weak if weak else said.strong, symbols))
+    said, known = meanings(name), list(symbols)
+    if weak:
+        return list(_meant(said.weak, known))
+    return list(_meant(said.strong, known)) or list(_in_words(name, known))
 
 
-def _meant(said: frozenset[Meaning], symbols: Iterable[Variable]) -> Iterator[tuple[Variable, int]]:
+def is_known_word(name: str) -> bool:
+    """Whether a name of several letters is spelled exactly as a word of known meaning."""
+    return len(name) > 1 and name in _STRONG_WORDS
+
+
+def is_angle_word(name: str) -> bool:
+    """Whether a name means an angle."""
+    return any(one.of in {"azimuth", "elevation", "heading"} for one in meanings(name).strong)
+
+
+def is_word(name: str) -> bool:
+    """Whether a name is a word, not a letter with what stands above and below it: of a word it is known what it means.
+
+    So is what a deviation is said to be of: sigma_bta is none of a letter.
+    """
+    role = meanings(name).role
+    plain = _of(name) if role in {Role.DEVIATION, Role.VARIANCE} else name
+    bare = _DOTTED.sub("", _CAMEL.sub("_", plain).strip("_").split("_")[0])
+    while (shorter := _DOTTED.sub("", bare)) != bare:
+        bare = shorter
+    letter = bare.lower()
+    return len(letter) >= _TOLD_APART and letter not in _GREEK and letter.removeprefix("d").lower() not in _GREEK
+
+
+def alike(name: str, symbols: Iterable[Symbol]) -> Symbol | None:
+    """The symbol that was perhaps meant by a name that means none, if it is spelled nearly as one that does."""
+    own = {symbol.name: symbol for symbol in symbols}
+    words = own | {word: symbol for word in _STRONG_WORDS for symbol, power in means(word, own.values()) if power == 1}
+    words |= {f"sigma_{word}": symbol for word in _STRONG_WORDS for symbol, _ in means(f"sigma_{word}", own.values())}
+    near = get_close_matches(name, [word for word in words if len(word) >= _TOLD_APART], 1, _NEAR)
+    return words[near[0]] if near else None
+
+
+def _in_words(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
+    """The symbols that are described by the word that a name is, or that it begins with: accel, lat, height."""
+    role = meanings(name).role or Role.VALUE
+    word = (_of(name) if role is not Role.VALUE else name).lower()
+    if role is Role.CORRELATION:
+        yield from ((symbol, 1) for symbol in symbols if symbol.is_correlation)
+        return
+    if len(word) < _TOLD_APART:
+        return
+    for symbol in symbols:
+        said = set(re.findall(r"[a-z]+", symbol.meaning.lower())) - _COMMON_WORDS
+        plays = Role.DEVIATION if symbol.name.startswith("sigma") else Role.VALUE
+        if plays is (Role.DEVIATION if role is Role.VARIANCE else role) and any(one.startswith(word) for one in said):
+            yield symbol, 2 if role is Role.VARIANCE else 1
+
+
+def _of(name: str) -> str:
+    """What a deviation or a variance is of, by its spelling."""
+    found = next((one for pattern in (_VARIANCE, _DEVIATION) if (one := pattern.match(name))), None)
+    return next((part for part in found.groupdict().values() if part), "") if found else name
+
+
+def _meant(said: frozenset[Meaning], symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
     for symbol in symbols:
         own = meaning_of(symbol)
         if not own.of:
@@ -163,6 +283,12 @@ def _words(word: str, table: dict[str, frozenset[str]]) -> frozenset[str]:
     """What a word means, with or without what decorates it."""
     if word in table:
         return table[word]
+    parts = [part for part in _CAMEL.sub("_", word).split("_") if part]
+    telling = [part for part in parts if part.lower() not in _SAYS_LITTLE]
+    if telling and len(parts) > 1:
+        plain = "_".join(telling)
+        if found := table.get(plain) or table.get(plain.lower()):
+            return found
     bare = _DECORATION.sub("", word)
     return (
         table.get(bare, frozenset()) or table.get(bare.lower(), frozenset())
@@ -185,5 +311,7 @@ _OWN = {
     "q": "intensity",
     "k": "count",
     "j": "index",
-    **{name: name for name in ("u", "v", "x", "y", "z", "vx", "vy", "vz")},
+    "omega": "turn_rate",
+    "alpha": "rate",
+    **{name: name for name in ("u", "v", "x", "y", "z", "vx", "vy", "vz", "heading", "speed", "path", "baseline")},
 }

@@ -13,16 +13,19 @@ from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
-from radartrack.derive.checking.question.formula_entries import entries_of
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
-from radartrack.derive.checking.question.letters.letter_meanings import Role, meaning_of, meanings, means
-from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means
+from radartrack.derive.checking.question.names import WORD
+from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.tree import Name, Tree, parts
 from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
@@ -32,16 +35,11 @@ POINTS = 2  # at which assignments are tried; those that fit by chance are told 
 LONGEST = 40  # characters of a letter; what is longer is a word
 MOST = 5040  # assignments that are tried: all of seven letters
 KEPT = 5  # assignments of a wrong formula that are looked at closely
-STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
 
 
 @dataclass(frozen=True)
-class Letter:
-    """What a letter stands for: a symbol, or its square where the letter is a variance."""
-
-    symbol: Variable
-    power: int = 1
-    rank: int = 0
+class Letter(Choice[Variable]):
+    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant."""
 
     @property
     def value(self) -> Expr:
@@ -116,13 +114,39 @@ class Typed:
             return []
         if not unknown and (not doubtful or self._fits({})):
             return [AS_TYPED]
+        words = [name for name in unknown if is_word(name) and not self._means(name)]
+        found = self._readings(unknown, fixed, doubtful)
+        if words:
+            raise self._unmeant(words[0], found)
+        return found
+
+    def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
+        if not any(reading.fits for reading in found):
+            farther = self._judged(self._assignments(unknown, fixed, farther=True))
+            found = [reading for reading in farther if reading.fits and not reading.wrong] or found
         if doubtful and not any(reading.fits for reading in found):
             free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
             found = [reading for reading in free if reading.fits] or found
         fitting = [reading for reading in found if reading.fits] or found
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
+
+    def _means(self, name: str) -> bool:
+        """Whether a name has a meaning by which it is a symbol of the quantity."""
+        symbols = self.reference.symbols
+        return bool(means(name, symbols) or means(name, symbols, weak=True))
+
+    def _unmeant(self, word: str, readings: Sequence[Reading]) -> FormulaError:
+        """What to say of a word that means no symbol of the quantity, although some would fit."""
+        near = alike(word, self.reference.symbols)
+        fitting = readings[0].letters.get(word) if readings else None
+        meant = str(near or fitting or "")
+        where = next((node.span for entry in self.entries for node in parts(entry) if node == Name(word)), None)
+        guess = f": did you mean {near}?" if near else "."
+        symbols = ", ".join(symbol.name for symbol in self.reference.symbols)
+        say = f"Say what it is: --let {word}={meant}" if meant else f"Say with --let what it is of {symbols}"
+        return FormulaError(f"{word} is no name that is known here{guess} {say}", span=where)
 
     def forced(self) -> list[Reading]:
         """Readings as symbols that the letters cannot mean: of a formula that is known to be another model's."""
@@ -156,21 +180,15 @@ class Typed:
         """What a symbol of the quantity may mean if not itself."""
         return [(one, power) for one, power in means(name, self.reference.symbols) if one.name != name]
 
-    def _assignments(self, unknown: Sequence[str], fixed: Sequence[str]) -> Iterator[Letters]:
+    def _assignments(self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False) -> Iterator[Letters]:
+        """What the letters may stand for; farther, also what they seldom do: that has to make the formula right."""
         taken = frozenset((name, 1) for name in fixed)
-        candidates = {name: self._candidates(name, taken) for name in unknown}
-        order = sorted(unknown, key=lambda name: len(candidates[name]))
-        yield from islice(_distinct(order, candidates, taken), MOST)
-
-    def _candidates(self, name: str, taken: frozenset[tuple[str, int]]) -> list[Letter]:
-        """What a letter may stand for, the likeliest first."""
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
-        if strong := means(name, symbols):
-            return [Letter(symbol, power, STRONG) for symbol, power in strong]
-        role = meanings(name).role
-        weak = {symbol for symbol, _ in means(name, symbols, weak=True)}
-        found = [Letter(s, _power(role), _rank(name, s, weak)) for s in symbols if _may_play(role, s)]
-        return sorted(found, key=lambda letter: letter.rank)
+        candidates = {name: choices(name, symbols) for name in unknown}
+        if farther:
+            candidates = {name: farther_choices(name, candidates, symbols) for name in unknown}
+        for one in islice(assignments(candidates, taken), MOST):
+            yield {name: Letter(choice.symbol, choice.power, choice.rank) for name, choice in one.items()}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
         found = []
@@ -256,107 +274,95 @@ class Typed:
         return found
 
 
-def _distinct(
-    order: Sequence[str], candidates: Mapping[str, Sequence[Letter]], taken: frozenset[tuple[str, int]]
-) -> Iterator[dict[str, Letter]]:
-    """Every way to give the letters different meanings."""
-    if not order:
-        yield {}
-        return
-    for letter in candidates[order[0]]:
-        if (one := (letter.symbol.name, letter.power)) not in taken:
-            for rest in _distinct(order[1:], candidates, taken | {one}):
-                yield {order[0]: letter} | rest
-
-
-def _may_play(role: Role | None, symbol: Variable) -> bool:
-    own = meaning_of(symbol).role
-    if role in {Role.DEVIATION, Role.VARIANCE}:
-        return own is Role.DEVIATION
-    return own is Role.CORRELATION if role is Role.CORRELATION else True
-
-
-def _power(role: Role | None) -> int:
-    return 2 if role is Role.VARIANCE else 1
-
-
-def _rank(name: str, symbol: Variable, weak: set[Variable]) -> int:
-    if symbol in weak:
-        return WEAK
-    if name[0].lower() == symbol.name[0].lower():
-        return LIKE
-    return ANY + (meaning_of(symbol).role is not Role.VALUE)
-
-
 def as_typed(
-    read: Callable[[Sequence[str]], Tree],
+    read: Callable[[Sequence[str], Mapping[str, Shape]], Tree],
     reference: Reference,
     let: Mapping[str, str],
     conditions: Mapping[Symbol, Expr],
     declared: Mapping[str, Variable],
+    *,
+    row_by_row: bool = False,
 ) -> Typed | None:
     """A formula before it is known what its names mean; None where it cannot be read whatever they mean.
 
-    So it is of a formula in which something is worked out: its parts have values only when their letters are known.
+    So it is of a formula in which something is worked out: a sum over an index has a value only when its letters are
+    known. Products of matrices and the like are written out.
 
     Args:
-        read: the formula as it is read where names are known, and others are let through.
+        read: the formula as it is read where names are known, with shapes if they are arrays, and others let through.
         reference: what it is compared with.
         let: definitions, in any order.
         conditions: of the comparison.
         declared: letters of which the paper says what they are, of the symbols of `reference`.
+        row_by_row: whether a list may be a matrix, row by row.
     """
     own = list(dict.fromkeys([*(symbol.name for symbol in reference.symbols), *declared]))
     try:
-        tree, _ = trimmed(read([*own, *let]), reference.shape)
-        entries, parts = entries_of(tree, _UNREAD)
-        definitions = _needed_by(tree, let, own)
+        known = _Definitions(let, own)
+        tree, _ = trimmed(read([*own, *let], known.shapes), reference.shape)
+        needed = known.needed_by(tree)
+        entries = written_out(tree, known.arrays)
     except (FormulaError, ValueError):
         return None
-    if parts or entries.shape != reference.shape or definitions.keys() & set(own):
+    if entries is None or needed is None:
         return None
-    return Typed(reference, entries, definitions, conditions, declared)
+    entries = reshaped(entries, reference.shape, row_by_row=row_by_row)
+    return Typed(reference, entries, needed, conditions, declared) if entries.shape == reference.shape else None
 
 
-def _needed_by(tree: Tree, let: Mapping[str, str], own: Sequence[str]) -> dict[str, Tree]:
-    """The definitions that a formula rests on, each after those that it rests on itself."""
-    found: dict[str, Tree] = {}
-    path = [(name, iter(sorted(names_of(tree) & let.keys()))) for name in [""]]
-    trees = {"": tree}
-    while path:
-        name, needed = path[-1]
-        below = next((one for one in needed if one not in found), None)
-        if below is None:
-            path.pop()
-            if name:
-                found[name] = trees[name]
-        elif below in trees:
-            raise FormulaError(f"let {below}: it is defined by itself")
-        else:
-            trees[below] = read_loosely(let[below], [*own, *let])
-            path.append((below, iter(sorted(names_of(trees[below]) & let.keys()))))
-    return found
+class _Definitions:
+    """Definitions read before it is known what the names in them mean.
 
+    Args:
+        let: the definitions, in any order.
+        own: names that are known.
 
-class _Unread:
-    """Names of which it is not known what they mean: numbers."""
+    Raises:
+        FormulaError: where one is defined by itself, or an array in one has no meaning.
+    """
 
-    def __contains__(self, name: object) -> bool:
-        return False
+    def __init__(self, let: Mapping[str, str], own: Sequence[str]) -> None:
+        self._let, self._own = let, own
+        self._trees: dict[str, Tree | None] = {}  # None for one that is worked out, or cannot be read
+        self.arrays: dict[str, Tensor[Tree]] = {}
+        for name in let:
+            self._read(name, ())
 
-    def __getitem__(self, name: str) -> Expr:
-        raise KeyError(name)
+    @property
+    def shapes(self) -> dict[str, Shape]:
+        """Of those that stand for arrays."""
+        return {name: entries.shape for name, entries in self.arrays.items()}
 
-    def read(self, tree: Tree) -> Expr:
-        """Nothing is worked out before it is known what letters mean."""
-        raise FormulaError("worked out", span=tree.span)
+    def needed_by(self, tree: Tree) -> dict[str, Tree] | None:
+        """Those of numbers on which a formula rests, each after those that it rests on; None where one has no tree."""
+        waiting = set(names_of(tree))
+        for name in reversed(self._trees):
+            if name in waiting and (own := self._trees[name]) is not None:
+                waiting |= names_of(own)
+        if any(self._trees[name] is None for name in self._trees.keys() & waiting):
+            return None
+        found = {name: one for name, one in self._trees.items() if name in waiting and name not in self.arrays}
+        return {name: one for name, one in found.items() if one is not None}
 
-    def dimension_of_part(self, node: Tree) -> Dimension:
-        """Likewise."""
-        raise FormulaError("worked out", span=node.span)
-
-
-_UNREAD = _Unread()
+    def _read(self, name: str, path: tuple[str, ...]) -> None:
+        if name in path:
+            raise FormulaError(f"let {name}: it is defined by itself")
+        if name in self._trees:
+            return
+        if name in self._own:
+            self._trees[name] = None  # the paper's meaning hides ours, which may stand in it
+            return
+        for other in sorted(set(WORD.findall(self._let[name])) & self._let.keys()):
+            self._read(other, (*path, name))
+        try:
+            tree = read_loosely(self._let[name], [*self._own, *self._let], shapes=self.shapes)
+            entries = written_out(tree, self.arrays)
+        except (FormulaError, ValueError):
+            self._trees[name] = None
+            return
+        self._trees[name] = None if entries is None else tree if entries.shape else entries.entries[0]
+        if entries is not None and entries.shape:
+            self.arrays[name] = entries
 
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:

@@ -143,6 +143,12 @@ def test_with_one_slip_the_convention_is_told_first_and_then_the_slip() -> None:
     assert sum(told) >= SHARE * len(told), f"{sum(told)} of {len(told)}"
 
 
+CLOCKWISE = (
+    "[[1, sin(w*T)/w, 0, (1-cos(w*T))/w], [0, cos(w*T), 0, sin(w*T)], [0, -(1-cos(w*T))/w, 1, sin(w*T)/w], "
+    "[0, -sin(w*T), 0, cos(w*T)]]"
+)
+
+
 @pytest.mark.parametrize(
     ("name", "formula", "convention"),
     [
@@ -159,6 +165,13 @@ def test_with_one_slip_the_convention_is_told_first_and_then_the_slip() -> None:
         ("observe.polar.map", "[hypot(x, y), atan(y/x)]", "where x > 0"),
         ("observe.polar.map", "[hypot(x, y), atan(x/y)]", "with the azimuth from the y axis where y > 0"),
         ("observe.polar.map", "[hypot(x, y), atan2(y, x)*180/pi]", "with what is returned in degrees"),
+        ("observe.polar.map", "[hypot(x, y), asin(y/hypot(x, y))]", "where x > 0"),
+        ("observe.spherical.map[2]", "acos(hypot(x, y)/sqrt(x^2+y^2+z^2))", "where z > 0"),
+        (
+            "motion.turn.known_rate.transition",
+            CLOCKWISE,
+            "with -omega for omega: counted the other way",
+        ),
         ("polar.map[0]", "r*cos(pi*az/180)", "with beta in degrees"),
         ("polar.bias.truth[1]", "r*sin(beta)*(exp(-sigma_beta^2/2) - 1)", "when rho = 0"),
         (
@@ -201,3 +214,17 @@ def test_rows_and_columns_of_zeros_are_left_out_and_told(formula: str, left_out:
     slip = check("observe.polar.jacobian", formula.replace("-y", "y"), let=let)
     assert slip.verdict is Outcome.DIFFERS
     assert any(one.entry == (1, 0) for one in slip.suggestions)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("polar.bias.second_order[0]", "r*cos(beta)*sigma_beta^2/2"),
+        ("polar.jacobian[1,1]", "r*sin(beta)"),
+        ("observe.polar_doppler.jacobian[2,0]", "y*(y*vx - x*vy)/(x^2 + y^2)"),
+    ],
+)
+def test_the_shortest_edit_of_a_place_is_told_alone(name: str, formula: str) -> None:
+    edits = [one.edit for one in check(name, formula, given={"rho": "0"} if "bias" in name else None).suggestions]
+    assert sum("the sign of" in edit for edit in edits) <= 1, edits
+    assert not any("everywhere" in edit for edit in edits), edits

@@ -3,7 +3,14 @@ from pathlib import Path
 import pytest
 
 from radartrack.derive.checking.papers.audit import decide
-from radartrack.derive.checking.papers.claims_file import Claim, ClaimsError, UnreadableClaim, read_claims, shipped
+from radartrack.derive.checking.papers.claims_file import (
+    Claim,
+    ClaimsError,
+    UnreadableClaim,
+    read_claims,
+    shipped,
+    shipped_names,
+)
 from radartrack.derive.checking.reporting.verdict import Verdict
 
 GOOD = """
@@ -50,6 +57,14 @@ def test_the_verdict_on_every_claim_of_the_papers(name: str) -> None:
     claim = _shipped()[name]
     expected = "undecided" if claim.undecided else DIFFERENT.get(name, "equal")
     assert decide(claim).verdict == expected
+
+
+def test_what_is_shipped_is_found_by_folder_and_by_name() -> None:
+    assert {path.stem for path in shipped()} == {"gao", "gorshkov", "prosov"}
+    assert {path.parent.name for path in shipped("literature")} == {"literature"}
+    assert [path.stem for path in shipped("mo")] == ["mo"]
+    assert shipped("nonsense") == []
+    assert {"papers", "literature", "libraries", "mo", "prosov"} <= set(shipped_names())
 
 
 def test_all_equations_keep_their_ids() -> None:

@@ -186,3 +186,64 @@ def test_powers_of_euler_s_number_are_none_of_a_letter_however_many_there_are(ar
     verdict = check("polar.unbiased.estimate[0]", printed)
     assert verdict.verdict is Outcome.DIFFERS
     assert not any(word.startswith("e ") for word in verdict.reading)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "let"),
+    [
+        ("polar.map", "[foo*cos(beta), foo*sin(beta)]", "--let foo=r"),
+        ("polar.map", "[rnage*cos(beta), rnage*sin(beta)]", "did you mean r.*--let rnage=r"),
+        ("polar.map", "[r*cos(bteta), r*sin(bteta)]", "did you mean beta.*--let bteta=beta"),
+        ("polar.bias.second_order[0]", "-r*cos(beta)*sigma_bta^2/2", "--let sigma_bta=sigma_beta"),
+        ("polar.map", "[r*cos(elevation), r*sin(elevation)]", "elevation is no name that is known here"),
+    ],
+)
+def test_a_word_that_means_nothing_here_is_asked_for_and_never_taken_for_what_fits(
+    name: str, formula: str, let: str
+) -> None:
+    with pytest.raises(FormulaError, match=let):
+        check(name, formula)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "reading"),
+    [
+        ("polar.map", "[targetRange*cos(azimuthAngle), targetRange*sin(azimuthAngle)]", "azimuthAngle for beta"),
+        ("motion.constant_velocity.process_noise.piecewise[1,1]", "dt^2*sigma_acc^2", "sigma_acc for sigma_w"),
+        ("motion.singer.transition[1,2]", "tau_m*(1 - exp(-dt/tau_m))", "tau_m for 1/alpha"),
+        ("fusion.variance.two", "P1*P2/(P1 + P2)", "P1 for sigma_1**2"),
+        ("motion.turn.known_rate.transition[0,1]", "sin(turn_rate*dt)/turn_rate", "turn_rate for omega"),
+    ],
+)
+def test_words_time_constants_and_variances_are_read_as_what_they_are(name: str, formula: str, reading: str) -> None:
+    verdict = check(name, formula)
+    assert verdict.verdict is Outcome.EQUAL
+    assert reading in verdict.reading
+
+
+PRODUCT = "[[cos(b), -r*sin(b)], [sin(b), r*cos(b)]]*diag(s_r^2, s_b^2)*[[cos(b), -r*sin(b)], [sin(b), r*cos(b)]].T"
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "let"),
+    [
+        ("polar.covariance.linear", PRODUCT, {}),
+        (
+            "polar.covariance.linear",
+            "J*K*J^T",
+            {"J": "[[cos(b), -r*sin(b)], [sin(b), r*cos(b)]]", "K": "diag(s_r^2, s_b^2)"},
+        ),
+        ("polar.map", "[[R*cos(b)], [R*sin(b)]]", {}),
+        ("polar.map", "[[R*cos(b), R*sin(b)]]", {}),
+        ("polar.map", "[R*cos(b), R*sin(b), R][0:2]", {}),
+        ("observe.bearing.map", "atan2(n, e)", {}),
+    ],
+)
+def test_letters_are_matched_in_products_rows_columns_and_slices(name: str, formula: str, let: dict[str, str]) -> None:
+    given = {"rho": "0"} if "covariance" in name else None
+    assert check(name, formula, given=given, let=let).verdict is Outcome.EQUAL
+
+
+@pytest.mark.parametrize("given", [{"azimuth": "0"}, {"theta": "0", "corr": "0"}, {"beta": "0"}])
+def test_conditions_are_in_any_letters_too(given: dict[str, str]) -> None:
+    assert check("polar.covariance.linear[0,0]", "sigma_r^2", given=given).verdict is Outcome.EQUAL

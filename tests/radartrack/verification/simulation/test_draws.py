@@ -1,12 +1,11 @@
 """Monte Carlo: what it can see, how often it is wrong, and that nobody can tell who computed it."""
 
+import json
 import math
-import os
 import random
-import signal
 from collections.abc import Iterable
-from contextlib import suppress
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ import pytest
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.stable.quantity_form import form_of
 from radartrack.verification.array_program import Program
-from radartrack.verification.engines import Dask, Engine, Local
+from radartrack.verification.engines import Local
 from radartrack.verification.layers.monte_carlo import MonteCarlo, comparisons
 from radartrack.verification.outcome import Verdict
 from radartrack.verification.program_compilation import compiled
@@ -23,6 +22,7 @@ from radartrack.verification.simulation import experiments
 from radartrack.verification.simulation.draws import Draws, Sums, simulate
 from radartrack.verification.simulation.experiments import Polynomial, Trial, trials
 from radartrack.verification.simulation.statistics import Mean, threshold
+from tests.processes import python
 
 CHUNKS = 12
 
@@ -63,18 +63,36 @@ def test_the_order_in_which_chunks_end_changes_no_bit():
     assert summed(Local(1).run(enumerate(shuffled))) == expected()
 
 
-def test_dask_gives_the_same_bits_when_a_worker_is_killed_on_the_way():
-    started = pytest.importorskip("distributed").LocalCluster
-    results: list[tuple[int, dict[str, Any]]] = []
+LOSING_A_WORKER = """
+import json, os, signal
+from contextlib import suppress
+from distributed import LocalCluster
+from radartrack.verification.engines import Dask
+from tests.radartrack.verification.simulation.test_draws import tasks
+
+if __name__ == "__main__":
+    results = []
     with (
         suppress(TimeoutError),  # on a busy machine its processes do not end in the time it gives them
-        started(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster,
+        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster,
     ):
-        engine: Engine = Dask(cluster.scheduler_address)
-        for result in engine.run(enumerate(tasks())):
+        for result in Dask(cluster.scheduler_address).run(enumerate(tasks())):
             if not results:
                 os.kill(next(iter(cluster.workers.values())).pid, signal.SIGKILL)
             results.append(result)
+        print(json.dumps(results), flush=True)
+"""
+
+
+def test_dask_gives_the_same_bits_when_a_worker_is_killed_on_the_way(tmp_path: Path):
+    pytest.importorskip("distributed")
+    program = tmp_path / "program.py"  # a file, from which the workers can import what they are sent
+    program.write_text(LOSING_A_WORKER)
+    root = Path(__file__).parents[4]
+    done = python(
+        f"import runpy; runpy.run_path({str(program)!r}, run_name='__main__')", environment={"PYTHONPATH": str(root)}
+    )
+    results = json.loads(done.stdout)
     assert sorted(number for number, _ in results) == list(range(CHUNKS))
     assert summed(results) == expected()
 

@@ -1,18 +1,38 @@
-"""A matrix that is printed with rows or columns of zeros that are too many: of states that do not enter."""
+"""What is printed in another shape than the quantity has and means the same.
+
+A matrix may have rows and columns of zeros for states that do not enter; a vector may be a matrix of one row or column.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
+from math import prod
+from typing import TypeVar
 
 from radartrack.derive.formula.tree import Array, Number, Tree
-from radartrack.derive.language.tensor import Index
+from radartrack.derive.language.tensor import Index, Tensor
+
+Entry = TypeVar("Entry")
 
 
 def trimmed(tree: Tree, expected: Index) -> tuple[Tree, str]:
     """The formula without rows and columns of zeros that are too many, where there are such, and what was left out."""
     return without_padding(tree, expected) or (tree, "")
+
+
+def reshaped(entries: Tensor[Entry], expected: Index, *, row_by_row: bool = False) -> Tensor[Entry]:
+    """The entries in the expected shape, where theirs is one of the same thing; as they are where it is not.
+
+    Args:
+        entries: those that are printed.
+        expected: the shape of the quantity.
+        row_by_row: whether a list may be a matrix row by row, as code fills one.
+    """
+    ours, theirs = ([size for size in one if size > 1] for one in (expected, entries.shape))
+    filled = row_by_row and len(entries.shape) == 1 and prod(expected) == len(entries.entries)
+    return Tensor(expected, entries.entries) if ours == theirs or filled else entries
 
 
 def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:

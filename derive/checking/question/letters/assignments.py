@@ -1,0 +1,111 @@
+"""Which symbols the letters of a formula may stand for, one to one, the likeliest first.
+
+A name that carries a meaning binds; only letters without one are free. A letter may stand for the square of a
+deviation, where it is a variance, or for the inverse of a rate, where it is a time constant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from radartrack.derive.checking.question.letters.letter_meanings import Known, Role, meaning_of, meanings, means
+
+STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
+PER_SECOND = "1/s"
+
+Symbol = TypeVar("Symbol", bound=Known)
+
+
+@dataclass(frozen=True)
+class Choice(Generic[Symbol]):
+    """What a letter may stand for: a symbol, raised to a power, and how far-fetched that is."""
+
+    symbol: Symbol
+    power: int = 1
+    rank: int = 0
+
+    @property
+    def key(self) -> tuple[str, int]:
+        """What no other letter stands for then."""
+        return self.symbol.name, self.power
+
+    def __str__(self) -> str:
+        return {1: self.symbol.name, -1: f"1/{self.symbol.name}"}.get(self.power, f"{self.symbol.name}**{self.power}")
+
+
+Taken = frozenset[tuple[str, int]]
+
+
+def choices(name: str, symbols: Sequence[Symbol]) -> list[Choice[Symbol]]:
+    """What a letter may stand for, the likeliest first: what it means, or anything where it means nothing."""
+    if strong := means(name, symbols):
+        return [Choice(symbol, power, STRONG) for symbol, power in strong]
+    return free_choices(name, symbols)
+
+
+def free_choices(name: str, symbols: Sequence[Symbol]) -> list[Choice[Symbol]]:
+    """What a letter without a meaning may stand for."""
+    role = meanings(name).role
+    weak = {symbol for symbol, _ in means(name, symbols, weak=True)}
+    power = 2 if role is Role.VARIANCE else 1
+    found = [Choice(one, power, _rank(name, one, weak=one in weak)) for one in symbols if _may_play(role, one)]
+    return sorted(found, key=lambda choice: choice.rank)
+
+
+def farther_choices(
+    name: str, known: Mapping[str, Sequence[Choice[Symbol]]], symbols: Sequence[Symbol]
+) -> list[Choice[Symbol]]:
+    """Also a time constant, a variance, and anything where another letter means the same: tau beside dt.
+
+    Args:
+        name: the letter.
+        known: the choices of all letters.
+        symbols: that letters may stand for.
+    """
+    own = list(known[name])
+    binds = bool(own) and own[0].rank == STRONG
+    shared = sum(1 for others in known.values() if list(others) == own) > 1
+    if binds and not shared:
+        return own
+    found = [*own, *(free_choices(name, symbols) if shared else ())]
+    if meanings(name).role is None:
+        found += [Choice(one, -1, ANY) for one in symbols if str(one.unit) == PER_SECOND]
+        found += [Choice(one, 2, ANY) for one in symbols if meaning_of(one).role is Role.DEVIATION]
+    return list(dict.fromkeys(found))
+
+
+def assignments(
+    candidates: Mapping[str, Sequence[Choice[Symbol]]], taken: Taken = frozenset()
+) -> Iterator[dict[str, Choice[Symbol]]]:
+    """Every way to give the letters different meanings; those with the fewest choices come first."""
+    order = sorted(candidates, key=lambda name: len(candidates[name]))
+    yield from _distinct(order, candidates, taken)
+
+
+def _distinct(
+    order: Sequence[str], candidates: Mapping[str, Sequence[Choice[Symbol]]], taken: Taken
+) -> Iterator[dict[str, Choice[Symbol]]]:
+    if not order:
+        yield {}
+        return
+    for choice in candidates[order[0]]:
+        if choice.key not in taken:
+            for rest in _distinct(order[1:], candidates, taken | {choice.key}):
+                yield {order[0]: choice} | rest
+
+
+def _may_play(role: Role | None, symbol: Known) -> bool:
+    own = meaning_of(symbol).role
+    if role in {Role.DEVIATION, Role.VARIANCE}:
+        return own is Role.DEVIATION
+    return own is Role.CORRELATION if role is Role.CORRELATION else True
+
+
+def _rank(name: str, symbol: Known, *, weak: bool) -> int:
+    if weak:
+        return WEAK
+    if name[0].lower() == symbol.name[0].lower():
+        return LIKE
+    return ANY + (meaning_of(symbol).role is not Role.VALUE)

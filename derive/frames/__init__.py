@@ -1,0 +1,1 @@
+"""Where things stand: on the Earth, before a site, before the face of a radar."""

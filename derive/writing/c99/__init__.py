@@ -1,0 +1,1 @@
+"""Written as C99: headers without a library, in double and single precision."""

@@ -1,0 +1,1 @@
+"""How beliefs about many tracks are moved and updated: arrays with the tracks along the last axis."""

@@ -1,0 +1,105 @@
+"""Beliefs as they are handed over, tracks first, and as they are worked on, tracks last."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from radartrack._arrays.validation import (
+    RealArray,
+    real_arrays,
+    require_covariance,
+    require_finite,
+    require_trailing_shape,
+)
+
+
+class Belief(NamedTuple):
+    """Means, shape (..., n), and covariances, shape (..., n, n), or (n, n) where all tracks share one."""
+
+    mean: RealArray
+    covariance: RealArray
+
+
+class Motion(NamedTuple):
+    """The transition F and the covariance of the process noise Q from scan to scan, shape (n, n)."""
+
+    transition: RealArray
+    process_noise: RealArray
+
+
+def common(measured: tuple[int, ...], noise: tuple[int, ...], name: str = "noise") -> tuple[int, ...]:
+    """The leading shape of measurements and their noise together, or of something else that is named."""
+    try:
+        return np.broadcast_shapes(measured, noise)
+    except ValueError:
+        raise ValueError(f"measured and {name} must broadcast; got leading shapes {measured} and {noise}") from None
+
+
+def tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
+    """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared."""
+    tracks, mean, covariance = flat_tracks(belief, others)
+    require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
+    return tracks, np.ascontiguousarray(mean.T), np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
+
+
+def flat_tracks(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
+    """The shape of the tracks, means (tracks, n), and matrices (tracks, n, n), or (1, n, n) if shared, not checked."""
+    arrays = real_arrays({"mean": belief.mean, "covariance": belief.covariance})
+    mean, covariance = arrays["mean"], arrays["covariance"]
+    if mean.ndim == 0:
+        raise ValueError("mean must have shape (..., n); got a single number")
+    require_finite("mean", mean)
+    size = mean.shape[-1]
+    require_trailing_shape("covariance", covariance, (size, size))
+    try:
+        tracks = np.broadcast_shapes(mean.shape[:-1], others)
+        np.broadcast_to(covariance, (*tracks, size, size))
+    except ValueError:
+        shapes = f"{mean.shape} of mean, {covariance.shape} of covariance and {others} of the measured tracks"
+        raise ValueError(f"shapes must broadcast; got {shapes}") from None
+    flat = np.broadcast_to(mean, (*tracks, size)).reshape(-1, size)
+    leading = zip(covariance.strides, covariance.shape[:-2], strict=False)
+    if all(length == 1 or (length > 0 and stride == 0) for stride, length in leading):
+        return tracks, flat, covariance[(0,) * (covariance.ndim - 2)][np.newaxis]
+    return tracks, flat, np.broadcast_to(covariance, (*tracks, size, size)).reshape(-1, size, size)
+
+
+def checked_motion(motion: Motion, size: int) -> Motion:
+    """The matrices of a linear motion of so many components.
+
+    Raises:
+        TypeError: a part is not made of real numbers.
+        ValueError: they do not fit, or the noise is no covariance.
+
+    """
+    arrays = real_arrays({"transition": motion.transition, "process_noise": motion.process_noise})
+    for name, array in arrays.items():
+        if array.shape != (size, size) or not np.isfinite(array).all():
+            raise ValueError(f"{name} must be finite, of shape ({size}, {size}); got {array.tolist()}")
+    require_covariance("process_noise", arrays["process_noise"])
+    return Motion(arrays["transition"], arrays["process_noise"])
+
+
+def tracks_first(mean: RealArray, covariance: RealArray, tracks: tuple[int, ...]) -> Belief:
+    """Means (..., n) and covariances (..., n, n) of all tracks, all of them finite."""
+    means, covariances = np.moveaxis(mean, -1, 0), np.moveaxis(covariance, -1, 0)
+    require_finite("the mean of the result", means)
+    require_finite("the covariance of the result", covariances)
+    first = means.reshape(*tracks, *means.shape[1:])
+    if len(covariances) == 1:
+        return Belief(first, np.broadcast_to(covariances[0], (*tracks, *covariances.shape[1:])))
+    return Belief(first, covariances.reshape(*tracks, *covariances.shape[1:]))
+
+
+def measured_values(arrays: dict[str, RealArray], size: int) -> tuple[RealArray, RealArray]:
+    values, R = arrays["measured"], arrays["noise"]
+    require_trailing_shape("noise", R, (size, size))
+    require_trailing_shape("measured", values, (size,))
+    if np.isinf(values).any():
+        raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
+    require_finite("noise", R)
+    if not np.array_equal(R, np.swapaxes(R, -1, -2)):
+        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
+    return values, R

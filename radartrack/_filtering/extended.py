@@ -1,0 +1,80 @@
+"""What a sensor tells of the error of a mean, to first and to second order."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from radartrack._arrays.validation import RealArray
+from radartrack._filtering.factors import Observation, combination
+from radartrack._filtering.whitening import sensor_of, whitened
+from radartrack._observation.sights import Sight
+
+
+class Look(NamedTuple):
+    """How a sensor looks at many tracks.
+
+    Attributes:
+        sight: what it measures.
+        places: of the components, in the order in which the formulas take them.
+        second: whether curvature counts.
+        site: the other site, by symbol, one for all tracks or one for each.
+        noise: R, (m, m) or (tracks, m, m).
+
+    """
+
+    sight: Sight
+    places: list[int]
+    second: bool
+    site: dict[str, RealArray]
+    noise: RealArray
+
+    def observation(self, mean: RealArray, covariance: RealArray, measured: RealArray, own: slice) -> Observation:
+        """What some tracks, with means (n, tracks), learn of the error of the mean from measurements (m, tracks)."""
+        sight, places = self.sight, self.places
+        site = {symbol: array[own] if array.ndim else array for symbol, array in self.site.items()}
+        components = [mean[place] + 0.0 for place in places]
+        near = sight.off_poles(components, site)
+        rows = np.zeros((len(measured), *mean.shape), mean.dtype)
+        jacobian = sight.evaluate("jacobian", near, site)
+        rows[:, places] = np.moveaxis(jacobian, 0, -1)
+        predicted = sight.evaluate("map", components, site).T
+        noise = self.noise if self.noise.ndim == 2 else np.moveaxis(self.noise[own], 0, -1)
+        if self.second:
+            shift, spread = curvature_of(sight.evaluate("hessian", near, site), covariance[np.ix_(places, places)])
+            predicted = predicted + shift
+            noise, lost = _with_spread(noise if noise.ndim == 3 else noise[..., np.newaxis], spread)
+            rows[np.swapaxes(np.broadcast_to(lost, (mean.shape[0], *lost.shape)), 0, 1)] = 0
+        innovation = measured - predicted
+        for place in sight.azimuths:
+            innovation[place] -= 2 * np.pi * np.round(innovation[place] / (2 * np.pi))
+        innovation[~rows.any(axis=1)] = np.nan
+        return whitened(innovation, sensor_of(rows, noise))
+
+
+def curvature_of(hessian: RealArray, covariance: RealArray) -> tuple[RealArray, RealArray]:
+    """What curvature adds to a mean and its covariance: tr(G P)/2, (m, tracks), and tr(G_a P G_b P)/2, (m, m, tracks).
+
+    Args:
+        hessian: (tracks, m, n, n), as formulas give it.
+        covariance: of what is differentiated by, (n, n, tracks or 1).
+
+    """
+    curvature = np.ascontiguousarray(np.moveaxis(hessian, 0, -1))
+    turned = combination(np.moveaxis(curvature, 2, 0)[:, :, :, np.newaxis], covariance)
+    size, tracks = len(turned), turned.shape[-1]
+    flat, across = (part.reshape(size, -1, tracks) for part in (turned, turned.swapaxes(1, 2)))
+    spread = np.empty((size, size, tracks), turned.dtype)
+    for i in range(size):
+        for j in range(i + 1):
+            spread[i, j] = spread[j, i] = combination(flat[i], across[j]) / 2
+    return np.trace(turned, axis1=1, axis2=2) / 2, spread
+
+
+def _with_spread(noise: RealArray, spread: RealArray) -> tuple[RealArray, NDArray[np.bool_]]:
+    """R with what curvature adds, (m, m, tracks), and what is lost in that, (m, tracks): its square overflows."""
+    lost = ~(np.sqrt(np.finfo(spread.dtype).max) >= np.diagonal(spread).T)
+    alone = np.eye(len(spread), dtype=spread.dtype)[..., np.newaxis]
+    return np.where(lost | lost[:, np.newaxis], alone, noise + spread), lost

@@ -1,0 +1,1 @@
+"""Fusion beyond independent errors: correlated tracks, unknown correlations, and biases of radars."""

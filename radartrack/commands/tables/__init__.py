@@ -1,0 +1,1 @@
+"""`radartrack convert`: Parquet files of plots."""

@@ -1,0 +1,63 @@
+"""Units of columns: what a number in one is worth in the unit that a conversion takes."""
+
+import re
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any, NamedTuple
+
+from radartrack._arrays.validation import Domain
+
+NAMED = re.compile(r"[^\W\d][\w°]*(?: ?[*/] ?[^\W\d][\w°]*){0,3}")  # names alone: no powers of anybody's choosing
+LONGEST = 64
+_KINDS = {"m": "length", "rad": "angle", "m/s": "speed"}
+
+
+class Unit(NamedTuple):
+    """The name of a unit, and what numbers in it are multiplied by to be in metres, radians and seconds."""
+
+    name: str
+    factor: float
+
+
+def read_unit(name: str, unit: object, domain: Domain) -> Unit:
+    """The unit of an argument.
+
+    Args:
+        name: of the argument.
+        unit: as pint reads it, such as "deg", "km", "nautical_mile", "knot" or "km/h".
+        domain: of the argument.
+
+    Raises:
+        ImportError: pint is not there.
+        TypeError: the unit is no text.
+        ValueError: the unit is unknown, or is one of something else.
+
+    """
+    wanted = domain.unit.strip()
+    if not isinstance(unit, str):
+        raise TypeError(f"the unit of {name} must be a text such as {_example(wanted)!r}; got {unit!r}")
+    if unit == wanted:
+        return Unit(unit, 1.0)
+    allowed = f"a unit of {_KINDS.get(wanted, 'pure numbers')} such as {_example(wanted)!r}"
+    pint = _pint()
+    if len(unit) > LONGEST or not NAMED.fullmatch(unit.strip()):
+        raise ValueError(f"the unit of {name} must be {allowed}; got {unit[:LONGEST]!r}")
+    try:
+        one = pint.get_application_registry().Quantity(1.0, unit.strip())
+        return Unit(unit.strip(), float(one.to(wanted).magnitude))
+    except pint.UndefinedUnitError:
+        raise ValueError(f"the unit of {name} must be {allowed}; pint knows no unit {unit!r}") from None
+    except (pint.DimensionalityError, pint.OffsetUnitCalculusError):
+        raise ValueError(
+            f"the unit of {name} must be {allowed}; got {unit!r}, which is one of something else"
+        ) from None
+
+
+def _example(wanted: str) -> str:
+    return {"m": "km", "rad": "deg", "m/s": "knot"}.get(wanted, "percent")
+
+
+def _pint() -> Any:
+    if find_spec("pint") is None:
+        raise ImportError("units need the extra: pip install radartrack[tables]; without it numbers are in m, rad, m/s")
+    return import_module("pint")

@@ -1,0 +1,1 @@
+"""What sites see together, and where they stand."""

@@ -1,0 +1,74 @@
+"""Functions in C: names that C can have, comments that end where they should, batches."""
+
+from pathlib import Path
+
+import pytest
+import sympy
+
+from radartrack.derive import symbolic as sp
+from radartrack.derive.writing.c99 import c_elementary
+from radartrack.derive.writing.c99.c_function import CFunction, Output, function, in_comment
+from radartrack.derive.writing.computed_statements import Statements
+from tests.c_programs import LANGUAGES, WARNINGS, needs_compiler, run
+
+new, count, other, name = (sympy.Symbol(text, real=True) for text in ("new", "n", "n_", "radartrack_sin"))
+
+
+def awkward() -> CFunction:
+    """A function whose symbols are words of C++, its own names, and one that is not used."""
+    statements = Statements(
+        (("double", new + count), ("radartrack_exp", sp.sin(sympy.Symbol("double", real=True)))),
+        (sympy.Symbol("radartrack_exp", real=True) + other + name, new),
+    )
+    return function(
+        "radartrack_a_b", ["new", "n", "n_", "radartrack_sin", "unused"], [Output("result", (2,))], statements
+    )
+
+
+def test_no_argument_is_a_word_of_c_or_a_name_of_ours_and_all_differ():
+    found = awkward().arguments
+    assert found == ("new_", "n__", "n_", "of_radartrack_sin", "unused")
+
+
+@needs_compiler
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_awkward_names_compile_and_compute(language: str, tmp_path: Path):
+    written = awkward()
+    source = f"""#include <stdio.h>
+{c_elementary.header()}
+{written.text("any")}
+int main(void)
+{{
+    const double a[2] = {{1.0, 2.0}}, b[2] = {{0.5, 0.25}}, c[2] = {{3.0, 4.0}}, d[2] = {{5.0, 6.0}};
+    const double e[2] = {{0.0, 0.0}};
+    double one[2], many[4];
+    float single[2];
+    radartrack_a_b(1.0, 0.5, 3.0, 5.0, 0.0, one);
+    radartrack_a_bf(1.0f, 0.5f, 3.0f, 5.0f, 0.0f, single);
+    radartrack_a_b_n(2, a, b, c, d, e, many);
+    printf("%.17g %.17g %.17g %.17g %.17g %.17g %.9g\\n", one[0], one[1], many[0], many[1], many[2], many[3],
+           (double)single[0]);
+    return 0;
+}}
+"""
+    first, second, *many, single = map(float, run(source, tmp_path, *LANGUAGES[language], *WARNINGS).split())
+    assert (first, second) == pytest.approx((float(sympy.sin(1.5)) + 8, 1.0))
+    assert many == pytest.approx([first, second, float(sympy.sin(2.25)) + 10, 2.0])
+    assert single == pytest.approx(first, rel=1e-6)
+
+
+@needs_compiler
+def test_no_text_of_a_comment_gets_out_of_it(tmp_path: Path):
+    evil = 'a */ int main(void) { return 1; } /* "b" ??/\n\\\nπ'
+    assert in_comment(evil).count("*/") == 1
+    assert run(f"{in_comment(evil)}\nint main(void) {{ return 0; }}\n", tmp_path, *WARNINGS) == ""
+
+
+def test_what_is_computed_once_is_copied_and_what_is_one_number_is_returned():
+    x = sympy.Symbol("x", real=True)
+    twice = function("radartrack_t", ["x"], [Output("result", (2,))], Statements((), (sp.sin(x) + 1, sp.sin(x) + 1)))
+    assert "result[1] = result[0];" in twice.bodies[0]
+    one = function("radartrack_one", ["x"], [], Statements((), (x / 2,)))
+    assert "static inline double radartrack_one(double x)\n{\n    return 0.5 * x;\n}" in one.text("")
+    assert "result[i] = radartrack_onef(x[i]);" in one.text("")
+    assert twice.digest != one.digest

@@ -1,0 +1,106 @@
+"""Headers: every function in two precisions, without a warning in C and C++, and safe with anything."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from radartrack.derive.writing.c99 import c_header
+from radartrack.derive.writing.expression_code import NotWritable
+from tests.c_programs import (
+    COMPILERS,
+    DEFINED,
+    LANGUAGES,
+    WARNINGS,
+    calls_with_anything,
+    in_c,
+    needs_compiler,
+    run,
+    write_headers,
+)
+
+QUANTITIES = (
+    "polar.map",
+    "polar.unbiased.estimate",
+    "polar.unbiased.covariance",
+    "polar.bias.averaged",
+    "polar.covariance.averaged",
+    "polar.std.position",
+    "spherical.unbiased.estimate",
+    "observe.polar.hessian",
+    "observe.bistatic.jacobian",
+    "motion.turn.unknown_rate.map",
+    "motion.plane.observation",
+    "steady_state.alpha_beta_gamma.gain",
+    "finite_sample.degree2.range_rate.covariance",
+    "line.slope",
+)
+
+
+@pytest.fixture(scope="module")
+def headers(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("headers")
+    write_headers(folder, *QUANTITIES, conversions=(("polar", "unbiased"), ("polar", "averaged")))
+    return folder
+
+
+def test_each_quantity_has_its_functions_in_both_precisions(headers: Path):
+    defined = {match["name"] for path in headers.glob("*.h") for match in DEFINED.finditer(path.read_text())}
+    for name in QUANTITIES:
+        function = f"radartrack_{name.replace('.', '_')}"
+        batches = set() if name == "motion.plane.observation" else {f"{function}_n", f"{function}_nf"}
+        assert {function, f"{function}f", *batches} <= defined
+
+
+def test_the_comment_says_what_the_docstring_says(headers: Path):
+    text = (headers / "radartrack_polar.h").read_text()
+    assert " * Name: polar.covariance.averaged.\n" in text
+    assert " *     result[4], 2 x 2 in row-major order, unit m^2.\n" in text
+    assert " *     sigma_beta: standard deviation of the error of beta [rad]" in text
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("compiler", COMPILERS or [pytest.param("", marks=pytest.mark.skip("there is no C compiler"))])
+def test_headers_compile_without_a_warning(headers: Path, compiler: str, language: str, tmp_path: Path):
+    source = tmp_path / "all.c"
+    source.write_text('#include "radartrack.h"\n#include "radartrack.h"\nint main(void) { return 0; }\n')
+    command = [compiler, *LANGUAGES[language], *WARNINGS, f"-I{headers}", "-fsyntax-only", str(source)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@needs_compiler
+def test_sanitizers_find_nothing_with_numbers_of_every_kind(headers: Path, tmp_path: Path):
+    flags = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", f"-I{headers}"]
+    (tmp_path / "probe.c").write_text("int main(void) { return 0; }\n")
+    try:
+        run("int main(void) { return 0; }\n", tmp_path, *flags)
+    except AssertionError:
+        pytest.skip("the compiler has no sanitizers here")
+    assert int(run(calls_with_anything(headers), tmp_path, *flags)) > 4 * len(QUANTITIES)
+
+
+@needs_compiler
+def test_own_elementary_functions_take_the_place_of_those_of_math_h(headers: Path, tmp_path: Path):
+    inside = (
+        (headers / "radartrack_elementary.h").read_text().partition("#include <math.h>\n")[2].partition("#endif")[0]
+    )
+    own = "#include <math.h>\n" + inside.replace("return sin(x);", "return 7.0;")
+    (tmp_path / "own.h").write_text(own)
+    source = """#include <stdio.h>
+#define RADARTRACK_ELEMENTARY "own.h"
+#include "radartrack_polar.h"
+int main(void)
+{
+    double result[2];
+    radartrack_polar_map(2.0, 0.0, result);
+    printf("%g %g\\n", result[0], result[1]);
+    return 0;
+}
+"""
+    assert run(source, tmp_path, f"-I{headers}", f"-I{tmp_path}") == "2 14\n"
+
+
+def test_two_functions_of_one_name_are_refused():
+    with pytest.raises(NotWritable, match="radartrack_polar_map"):
+        c_header.headers([in_c("polar.map"), in_c("polar.map")], [], {"polar.map": ["any"]})

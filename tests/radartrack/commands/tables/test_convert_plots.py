@@ -1,0 +1,231 @@
+"""`radartrack convert`: files in batches, on clusters that lose workers, complete or not there."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner, Result
+
+import radartrack as rt
+from radartrack.cli import app
+from radartrack.commands.tables.plot_files import PART, many_files, one_file
+from radartrack.tables import parquet_stream
+from radartrack.tables.plot_columns import PlotColumns
+from radartrack.verification.engines import Dask
+
+pa: Any = pytest.importorskip("pyarrow", reason="files are tested with pyarrow")
+pq: Any = pytest.importorskip("pyarrow.parquet", reason="files are tested with pyarrow")
+pytest.importorskip("pint", reason="units are tested with pint")
+
+CONSTANTS = ["range_std=50", "azimuth_std=0.01", "elevation_std=0.02"]
+ROWS = 1000
+
+
+def table(rows: int = ROWS, seed: int = 0) -> Any:
+    generator = np.random.default_rng(seed)
+    return pa.table(
+        {
+            "r": generator.uniform(1.0, 100.0, rows),
+            "azimuth": generator.uniform(-180.0, 180.0, rows),
+            "elevation": generator.uniform(0.0, 60.0, rows),
+            "name": [f"plot {row}" for row in range(rows)],
+        }
+    )
+
+
+def converted(*arguments: str | Path) -> Result:
+    constants = [word for constant in CONSTANTS for word in ("--constant", constant)]
+    units = ["--unit", "r=km", "--unit", "azimuth=deg", "--unit", "elevation=deg"]
+    return CliRunner().invoke(app, ["convert", *map(str, arguments), "--sensor", "spherical", *constants, *units])
+
+
+def chosen(bad_rows: Any = "raise") -> PlotColumns:
+    constants = {"range_std": 50.0, "azimuth_std": 0.01, "elevation_std": 0.02}
+    units = {"r": "km", "azimuth": "deg", "elevation": "deg"}
+    return PlotColumns.chosen("spherical", constants, units, "unbiased", None, bad_rows, "")
+
+
+def requires_same(found: Any, given: Any) -> None:
+    """What a file holds is what the conversion of all its rows at once gives."""
+    mean, covariance = rt.convert.spherical(
+        1e3 * np.asarray(given["r"]), np.deg2rad(given["azimuth"]), np.deg2rad(given["elevation"]), 50.0, 0.01, 0.02
+    )
+    assert found.select(given.column_names).equals(given)
+    for i, first in enumerate("xyz"):
+        np.testing.assert_allclose(found[first], mean[:, i], rtol=1e-12)
+        for j, second in enumerate("xyz"[i:], i):
+            np.testing.assert_allclose(found[f"cov_{first}_{second}"], covariance[:, i, j], rtol=1e-6, atol=1e-3)
+
+
+@pytest.fixture
+def plots(tmp_path: Path) -> Path:
+    pq.write_table(table(), tmp_path / "plots.parquet", row_group_size=300)
+    return tmp_path / "plots.parquet"
+
+
+def test_batches_that_fit_no_row_group_give_what_one_conversion_of_all_gives(
+    plots: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(parquet_stream, "BATCH", 128)
+    found = converted(plots, "--out", tmp_path / "out.parquet")
+    assert found.exit_code == 0, found.output
+    assert "1,000 plots converted" in found.output
+    requires_same(pq.read_table(tmp_path / "out.parquet"), table())
+
+
+def test_without_out_the_new_file_is_beside_the_old_one(plots: Path) -> None:
+    assert converted(plots).exit_code == 0
+    assert sorted(path.name for path in plots.parent.iterdir()) == ["plots-converted.parquet", "plots.parquet"]
+
+
+def with_bad_rows(path: Path) -> None:
+    data = table()
+    r = np.asarray(data["r"]).copy()
+    r[[130, 700]] = [-1.0, np.nan]
+    pq.write_table(data.set_column(0, "r", pa.array(r)), path)
+
+
+def test_rows_that_cannot_be_converted_end_it_with_their_numbers_in_the_file_and_nothing_written(
+    plots: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(parquet_stream, "BATCH", 128)
+    with_bad_rows(plots)
+    before = plots.read_bytes()
+    found = converted(plots)
+    assert found.exit_code == 1
+    assert "row 130: r must be from 0 to 1e+100 m" in found.output
+    assert "got -1 km" in found.output
+    assert [path.name for path in plots.parent.iterdir()] == ["plots.parquet"]
+    assert plots.read_bytes() == before
+
+
+def test_marked_rows_are_kept_told_and_counted(plots: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(parquet_stream, "BATCH", 128)
+    with_bad_rows(plots)
+    found = converted(plots, "--bad-rows", "mark")
+    assert found.exit_code == 0
+    assert "2 of them could not be" in found.output
+    assert "plots.parquet, row 700: r is missing" in found.output
+    written = pq.read_table(plots.with_name("plots-converted.parquet"))
+    assert written.num_rows == ROWS
+    problems = written["problem"].to_pylist()
+    assert [row for row, problem in enumerate(problems) if problem] == [130, 700]
+    assert np.isnan(np.asarray(written["x"])[[130, 700]]).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--column", "r=slant"], "r must be one of the columns"),
+        (["--unit", "r=volt"], "the unit of r must be a unit of length"),
+        (["--constant", "correlation=2"], "correlation must be from -1 to 1"),
+        (["--column", "r=name"], "r must be a column of real numbers; 'name' holds string"),
+        (["--method", "best"], "method must be one of"),
+        (["--scheduler", "tcp://127.0.0.1:1"], "--scheduler is for --engine dask"),
+        (["--engine", "dask"], "needs --scheduler"),
+    ],
+)
+def test_what_cannot_be_done_is_said_before_anything_is_written(plots: Path, arguments: list[str], said: str) -> None:
+    if "r=volt" in arguments:
+        found = CliRunner().invoke(app, ["convert", str(plots), *arguments])
+    else:
+        found = converted(plots, *arguments)
+    assert found.exit_code == 2
+    assert said in " ".join(found.output.replace("│", " ").split())
+    assert [path.name for path in plots.parent.iterdir()] == ["plots.parquet"]
+
+
+def test_what_is_no_parquet_file_is_said(tmp_path: Path) -> None:
+    (tmp_path / "plots.csv").write_text("r,azimuth\n1,2\n")
+    found = converted(tmp_path / "plots.csv")
+    assert found.exit_code == 2
+    assert "plots.csv is no Parquet file" in found.output
+    assert converted(tmp_path / "nowhere.parquet").exit_code == 2
+
+
+def several(folder: Path, count: int = 3) -> list[Path]:
+    folder.mkdir()
+    paths = [folder / f"scan{number}.parquet" for number in range(count)]
+    for number, path in enumerate(paths):
+        pq.write_table(table(200, number), path)
+    return paths
+
+
+def test_several_files_become_a_directory_that_is_complete(tmp_path: Path) -> None:
+    paths = several(tmp_path / "in")
+    found = converted(*paths, "--out", tmp_path / "out")
+    assert found.exit_code == 0, found.output
+    for number, path in enumerate(paths):
+        requires_same(pq.read_table(tmp_path / "out" / path.name), table(200, number))
+    again = converted(*paths, "--out", tmp_path / "out")
+    assert again.exit_code == 2
+    assert "--out must be a directory that is empty or not there yet" in again.output
+
+
+def test_a_bad_row_in_one_of_several_files_leaves_no_directory(tmp_path: Path) -> None:
+    paths = several(tmp_path / "in")
+    with_bad_rows(paths[2])
+    assert converted(*paths, "--out", tmp_path / "out").exit_code == 1
+    assert not (tmp_path / "out").exists()
+
+
+KILLED = """
+import sys
+from pathlib import Path
+from radartrack.commands.tables import plot_files
+from radartrack.tables.plot_columns import PlotColumns
+import os, signal
+def step(rows):
+    os.kill(os.getpid(), signal.SIGKILL)
+chosen = PlotColumns.chosen("spherical", {"range_std": 50.0, "azimuth_std": 0.01, "elevation_std": 0.02}, None,
+                            "unbiased", None, "raise", "")
+plot_files.one_file(Path(sys.argv[1]), Path(sys.argv[2]), chosen, None, step)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+def test_killed_in_the_middle_it_leaves_what_was_there(tmp_path: Path) -> None:
+    source, target = tmp_path / "in.parquet", tmp_path / "out.parquet"
+    radians = (
+        table().set_column(1, "azimuth", pa.array(np.zeros(ROWS))).set_column(2, "elevation", pa.array(np.zeros(ROWS)))
+    )
+    pq.write_table(radians, source)
+    target.write_text("before")
+    killed = subprocess.run([sys.executable, "-c", KILLED, source, target], check=False, capture_output=True)
+    assert killed.returncode == -signal.SIGKILL
+    assert target.read_text() == "before"
+    one_file(source, target, chosen(), None, lambda _: None)
+    assert pq.read_table(target).num_rows == ROWS
+
+
+class Deadly(PlotColumns):
+    """What ends the worker that first converts with it, in the middle of its file."""
+
+    def converted(self, *given: Any, **more: Any) -> Any:
+        mark = Path(os.environ["RADARTRACK_TEST_MARK"])
+        if not mark.exists():
+            mark.touch()
+            os._exit(9)
+        return super().converted(*given, **more)
+
+
+def test_a_cluster_that_loses_a_worker_gives_all_files_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    distributed = pytest.importorskip("distributed", reason="the cluster is one of Dask")
+    monkeypatch.setenv("RADARTRACK_TEST_MARK", str(tmp_path / "mark"))
+    paths = several(tmp_path / "in", 4)
+    columns = Deadly(**{name: getattr(chosen(), name) for name in PlotColumns.__dataclass_fields__})
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50, local_directory=tmp_path / "dask"
+    ) as cluster:
+        outcomes = many_files(paths, tmp_path / "out", columns, Dask(cluster.scheduler_address), lambda _: None)
+    assert (tmp_path / "mark").exists()
+    assert {path.name: outcome.rows for path, outcome in outcomes.items()} == {path.name: 200 for path in paths}
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [path.name for path in paths]
+    assert not [path for path in (tmp_path / "out").iterdir() if PART in path.name]
+    for number, path in enumerate(paths):
+        requires_same(pq.read_table(tmp_path / "out" / path.name), table(200, number))

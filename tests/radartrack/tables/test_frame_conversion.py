@@ -1,0 +1,208 @@
+"""Tables of four libraries give what the conversions give of their columns, and say which rows cannot be converted."""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+
+import radartrack as rt
+
+for _library in ("narwhals", "pandas", "pint", "polars", "pyarrow", "xarray"):
+    pytest.importorskip(_library, reason=f"tables are tested with {_library}")
+
+import pandas as pd  # noqa: E402
+import polars as pl  # noqa: E402
+import pyarrow as pa  # noqa: E402
+import xarray as xr  # noqa: E402
+
+COUNT = 7
+NAUTICAL_MILE, KNOT = 1852.0, 1852.0 / 3600.0
+
+
+def plots() -> dict[str, Any]:
+    generator = np.random.default_rng(3)
+    return {
+        "slant": generator.uniform(1, 50, COUNT),
+        "bearing": generator.uniform(-400, 400, COUNT),
+        "closing": generator.uniform(-300, 300, COUNT),
+        "spread": generator.uniform(0.1, 9, COUNT),
+        "name": [f"plot {number}" for number in range(COUNT)],
+    }
+
+
+def variables(data: Mapping[str, Any]) -> xr.Dataset:
+    return xr.Dataset({name: ("plot", values) for name, values in data.items()})
+
+
+LIBRARIES: dict[str, tuple[Callable[[Any], Any], type]] = {
+    "pandas": (lambda data: pd.DataFrame(data, index=[f"i{n}" for n in range(COUNT)]), pd.DataFrame),
+    "polars": (pl.DataFrame, pl.DataFrame),
+    "pyarrow": (pa.table, pa.Table),
+    "xarray": (variables, xr.Dataset),
+}
+COLUMNS = {
+    "r": "slant", "azimuth": "bearing", "range_rate": "closing", "azimuth_std": "spread",
+    "range_std": 0.05, "range_rate_std": 3.0, "correlation": 0.4,
+}  # fmt: skip
+UNITS = {"r": "nautical_mile", "azimuth": "deg", "range_rate": "knot", "azimuth_std": "deg", "range_std": "km"}
+
+
+@pytest.fixture(params=LIBRARIES)
+def library(request: pytest.FixtureRequest) -> tuple[Callable[[Any], Any], type]:
+    return LIBRARIES[request.param]
+
+
+def column(table: Any, name: str) -> Any:
+    return np.asarray(table[name])
+
+
+def direct(data: Mapping[str, Any], method: Any = "unbiased") -> rt.convert.Converted:
+    return rt.convert.polar_doppler(
+        NAUTICAL_MILE * data["slant"], np.deg2rad(data["bearing"]), KNOT * data["closing"],
+        50.0, np.deg2rad(data["spread"]), 3.0, 0.4, method, azimuth_from="y",
+    )  # fmt: skip
+
+
+def test_a_table_of_the_same_library_has_the_old_columns_and_what_the_conversion_gives(library: Any) -> None:
+    make, kind = library
+    given = make(plots())
+    found = rt.tables.convert(given, "polar_doppler", COLUMNS, UNITS, azimuth_from="y")
+    mean, covariance = direct(plots())
+    assert type(found) is kind
+    assert [str(one) for one in column(found, "name")] == plots()["name"]
+    names = ["x", "y", "eta"]
+    for i, first in enumerate(names):
+        np.testing.assert_allclose(column(found, first), mean[:, i], rtol=1e-12)
+        for j, second in enumerate(names[i:], i):
+            entries = column(found, f"cov_{first}_{second}")
+            np.testing.assert_allclose(
+                entries, covariance[:, i, j], rtol=1e-9, atol=1e-9 * abs(covariance[:, i, j]).max()
+            )
+    pairs = ("x_x", "x_y", "x_eta", "y_y", "y_eta", "eta_eta")
+    assert kind_columns(found) == [*plots(), *names, *(f"cov_{pair}" for pair in pairs)]
+
+
+def kind_columns(table: Any) -> list[str]:
+    names = table.column_names if isinstance(table, pa.Table) else getattr(table, "columns", table)
+    return [*map(str, names)]
+
+
+def test_the_index_of_pandas_stays_and_nothing_is_joined_by_it() -> None:
+    given = pd.DataFrame(plots(), index=[3, 1, 1, 0, 9, -2, 5])
+    found = rt.tables.convert(given, "polar_doppler", COLUMNS, UNITS, azimuth_from="y")
+    assert found.index.tolist() == given.index.tolist()
+    np.testing.assert_allclose(found["x"].to_numpy(), direct(plots()).mean[:, 0], rtol=1e-12)
+
+
+def spoilt() -> dict[str, Any]:
+    data = plots()
+    data["slant"][1], data["spread"][4], data["closing"][6] = np.nan, -2.0, math.inf
+    return data
+
+
+def test_bad_rows_are_an_error_that_has_their_numbers_and_what_is_wrong(library: Any) -> None:
+    with pytest.raises(rt.tables.BadRows, match=r"3 of 7 rows cannot be converted: .*r is missing") as caught:
+        rt.tables.convert(library[0](spoilt()), "polar_doppler", COLUMNS, UNITS)
+    assert caught.value.rows == [1, 4, 6]
+    assert caught.value.reasons[1].startswith("azimuth_std must be from 0 to 3.14")
+    assert caught.value.reasons[1].endswith("got -2 deg")
+    assert "got inf knot" in caught.value.reasons[2]
+
+
+def test_marked_rows_stay_without_numbers_and_the_others_are_as_if_alone(library: Any) -> None:
+    found = rt.tables.convert(library[0](spoilt()), "polar_doppler", COLUMNS, UNITS, bad_rows="mark", azimuth_from="y")
+    good = [0, 2, 3, 5]
+    assert len(column(found, "x")) == COUNT
+    assert np.isnan(column(found, "cov_x_y")[[1, 4, 6]].astype(float)).all()
+    np.testing.assert_allclose(column(found, "y")[good], direct(plots()).mean[good, 1], rtol=1e-12)
+    said = [one if isinstance(one, str) and one else None for one in column(found, "problem").tolist()]
+    assert [row for row, problem in enumerate(said) if problem] == [1, 4, 6]
+
+
+def test_missing_values_of_each_library_are_bad_rows() -> None:
+    polars = pl.DataFrame(
+        {"r": [1, None, 3], "azimuth": [0.1, 0.2, None], "range_std": [1] * 3, "azimuth_std": [0.1] * 3}
+    )
+    nullable = polars.to_pandas().convert_dtypes()
+    for table in (polars, polars.to_arrow(), nullable):
+        with pytest.raises(rt.tables.BadRows) as caught:
+            rt.tables.convert(table)
+        assert caught.value.rows == [1, 2]
+        assert caught.value.reasons == ["r is missing", "azimuth is missing"]
+
+
+def test_what_several_columns_make_impossible_together_is_told_by_row() -> None:
+    table = pl.DataFrame({"r": [1e4] * 3, "u": [0.1, 0.99, 0.2], "v": [0.1, 0.1, 0.1]})
+    constants = {"range_std": 10.0, "u_std": 0.01, "v_std": 0.01}
+    with pytest.raises(rt.tables.BadRows, match=r"row 1: sqrt\(u\^2 \+ v\^2\)") as caught:
+        rt.tables.convert(table, "ruv", constants)
+    assert caught.value.rows == [1]
+
+
+def test_variables_of_several_dimensions_are_broadcast_and_have_the_units_they_say() -> None:
+    bearing = xr.DataArray(np.array([10.0, 200.0, 350.0]), dims="beam", attrs={"units": "degree"})
+    gates = xr.DataArray(np.array([20.0, 40.0]), dims="gate", attrs={"units": "km"})
+    scan = xr.Dataset({"azimuth": bearing, "r": gates})
+    found = rt.tables.convert(scan, "polar", {"range_std": 50.0, "azimuth_std": 0.02})
+    wanted = rt.convert.polar(np.array([2e4, 4e4])[:, np.newaxis], np.deg2rad([10.0, 200.0, 350.0]), 50.0, 0.02).mean
+    np.testing.assert_allclose(found["x"].transpose("gate", "beam"), wanted[..., 0], rtol=1e-12)
+    with pytest.raises(rt.tables.BadRows, match=r"entry gate=1, beam=0|entry beam=0, gate=1"):
+        rt.tables.convert(scan.assign(r=("gate", [20.0, -1.0])), "polar", {"range_std": 50.0, "azimuth_std": 0.02})
+
+
+def test_single_precision_stays_where_every_column_read_has_it() -> None:
+    single = {name: np.ones(3, np.float32) for name in ("r", "azimuth", "azimuth_std")}
+    found = rt.tables.convert(pl.DataFrame(single), "polar", {"range_std": 1.0})
+    assert found["x"].dtype == pl.Float32
+    double = rt.tables.convert(pl.DataFrame({**single, "r": np.ones(3)}), "polar", {"range_std": 1.0})
+    assert double["x"].dtype == pl.Float64
+
+
+def test_no_rows_give_no_rows_with_the_new_columns() -> None:
+    found = rt.tables.convert(pl.DataFrame(plots()).clear(), "polar_doppler", COLUMNS, UNITS)
+    assert found.height == 0
+    assert "cov_x_eta" in found.columns
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        ({"units": {"r": "kilogram"}}, ValueError, "a unit of length such as 'km'; got 'kilogram', which is one of"),
+        ({"units": {"r": "furlongish"}}, ValueError, "pint knows no unit 'furlongish'"),
+        ({"units": {"r": "m**99999999"}}, ValueError, "the unit of r must be a unit of length"),
+        ({"units": {"azimuth": 180}}, TypeError, "the unit of azimuth must be a text such as 'deg'; got 180"),
+        ({"columns": {"rnage": "slant"}}, ValueError, "an argument in columns must be one of .*'rnage'"),
+        ({"columns": {"r": "slnat"}}, ValueError, "r must be one of the columns .*; got 'slnat'"),
+        ({"columns": {"r": "name"}}, TypeError, "r must be a column of real numbers; 'name' holds"),
+        ({"columns": {"r": -1.0}}, ValueError, "r must be from 0"),
+        ({"columns": {"r": True}}, TypeError, "must be a real number; got True"),
+        ({"method": "decorrelated"}, ValueError, "method must be one of"),
+        ({"bad_rows": "drop"}, ValueError, "bad_rows must be one of .'raise', 'mark'.|bad_rows must be one of"),
+        ({"sensor": "lidar"}, ValueError, "sensor must be one of"),
+    ],
+)
+def test_what_is_no_question_is_refused_with_what_was_given_and_what_is_allowed(
+    given: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    columns = {**COLUMNS, **given.get("columns", {})}
+    arguments = {"sensor": "polar_doppler", "units": UNITS} | given | {"columns": columns}
+    with pytest.raises(error, match=message):
+        rt.tables.convert(pl.DataFrame(plots()), **arguments)
+
+
+def test_a_column_is_not_written_over_and_a_prefix_makes_room() -> None:
+    table = pl.DataFrame({**plots(), "x": range(COUNT)})
+    with pytest.raises(ValueError, match=r"must have no columns \['x'\] yet"):
+        rt.tables.convert(table, "polar_doppler", COLUMNS, UNITS)
+    found = rt.tables.convert(table, "polar_doppler", COLUMNS, UNITS, prefix="cartesian_")
+    assert found["x"].to_list() == [*range(COUNT)]
+    assert "cartesian_cov_x_x" in found.columns
+
+
+def test_what_is_no_table_in_memory_is_refused() -> None:
+    with pytest.raises(TypeError, match="LazyFrame, which is not computed yet: collect it first"):
+        rt.tables.convert(pl.LazyFrame(plots()), "polar_doppler", COLUMNS, UNITS)
+    with pytest.raises(TypeError, match=r"frame must be a table of pandas, polars, pyarrow .*; got 'dict'"):
+        rt.tables.convert(plots(), "polar_doppler", COLUMNS, UNITS)
