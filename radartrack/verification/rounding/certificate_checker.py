@@ -190,15 +190,16 @@ class Box:
         """A number κ with error ≤ κ · scale; a term of the error counts by that of the scale that it is smallest by."""
         loads: dict[Key, Ball] = {}
         for key, coefficient in error.items():
-            best, ratio = None, None
+            best: Key | None = None
+            ratio = self.ball(math.inf)
             for other, size in scale.items():
                 found = _above(self._monomial(_product(key, other, -1.0), coefficient / size)[1].exp())
-                if ratio is None or found < ratio:
+                if found < ratio:
                     best, ratio = other, found
-            if best is None or not ratio.is_finite():
+            if best is None:
                 return None
             loads[best] = loads.get(best, self.ball(0)) + ratio
-        return max(loads.values(), default=self.ball(0), key=lambda load: float(load.upper()))
+        return _largest([self.ball(0), *loads.values()])
 
     def paired(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Ball | None:
         """A number κ with error ≤ κ · √(first · second).
@@ -212,16 +213,26 @@ class Box:
             for i, j in pairs:
                 power = _product(_product(key, i, -0.5), j, -0.5)
                 ratios.append(_above(self._monomial(power, coefficient / (first[i] * second[j]).sqrt())[1].exp()))
-            best = min(ratios, key=lambda ratio: float(ratio.upper()))
-            if not best.is_finite():
+            best = min(map(_float, ratios))
+            if not math.isfinite(best):
                 return None
-            shared = [n for n, ratio in enumerate(ratios) if float(ratio.upper()) <= CLOSE * float(best.upper())]
+            shared = [n for n, ratio in enumerate(ratios) if _float(ratio) <= CLOSE * best]
             for n in shared:
                 i, j = pairs[n]
                 rows[i] += ratios[n] / len(shared)
                 columns[j] += ratios[n] / len(shared)
-        largest = [max(sums.values(), key=lambda load: float(load.upper())) for sums in (rows, columns)]
-        return _above((largest[0] * largest[1]).sqrt())
+        return _above((_largest(list(rows.values())) * _largest(list(columns.values()))).sqrt())
+
+
+def _float(ball: Ball) -> float:
+    """Close to its upper end; infinite where it is no number."""
+    value = float(ball.upper())
+    return math.inf if math.isnan(value) else value
+
+
+def _largest(balls: Sequence[Ball]) -> Ball:
+    """One that no other is above."""
+    return max(balls, key=_float)
 
 
 def _above(ball: Ball) -> Ball:
@@ -358,8 +369,7 @@ def _add(box: Box, a: Number | None, b: Number | None) -> Number | None:
             return _made(box, major.sign, size, box.atom(low, high), error, relative, terms, tiny, (low, high))
     high = _above((a.high.exp() + b.high.exp()).log())
     if a.sign * b.sign < 0:
-        ends = [_above(x.high.exp() - y.low.exp()) for x, y in ((a, b), (b, a))]
-        high = _above(max(ends, key=float).log())
+        high = _above(_largest([_above(x.high.exp() - y.low.exp()) for x, y in ((a, b), (b, a))]).log())
     return _made(box, 0, size, None, error, relative, terms, tiny, (box.ball(-math.inf), high))
 
 
@@ -396,9 +406,10 @@ def _direction(box: Box, y: Number | None, x: Number | None) -> Number | None:
     known = [one for one in (y, x) if one is not None]
     if not known:
         return None
-    if any(one.relative is None for one in known):
+    relatives = [one.relative for one in known if one.relative is not None]
+    if len(relatives) < len(known):
         raise Refused("the direction of a vector whose entries may vanish")
-    both = sum((one.relative for one in known), box.ball(0)) * (1 + box.ball(1e-9))
+    both = sum(relatives, box.ball(0)) * (1 + box.ball(1e-9))
     _small(box, both)
     high = _above(box.flint.arb.pi().log())
     low = box.ball(-math.inf)
@@ -452,7 +463,7 @@ def _argument(box: Box, sign: int, low: Ball, high: Ball, roundings: float = 0.0
 def _constant(box: Box, value: Ball, roundings: float = 0.0) -> Number | None:
     if value == 0:
         return None
-    size = {(): abs(value)}
+    size: Polynomial = {(): abs(value)}
     log = abs(value).log()
     error = _scaled(size, box.ball(roundings)) if roundings else NOTHING
     tiny = float(log.lower()) / math.log(2) - 1e-3
@@ -473,11 +484,11 @@ def _start(claim: Mapping[str, Any], chosen: Mapping[str, str], ends: Mapping[st
         if argument["kind"] != "angle":
             box.names[name] = _argument(box, signs[choice], low, high)
             continue
-        small = [_below(low.exp().sin().log()), _above(high.exp().sin().log())]
-        large = [_below(high.exp().cos().log()), _above(low.exp().cos().log())]
+        small = _below(low.exp().sin().log()), _above(high.exp().sin().log())
+        large = _below(high.exp().cos().log()), _above(low.exp().cos().log())
         sine, cosine = (small, large) if choice[2] == "s" else (large, small)
-        box.waves["sin", name] = _argument(box, signs[choice[1]], *sine, 2.0 * ULPS["sin"])
-        box.waves["cos", name] = _argument(box, signs[choice[0]], *cosine, 2.0 * ULPS["cos"])
+        box.waves["sin", name] = _argument(box, signs[choice[1]], *sine, roundings=2.0 * ULPS["sin"])
+        box.waves["cos", name] = _argument(box, signs[choice[0]], *cosine, roundings=2.0 * ULPS["cos"])
     return box
 
 

@@ -183,7 +183,7 @@ def settled(
 
 def exact(size: Enclosure, sign: Signs, *, number: bool = False) -> Value:
     """An argument or a number, as it is given."""
-    parts = {(): size.middle + size.above} if number else whole(size)
+    parts: Parts = {(): size.middle + size.above} if number else whole(size)
     return Value(size, sign, np.zeros_like(size.middle), None, size, size.low, parts, None, parts)
 
 
@@ -302,12 +302,11 @@ def sum_of(first: Value, second: Value) -> Value:
                 weighed = np.exp((own / size).high)
             shared = np.fmin(shared, weighed)
         tiny = np.maximum(first.tiny, second.tiny) - 1e-6
-        errors = None
-        if first.errors is not None or second.errors is not None:
-            errors = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
-        error = None if errors is None or own is None else total([own, size])
         relative, makeup = _rounded(shared, 1.0), _both(first.makeup, second.makeup, merged)
-        return settled(size, first.sign, relative, error, terms, tiny, parts, errors, makeup)
+        if own is None or (first.errors is None and second.errors is None):
+            return settled(size, first.sign, relative, None, terms, tiny, parts, None, makeup)
+        in_parts = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
+        return settled(size, first.sign, relative, total([own, size]), terms, tiny, parts, in_parts, makeup)
     larger = _middle_or_most(first) >= _middle_or_most(second)
     major, minor = either(larger, first.size, second.size), either(larger, second.size, first.size)
     leading = np.where(larger, first.sign, second.sign)
@@ -318,13 +317,12 @@ def sum_of(first: Value, second: Value) -> Value:
     size = either(certain, definite, _of_either_sign(first, second))
     sign = np.where(certain, leading, 0).astype(np.int8)
     relative = np.full_like(size.middle, 1.0 if own is None else np.inf)
-    error = None if own is None else total([own, size])
     tiny = np.minimum(first.tiny, second.tiny) - SPACING
-    errors = None
-    if own is not None:
-        inherited = merged(*(value.error_parts for value in (first, second) if value.error is not None))
-        errors = merged(times(inherited, 1 + U), parts)
-    return settled(size, sign, relative, error, terms, tiny, parts, errors, whole(size) if certain.all() else None)
+    makeup = whole(size) if certain.all() else None
+    if own is None:
+        return settled(size, sign, relative, None, terms, tiny, parts, None, makeup)
+    in_parts = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
+    return settled(size, sign, relative, total([own, size]), terms, tiny, parts, in_parts, makeup)
 
 
 def _middle_or_most(value: Value) -> Array:
@@ -375,7 +373,7 @@ def direction(y: Value, x: Value) -> Value:
 
 def exponential(value: Value) -> Value:
     """e^value, of an argument whose sign is known."""
-    negative = (value.sign < 0).all()
+    negative = bool((value.sign < 0).all())
     if not negative and not (value.sign > 0).all():
         raise NotAnalysed("the exponential of what may have either sign")
 
@@ -398,7 +396,7 @@ def _change(value: Value) -> Array:
 
 def exponential_less_one(value: Value) -> Value:
     """e^value − 1, of an argument whose sign is known; its condition is below 1 on the left, x/(1 − e^−x) right."""
-    negative = (value.sign < 0).all()
+    negative = bool((value.sign < 0).all())
     if not negative and not (value.sign > 0).all():
         raise NotAnalysed("expm1 of what may have either sign")
 

@@ -70,7 +70,7 @@ def _statement(statement: ast.stmt, run: Run) -> None:
 
 def _index(place: ast.expr) -> Index:
     parts = place.elts if isinstance(place, ast.Tuple) else [place]
-    return tuple(int(part.value) for part in parts if isinstance(part, ast.Constant) and part.value is not ...)
+    return tuple(part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, int))
 
 
 def _value(node: ast.expr, run: Run) -> Value | None:
