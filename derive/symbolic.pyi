@@ -14,6 +14,7 @@ class Basic:
     is_Pow: bool
     is_Number: bool
     is_Symbol: bool
+    is_Function: bool
     free_symbols: set[Symbol]
     def xreplace(self, rule: Mapping[Any, Any]) -> Expr: ...
     def subs(self, *args: Any, **kwargs: Any) -> Expr: ...

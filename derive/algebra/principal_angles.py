@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.symbolic import Expr
@@ -22,7 +24,7 @@ def equal_angles(first: Expr, second: Expr) -> bool:
     return principal and equal_modulo_turn(first, second)
 
 
-def equal_function(first: Expr, second: Expr, function: type[Expr]) -> bool:
+def equal_function(first: Expr, second: Expr, function: Callable[[Expr], Expr]) -> bool:
     """Whether two values of inverse functions are proved to have the same sine, or the same cosine."""
     if not (first.has(*_INVERSE) and second.has(*_INVERSE)):
         return False

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from radartrack._reports import audit_text
@@ -36,8 +37,7 @@ def typeset(claim: Claim, record: Mapping[str, Any], verdict: Verdict | None) ->
         "said": said,
         "at_worst": worst[0] if worst else "",
         "suggestions": [
-            {**one, "applied": attempted(lambda one=one: applied(record, one), lambda _: {})}
-            for one in record["suggestions"]
+            {**one, "applied": attempted(partial(applied, record, one), lambda _: {})} for one in record["suggestions"]
         ],
     }
 

@@ -73,7 +73,7 @@ def _table(heading: str, audits: Sequence[tuple[int, Mapping[str, Any]]]) -> str
         for (number, audit), count in zip(audits, counts, strict=True)
     ]
     heads = "".join(f"<th>{escape(one)}</th>" for one in ["", "claims", *Rating])
-    total = _row("all", sum(counts, Counter()))
+    total = _row("all", Counter(rating(record) for _, audit in audits for record in audit["claims"]))
     return (
         f"<section>\n<h2>{heading}</h2>\n<table>\n<thead><tr>{heads}</tr></thead>\n"
         f"<tbody>\n{chr(10).join(rows)}\n</tbody>\n<tfoot>{total}</tfoot>\n</table>\n</section>"

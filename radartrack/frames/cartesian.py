@@ -62,7 +62,8 @@ class Frame:
         products = arrays["axes"] @ np.swapaxes(arrays["axes"], -1, -2)
         if np.abs(products - np.eye(3)).max(initial=0.0) > SQUARE:
             raise ValueError("axes must have length one and stand on each other; got axes that do not")
-        broadcast_shape({name: arrays[name][(..., *[0] * (1 + (name == "axes")))] for name in arrays})
+        one_row = {"axes": arrays["axes"][..., 0, 0]}
+        broadcast_shape({name: one_row.get(name, array[..., 0]) for name, array in arrays.items()})
 
     def rotation(self, other: "Frame") -> RealArray:
         """What turns components along these axes into components along the other's, shape (..., 3, 3)."""
@@ -136,7 +137,7 @@ class Frame:
     def to_ecef(self, mean: ArrayLike, covariance: ArrayLike) -> Belief: ...
     def to_ecef(self, mean: ArrayLike, covariance: ArrayLike | None = None) -> RealArray | Belief:
         """`to(ECEF, ...)`."""
-        return self.to(ECEF, mean, covariance)  # type: ignore[arg-type]
+        return self.to(ECEF, mean) if covariance is None else self.to(ECEF, mean, covariance)
 
     @overload
     def from_ecef(self, mean: ArrayLike, covariance: None = ...) -> RealArray: ...
@@ -144,7 +145,7 @@ class Frame:
     def from_ecef(self, mean: ArrayLike, covariance: ArrayLike) -> Belief: ...
     def from_ecef(self, mean: ArrayLike, covariance: ArrayLike | None = None) -> RealArray | Belief:
         """`ECEF.to(self, ...)`."""
-        return ECEF.to(self, mean, covariance)  # type: ignore[arg-type]
+        return ECEF.to(self, mean) if covariance is None else ECEF.to(self, mean, covariance)
 
 
 ECEF = Frame(np.zeros(3), np.eye(3))
@@ -247,7 +248,7 @@ def _standing(
     """A frame at a place, its axes given in terms of those of the horizon there."""
     arrays = {"latitude": latitude, "longitude": longitude, "height": height}
     places = {name: np.asarray(value, np.float64) for name, value in real_arrays(arrays).items()}
-    origin = ecef_from_geodetic(**places, ellipsoid=ellipsoid)
+    origin = ecef_from_geodetic(places["latitude"], places["longitude"], places["height"], ellipsoid=ellipsoid)
     horizon = formulas.enu_from_ecef_jacobian(latitude=places["latitude"], longitude=places["longitude"])
     speeds = np.asarray(real_arrays({"velocity": velocity})["velocity"], np.float64)
     require_trailing_shape("velocity", speeds, (3,))

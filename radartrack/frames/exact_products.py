@@ -20,7 +20,7 @@ class Pair(NamedTuple):
     @staticmethod
     def of_difference(first: float, second: float) -> Pair:
         """The exact difference of two numbers."""
-        return _sum(np.float64(first), np.float64(-second))
+        return _sum(np.asarray(first, np.float64), np.asarray(-second, np.float64))
 
     def __add__(self, other: Pair) -> Pair:  # type: ignore[override]
         total = _sum(self.high, other.high)

@@ -141,14 +141,14 @@ def geodetic_from_ecef(
     fill(lambda some, *places: _located(some, places, ellipsoid), [flat], list(found), BLOCK)
     where = Geodetic(*(part.reshape(values.shape[:-1])[()] for part in found))
     dtype = _type(position, covariance)
-    typed = (np.asarray(part, dtype)[()] for part in where)
+    typed = Geodetic(*(np.asarray(part, dtype)[()] for part in where))
     if covariance is None:
-        return Geodetic(*typed)
+        return typed
     errors = _read_covariance(covariance, values)
     require_within("position's distance from the axis", np.hypot(values[..., 0], values[..., 1]), FROM_AXIS)
     require_within("position's height", where.height, ABOVE_CURVATURE)
     jacobian = _formula("geodetic_from_ecef_jacobian", where, ellipsoid)
-    return GeodeticBelief(*typed, _through(jacobian, errors, dtype))
+    return GeodeticBelief(*typed, covariance=_through(jacobian, errors, dtype))
 
 
 def ecef_jacobian(

@@ -63,7 +63,8 @@ def convert(
     if xarray is not None and isinstance(frame, xarray.Dataset):
         units = {**_units_of(frame, columns or {}, sensor), **(units or {})}
         chosen = PlotColumns.chosen(sensor, columns, units, method, azimuth_from, bad_rows, prefix)
-        return _of_dataset(frame, chosen, xarray)
+        dataset: Frame = _of_dataset(frame, chosen, xarray)
+        return dataset
     chosen = PlotColumns.chosen(sensor, columns, units, method, azimuth_from, bad_rows, prefix)
     return _of_table(frame, chosen)
 
@@ -87,7 +88,8 @@ def _of_table(frame: Frame, chosen: PlotColumns) -> Frame:
         found = chosen.converted(numbers, len(table))
     except BadRows as error:
         raise _labelled(error, nw.maybe_get_index(table)) from None
-    return _with_columns(table, found, chosen, nw)
+    converted: Frame = _with_columns(table, found, chosen, nw)
+    return converted
 
 
 def _numbers(series: Any, nw: Any, argument: str) -> RealArray:
@@ -122,12 +124,19 @@ def _with_columns(table: Any, found: Columns, chosen: PlotColumns, nw: Any) -> A
 def _units_of(dataset: Any, columns: Mapping[str, str | float], sensor: str) -> dict[str, str]:
     """What the variables of a dataset say of their units."""
     found = {}
-    for name in SENSORS[sensor].arguments if sensor in SENSORS else ():
+    known = {str(name): one.arguments for name, one in SENSORS.items()}
+    for name in known.get(sensor, ()):
         column = columns.get(name, name)
         attributes = dataset[column].attrs if isinstance(column, str) and column in dataset else {}
         if "units" in attributes:
             found[name] = attributes["units"]
     return found
+
+
+def _floats(array: Any) -> RealArray:
+    """Numbers of xarray's in single precision where they are in that, else in double."""
+    single = array.dtype == np.float32
+    return np.asarray(array, np.float32) if single else np.asarray(array, np.float64)
 
 
 def _of_dataset(dataset: Any, chosen: PlotColumns, xarray: Any) -> Any:
@@ -138,8 +147,8 @@ def _of_dataset(dataset: Any, chosen: PlotColumns, xarray: Any) -> Any:
             raise TypeError(f"{name} must be a variable of real numbers; {column!r} holds {dataset[column].dtype}")
     spread = xarray.broadcast(*(dataset[column] for column in needed.values()))
     shape, dims = spread[0].shape, spread[0].dims
-    numbers = {
-        column: np.asarray(array, dtype=np.float32 if array.dtype == np.float32 else np.float64).ravel()
+    numbers: dict[str, RealArray] = {
+        column: _floats(array).ravel()
         for column, array in zip(needed.values(), spread, strict=True)
     }
     try:

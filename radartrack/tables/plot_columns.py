@@ -3,9 +3,10 @@
 import reprlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, Self, TypeAlias, get_args
+from typing import Any, Literal, NamedTuple, Self, TypeAlias, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from radartrack import convert
 from radartrack._arrays.validation import RealArray, one_of, real_arrays, real_number, require_within
@@ -191,5 +192,5 @@ class PlotColumns:
         return Columns(dict(zip(self.outputs, columns, strict=True)), wrong)
 
 
-def _only(arrays: Mapping[str, RealArray], rows: RealArray) -> dict[str, RealArray]:
+def _only(arrays: Mapping[str, RealArray], rows: NDArray[Any]) -> dict[str, RealArray]:
     return {name: array[rows] if array.ndim else array for name, array in arrays.items()}

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from enum import StrEnum
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
@@ -179,6 +179,6 @@ def _show(outcomes: Mapping[Path, Outcome], target: Path) -> None:
             terminal.say(f"  {terminal.one_line(file.name)}: and {outcome.bad - TOLD:,} more")
 
 
-def _refuse(reason: str) -> Any:
+def _refuse(reason: str) -> NoReturn:
     terminal.complain(reason)
     raise typer.Exit(2)

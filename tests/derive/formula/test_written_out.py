@@ -7,7 +7,7 @@ import pytest
 
 from radartrack.derive.evaluation.tree_values import Program
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.tree import Name
+from radartrack.derive.formula.tree import Name, Tree
 from radartrack.derive.formula.written_out import array_of, written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.reading.any_letters import read_loosely
@@ -52,7 +52,7 @@ def test_what_is_written_out_has_the_values_of_the_arrays(formula: str, value: n
 
 
 def test_names_that_stand_for_arrays_are_put_in() -> None:
-    array = Tensor((2, 2), tuple(map(Name, "abcd")))
+    array: Tensor[Tree] = Tensor((2, 2), tuple(map(Name, "abcd")))
     found = written_out(read_loosely("J*J.T", ["J"], shapes={"J": (2, 2)}), {"J": array})
     assert found is not None
     assert found == written_out(read_loosely(f"{A}*{A}.T"))

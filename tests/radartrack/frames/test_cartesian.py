@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pymap3d
@@ -14,8 +15,8 @@ from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
 from tests.examples import share
 
-SITE = {"latitude": 0.81, "longitude": -2.1, "height": 1234.5}
-ATTITUDE = {"azimuth": 2.3, "tilt": 0.2, "roll": -0.4}
+SITE: dict[str, Any] = {"latitude": 0.81, "longitude": -2.1, "height": 1234.5}
+ATTITUDE: dict[str, Any] = {"azimuth": 2.3, "tilt": 0.2, "roll": -0.4}
 ANGLES = st.floats(-3.0, 3.0)
 TILTS = st.floats(-1.5, 1.5)
 
@@ -47,7 +48,7 @@ def test_a_frame_is_the_generated_map():
 @share(1.0)
 def test_what_stands_where_the_radar_looks_is_straight_ahead(azimuth: float, tilt: float, roll: float):
     there = np.array(pymap3d.aer2ecef(azimuth, tilt, 3e4, *SITE.values(), deg=False))
-    words = {"azimuth": azimuth, "tilt": tilt, "roll": roll}
+    words: dict[str, Any] = {"azimuth": azimuth, "tilt": tilt, "roll": roll}
     np.testing.assert_allclose(frames.antenna(**SITE, **words).from_ecef(there), [0, 3e4, 0], atol=1e-7)
     np.testing.assert_allclose(frames.face(**SITE, **words).from_ecef(there), [0, 0, 3e4], atol=1e-7)
 

@@ -127,7 +127,7 @@ def test_jacobians_are_differences_and_inverses_of_each_other(latitude: float, l
 def test_a_covariance_follows_to_first_order_and_back():
     point = np.array([4e6, 1.5e6, 4.8e6])
     found = frames.geodetic_from_ecef(point, COVARIANCE)
-    J = jacobian(found.latitude, found.longitude, found.height)
+    J = jacobian(float(found.latitude), float(found.longitude), float(found.height))
     expected = np.linalg.inv(J) @ COVARIANCE @ np.linalg.inv(J).T
     np.testing.assert_allclose(found.covariance, expected, rtol=1e-10)
     back = frames.ecef_from_geodetic(*found)
@@ -215,4 +215,4 @@ def test_errors_name_the_argument_and_what_is_allowed(call: Callable[[], object]
 
 def test_text_is_no_latitude():
     with pytest.raises(TypeError, match="latitude must be real numbers"):
-        frames.ecef_from_geodetic("55N", 0.0)  # type: ignore[call-overload]
+        frames.ecef_from_geodetic("55N", 0.0)

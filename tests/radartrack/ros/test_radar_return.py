@@ -30,7 +30,7 @@ def test_there_and_back_is_the_same(returns: list[rt.ros.RadarReturn], turning: 
 
 def test_a_return_to_the_left_is_on_the_positive_y_axis_as_ros_says() -> None:
     left = rt.ros.RadarReturn(range=100.0, azimuth=np.pi / 2)
-    plot = rt.ros.plots_of([left], "polar")
+    plot: dict[str, Any] = dict(rt.ros.plots_of([left], "polar"))
     mean = rt.convert.polar(**plot, range_std=0.1, azimuth_std=1e-6, azimuth_from="x").mean
     np.testing.assert_allclose(mean, [[0.0, 100.0]], atol=1e-6)
     older = rt.ros.plots_of([left], "polar", turning="clockwise")

@@ -42,7 +42,7 @@ LIBRARIES: dict[str, tuple[Callable[[Any], Any], type]] = {
     "pyarrow": (pa.table, pa.Table),
     "xarray": (variables, xr.Dataset),
 }
-COLUMNS = {
+COLUMNS: dict[str, str | float] = {
     "r": "slant", "azimuth": "bearing", "range_rate": "closing", "azimuth_std": "spread",
     "range_std": 0.05, "range_rate_std": 3.0, "correlation": 0.4,
 }  # fmt: skip

@@ -167,7 +167,7 @@ def mean_rate(at: Point) -> Values:
 
 def simple_mean(at: Point) -> Values:
     T, tau, omega = at["T"], at["tau"], at["omega"]
-    return np.array((np.exp(-T / tau) + 1) * omega / T), np.mean([omega, omega * np.exp(-T / tau)])
+    return np.array((np.exp(-T / tau) + 1) * omega / T), np.array(np.mean([omega, omega * np.exp(-T / tau)]))
 
 
 def straight_turn(at: Point) -> Values:
@@ -323,7 +323,7 @@ def bicycle_noise(at: Point) -> Values:
     mixed = (long - across) * np.sin(2 * at["yaw"]) / 2
     axes = [np.sqrt(long) * np.array([c, s]), np.sqrt(across) * np.array([-s, c])]  # along the course and across
     printed = np.array([[long * c**2 + across * s**2, mixed], [mixed, long * s**2 + across * c**2]])
-    return printed, sum(np.outer(axis, axis) for axis in axes)
+    return printed, np.sum([np.outer(axis, axis) for axis in axes], axis=0)
 
 
 ORACLES: Mapping[str, Callable[[Point], Values]] = {
