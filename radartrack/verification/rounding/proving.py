@@ -140,7 +140,8 @@ def _paired(value: Value, first: Value, second: Value) -> Array:
         lowest = highs.min(axis=(0, 1))
         shared = highs <= lowest + SHARED
         matrix += np.exp(highs) * shared / shared.sum(axis=(0, 1))
-    return np.sqrt(matrix.sum(axis=1).max(axis=0) * matrix.sum(axis=0).max(axis=0))
+    norm: Array = np.sqrt(matrix.sum(axis=1).max(axis=0) * matrix.sum(axis=0).max(axis=0))
+    return norm
 
 
 def _serial(one: Atom) -> int:
