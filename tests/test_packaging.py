@@ -116,7 +116,7 @@ def test_everything_that_is_installed_by_name_has_one_version() -> None:
         *project["optional-dependencies"].values(),
         *PROJECT["dependency-groups"].values(),
     ]
-    wanted = {re.split("[<=>]", entry)[0] for entries in lists for entry in entries if isinstance(entry, str)}
+    wanted = {re.split(r"[\[<=>]", entry)[0] for entries in lists for entry in entries if isinstance(entry, str)}
     assert wanted <= set(CONSTRAINTS)
 
 

@@ -77,6 +77,10 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
         Language, typer.Option(help="NumPy as it is generated, or C99 as it would be, compiled here.")
     ] = Language.NUMPY,
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the record here.")] = None,
+    prove: Annotated[
+        Path | None,
+        typer.Option(help="Only look for proofs of rounding errors, and write the certificates of all functions here."),
+    ] = None,
 ) -> None:
     """Measure every layer of verification and show the worst function first.
 
@@ -95,6 +99,12 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     _refuse_without_compiler(language)
     declared = _declared(model)
     chosen = _chosen(names or [], declared.quantities or catalogue())
+    if prove is not None:
+        if model is not None:
+            raise typer.BadParameter("certificates are of the catalogue's functions; leave --model out")
+        output_files.refuse_unwritable({"--prove": prove})
+        _prove(chosen, prove)
+        return
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
     work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared, language is Language.C)
@@ -119,6 +129,23 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     work.kept.finish()
     if any(record["verdict"] == "failed" for record in records):
         raise typer.Exit(1)
+
+
+def _prove(chosen: Sequence[str], path: Path) -> None:
+    """Write the certificates that the package holds, with new ones of the chosen functions."""
+    from radartrack._regeneration.regeneration import read_record, source_directory
+    from radartrack.derive.catalogue import catalogue
+    from radartrack.verification.rounding.certificates import BOXES, ENOUGH, certificate, kept, source_of, write
+
+    rows, directory = kept(), source_directory()
+    measured = read_record(directory) if directory is not None else {}
+    with _progress() as step:
+        for name in chosen:
+            step(name, len(chosen))
+            quantity, known = catalogue()[name], measured.get(name)
+            enough = ENOUGH * max(known.ulp, 0.5) if known is not None else 0.0
+            rows[name] = certificate(quantity, source_of(quantity), enough, BOXES)
+    write(rows, path)
 
 
 def _refuse_without_compiler(language: Language) -> None:

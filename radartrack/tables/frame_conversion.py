@@ -148,8 +148,7 @@ def _of_dataset(dataset: Any, chosen: PlotColumns, xarray: Any) -> Any:
     spread = xarray.broadcast(*(dataset[column] for column in needed.values()))
     shape, dims = spread[0].shape, spread[0].dims
     numbers: dict[str, RealArray] = {
-        column: _floats(array).ravel()
-        for column, array in zip(needed.values(), spread, strict=True)
+        column: _floats(array).ravel() for column, array in zip(needed.values(), spread, strict=True)
     }
     try:
         found = chosen.converted(numbers, spread[0].size)

@@ -95,10 +95,15 @@ def unbiased_covariance(of: Expectations, z: Point) -> np.ndarray:
 
 
 def decorrelated_covariance(of: Expectations, predicted: Point) -> np.ndarray:
-    def given_truth(truth: Point) -> np.ndarray:
-        return of.noise.expectation(lambda z: square(of.u(z) - of.h(truth)), truth)
+    return of.prediction.expectation(lambda truth: unbiased_covariance_truth(of, truth), predicted, sign=-1)
 
-    return of.prediction.expectation(given_truth, predicted, sign=-1)
+
+def unbiased_covariance_truth(of: Expectations, truth: Point) -> np.ndarray:
+    return of.noise.expectation(lambda z: square(of.u(z) - of.h(truth)), truth)
+
+
+def unbiased_covariance_averaged(of: Expectations, z: Point) -> np.ndarray:
+    return of.noise.expectation(lambda truth: unbiased_covariance_truth(of, truth), z, sign=-1)
 
 
 DEFINITIONS: dict[str, Callable[[Expectations, Point], np.ndarray]] = {
@@ -109,5 +114,7 @@ DEFINITIONS: dict[str, Callable[[Expectations, Point], np.ndarray]] = {
     "posterior.estimate": posterior_estimate,
     "posterior.covariance": posterior_covariance,
     "unbiased.covariance": unbiased_covariance,
+    "unbiased.covariance.truth": unbiased_covariance_truth,
+    "unbiased.covariance.averaged": unbiased_covariance_averaged,
     "decorrelated.covariance": decorrelated_covariance,
 }

@@ -28,7 +28,7 @@ VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["
 NOT_A_PAGE = {"formulas.md"}  # the whole formula book: each quantity has a page of its own
 GUIDES = ("conversions", "checking", "finding", "testing", "model_of_your_own", "tracks", "motion", "finite_sample",
           "line_and_fusion", "simulation", "verification")  # fmt: skip
-EXPLANATIONS = ("one_idea", "proved", "way_of_a_formula", "reproduction", "benchmarks")
+EXPLANATIONS = ("one_idea", "proved", "rounding", "way_of_a_formula", "reproduction", "benchmarks")
 BEFORE = ("tutorial", *GUIDES, *EXPLANATIONS)
 PUBLIC = ("convert", "observe", "kalman", "initiate", "finite_sample_filter", "line", "variance_table", "fusion",
           "simulate", "consistency", "validity", "testing")  # fmt: skip

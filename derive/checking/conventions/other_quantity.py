@@ -7,7 +7,7 @@ is looked up, so that only few equalities are left to prove.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import SequenceMatcher
 from functools import lru_cache
@@ -62,8 +62,21 @@ def other_quantities(asked: Asked, *, uncorrelated: bool) -> tuple[Suggestion, .
     plain = uncorrelated and not asked.uses(asked.correlations)
     trials = [trial(asked), *(without_correlation(asked) if plain else ())]
     trials += _in_other_conventions(asked) if uncorrelated else ()
-    found = next(_others(asked, part, trials), None)
-    return (Suggestion(found, f"this is {found}, not {asked.reference.text}", proved=True),) if found else ()
+    found = next(_others(asked, part, trials, _candidates(part.quantity)), None)
+    if found is None:
+        return ()
+    general = _general(found, asked, part, trials)
+    return tuple(
+        Suggestion(one, f"this is {one}, not {asked.reference.text}", proved=True) for one in (found, *general)
+    )
+
+
+def _general(found: str, asked: Asked, part: Part, trials: Sequence[Trial]) -> tuple[str, ...]:
+    """Of a covariance of the unbiased estimate, of which prediction the decorrelated one is the same."""
+    if ".unbiased.covariance." not in found:
+        return ()
+    decorrelated = [one for one in _candidates(part.quantity) if ".decorrelated.covariance" in one.name]
+    return tuple(islice(_others(asked, part, trials, decorrelated), 1))
 
 
 def _in_other_conventions(asked: Asked) -> list[Trial]:
@@ -86,9 +99,9 @@ def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
                 yield name, Tensor(part.shape, tuple(quantity.expression[place] for place in places))
 
 
-def _others(asked: Asked, part: Part, trials: Sequence[Trial]) -> Iterator[str]:
+def _others(asked: Asked, part: Part, trials: Sequence[Trial], candidates: Iterable[Quantity]) -> Iterator[str]:
     deadline = _processor_time() + SECONDS
-    for quantity in _candidates(part.quantity):
+    for quantity in candidates:
         for places, name in _slices(part, quantity):
             if _processor_time() > deadline:
                 return

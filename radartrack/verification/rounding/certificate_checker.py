@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 Ball = Any
@@ -40,11 +41,10 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
     Raises:
         Refused: the boxes do not cover the domain, or a statement cannot be followed in one of them.
     """
-    function = next((node for node in ast.parse(source).body if getattr(node, "name", "") == claim["function"]), None)
+    function = next((node for node in _read(source).body if getattr(node, "name", "") == claim["function"]), None)
     if not isinstance(function, ast.FunctionDef):
         raise Refused(f"there is no function {claim['function']}")
-    expected = set(_cases(claim["arguments"], claim["correlated"]))
-    if set(claim["trees"]) != expected:
+    if set(claim["trees"]) != set(cases_of(claim)):
         raise Refused("the cases are not those of the domain")
     worst = 0.0
     for case, tree in claim["trees"].items():
@@ -54,16 +54,21 @@ def confirmed(source: str, claim: Mapping[str, Any]) -> float:
     return worst
 
 
-def _cases(arguments: Sequence[Mapping[str, Any]], correlated: bool) -> Iterator[str]:  # noqa: FBT001
+@lru_cache(maxsize=4)
+def _read(source: str) -> ast.Module:
+    return ast.parse(source)
+
+
+def cases_of(claim: Mapping[str, Any]) -> list[str]:
+    """All choices of signs and zeros that the domain of a claim has."""
     found = [""]
-    for argument in arguments:
-        found = [
-            f"{head} {argument['name']}:{choice}".strip() for head in found for choice in _choices(argument, correlated)
-        ]
-    yield from found
+    for argument in claim["arguments"]:
+        choices = _choices(argument, correlated=claim["correlated"])
+        found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in choices]
+    return found
 
 
-def _choices(argument: Mapping[str, Any], correlated: bool) -> list[str]:  # noqa: FBT001
+def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
     """Signs and zeros that the domain has; of an angle the signs of cosine and sine, and which of them is small."""
     kind, reach = argument["kind"], max(-argument["low"], argument["high"])
     if kind == "correlation":
@@ -182,22 +187,24 @@ class Box:
         return low, high
 
     def share(self, error: Polynomial, scale: Polynomial) -> Ball | None:
-        """A number κ with error ≤ κ · scale: every term of the error is held against that term of the scale that it is smallest by."""
+        """A number κ with error ≤ κ · scale; a term of the error counts by that of the scale that it is smallest by."""
         loads: dict[Key, Ball] = {}
         for key, coefficient in error.items():
-            best, ratio = None, None
+            best: Key | None = None
+            ratio = self.ball(math.inf)
             for other, size in scale.items():
                 found = _above(self._monomial(_product(key, other, -1.0), coefficient / size)[1].exp())
-                if ratio is None or found < ratio:
+                if found < ratio:
                     best, ratio = other, found
-            if best is None or not ratio.is_finite():
+            if best is None:
                 return None
             loads[best] = loads.get(best, self.ball(0)) + ratio
-        return max(loads.values(), default=self.ball(0), key=lambda load: float(load.upper()))
+        return _largest([self.ball(0), *loads.values()])
 
     def paired(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Ball | None:
-        """A number κ with error ≤ κ · √(first · second): Σ Mᵢⱼ √(aᵢ bⱼ) is at most ‖M‖ √(Σ aᵢ Σ bⱼ), and ‖M‖² at most
-        the largest sum of a row by that of a column.
+        """A number κ with error ≤ κ · √(first · second).
+
+        Σ Mᵢⱼ √(aᵢ bⱼ) is at most ‖M‖ √(Σ aᵢ Σ bⱼ), and ‖M‖² at most the largest sum of a row by that of a column.
         """
         pairs = [(i, j) for i in first for j in second]
         rows, columns = dict.fromkeys(first, self.ball(0)), dict.fromkeys(second, self.ball(0))
@@ -206,16 +213,26 @@ class Box:
             for i, j in pairs:
                 power = _product(_product(key, i, -0.5), j, -0.5)
                 ratios.append(_above(self._monomial(power, coefficient / (first[i] * second[j]).sqrt())[1].exp()))
-            best = min(ratios, key=lambda ratio: float(ratio.upper()))
-            if not best.is_finite():
+            best = min(map(_float, ratios))
+            if not math.isfinite(best):
                 return None
-            shared = [n for n, ratio in enumerate(ratios) if float(ratio.upper()) <= CLOSE * float(best.upper())]
+            shared = [n for n, ratio in enumerate(ratios) if _float(ratio) <= CLOSE * best]
             for n in shared:
                 i, j = pairs[n]
                 rows[i] += ratios[n] / len(shared)
                 columns[j] += ratios[n] / len(shared)
-        largest = [max(sums.values(), key=lambda load: float(load.upper())) for sums in (rows, columns)]
-        return _above((largest[0] * largest[1]).sqrt())
+        return _above((_largest(list(rows.values())) * _largest(list(columns.values()))).sqrt())
+
+
+def _float(ball: Ball) -> float:
+    """Close to its upper end; infinite where it is no number."""
+    value = float(ball.upper())
+    return math.inf if math.isnan(value) else value
+
+
+def _largest(balls: Sequence[Ball]) -> Ball:
+    """One that no other is above."""
+    return max(balls, key=_float)
 
 
 def _above(ball: Ball) -> Ball:
@@ -352,8 +369,7 @@ def _add(box: Box, a: Number | None, b: Number | None) -> Number | None:
             return _made(box, major.sign, size, box.atom(low, high), error, relative, terms, tiny, (low, high))
     high = _above((a.high.exp() + b.high.exp()).log())
     if a.sign * b.sign < 0:
-        ends = [_above(x.high.exp() - y.low.exp()) for x, y in ((a, b), (b, a))]
-        high = _above(max(ends, key=float).log())
+        high = _above(_largest([_above(x.high.exp() - y.low.exp()) for x, y in ((a, b), (b, a))]).log())
     return _made(box, 0, size, None, error, relative, terms, tiny, (box.ball(-math.inf), high))
 
 
@@ -390,9 +406,10 @@ def _direction(box: Box, y: Number | None, x: Number | None) -> Number | None:
     known = [one for one in (y, x) if one is not None]
     if not known:
         return None
-    if any(one.relative is None for one in known):
+    relatives = [one.relative for one in known if one.relative is not None]
+    if len(relatives) < len(known):
         raise Refused("the direction of a vector whose entries may vanish")
-    both = sum((one.relative for one in known), box.ball(0)) * (1 + box.ball(1e-9))
+    both = sum(relatives, box.ball(0)) * (1 + box.ball(1e-9))
     _small(box, both)
     high = _above(box.flint.arb.pi().log())
     low = box.ball(-math.inf)
@@ -430,7 +447,7 @@ def _exponential_less_one(box: Box, a: Number | None) -> Number | None:
     return _made(box, a.sign, size, size, None, relative, size, float(low.lower()) / math.log(2) - 1e-3, (low, high))
 
 
-_FUNCTIONS = {
+_FUNCTIONS: dict[str, Callable[..., Number | None]] = {
     "abs": _magnitude, "arctan2": _direction, "exp": _exponential, "expm1": _exponential_less_one,
     "hypot": _hypotenuse, "sqrt": _root,
 }  # fmt: skip
@@ -446,7 +463,7 @@ def _argument(box: Box, sign: int, low: Ball, high: Ball, roundings: float = 0.0
 def _constant(box: Box, value: Ball, roundings: float = 0.0) -> Number | None:
     if value == 0:
         return None
-    size = {(): abs(value)}
+    size: Polynomial = {(): abs(value)}
     log = abs(value).log()
     error = _scaled(size, box.ball(roundings)) if roundings else NOTHING
     tiny = float(log.lower()) / math.log(2) - 1e-3
@@ -467,40 +484,43 @@ def _start(claim: Mapping[str, Any], chosen: Mapping[str, str], ends: Mapping[st
         if argument["kind"] != "angle":
             box.names[name] = _argument(box, signs[choice], low, high)
             continue
-        small = [_below(low.exp().sin().log()), _above(high.exp().sin().log())]
-        large = [_below(high.exp().cos().log()), _above(low.exp().cos().log())]
+        small = _below(low.exp().sin().log()), _above(high.exp().sin().log())
+        large = _below(high.exp().cos().log()), _above(low.exp().cos().log())
         sine, cosine = (small, large) if choice[2] == "s" else (large, small)
-        box.waves["sin", name] = _argument(box, signs[choice[1]], *sine, 2.0 * ULPS["sin"])
-        box.waves["cos", name] = _argument(box, signs[choice[0]], *cosine, 2.0 * ULPS["cos"])
+        box.waves["sin", name] = _argument(box, signs[choice[1]], *sine, roundings=2.0 * ULPS["sin"])
+        box.waves["cos", name] = _argument(box, signs[choice[0]], *cosine, roundings=2.0 * ULPS["cos"])
     return box
 
 
 def _followed(node: ast.expr, box: Box) -> Number | None:
     """What an expression computes."""
-    kind = type(node).__name__
-    if kind == "Constant" and isinstance(node.value, int | float):  # type: ignore[attr-defined]
-        if abs(node.value) >= 2**BITS:  # type: ignore[attr-defined]
-            raise Refused(f"the number {node.value} may not be what was meant to the last digit")  # type: ignore[attr-defined]
-        return _constant(box, box.ball(node.value))  # type: ignore[attr-defined]
-    if kind == "Name" and node.id in box.names:  # type: ignore[attr-defined]
-        return box.names[node.id]  # type: ignore[attr-defined]
-    if kind == "UnaryOp" and isinstance(node.op, ast.USub):  # type: ignore[attr-defined]
-        return _by_power_of_two(box, _followed(node.operand, box), -1.0)  # type: ignore[attr-defined]
-    if kind == "Subscript":
-        return box.entries[_entry(node.slice)]  # type: ignore[attr-defined]
-    if kind == "Attribute" and node.attr == "pi":  # type: ignore[attr-defined]
-        return _constant(box, box.flint.arb.pi(), 1.0)
-    if isinstance(node, ast.BinOp):
-        return _operation(node, box)
-    if isinstance(node, ast.Call):
-        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-        if name in {"sin", "cos"} and isinstance(node.args[0], ast.Name) and (name, node.args[0].id) in box.waves:
-            return box.waves[name, node.args[0].id]
-        values = [_followed(argument, box) for argument in node.args]
-        if name == "_ratio":
-            return None if values[1] is None else _divide(box, *values)
-        if name in _FUNCTIONS:
-            return _FUNCTIONS[name](box, *values)  # type: ignore[operator]
+    match node:
+        case ast.Constant(value=int() | float() as number) if abs(number) < 2**BITS:
+            return _constant(box, box.ball(number))
+        case ast.Name(id=name) if name in box.names:
+            return box.names[name]
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return _by_power_of_two(box, _followed(operand, box), -1.0)
+        case ast.Subscript(slice=place) if _entry(place) in box.entries:
+            return box.entries[_entry(place)]
+        case ast.Attribute(attr="pi"):
+            return _constant(box, box.flint.arb.pi(), 1.0)
+        case ast.BinOp():
+            return _operation(node, box)
+        case ast.Call():
+            return _called(node, box)
+    raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
+
+
+def _called(node: ast.Call, box: Box) -> Number | None:
+    name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+    if name in {"sin", "cos"} and isinstance(node.args[0], ast.Name) and (name, node.args[0].id) in box.waves:
+        return box.waves[name, node.args[0].id]
+    values = [_followed(argument, box) for argument in node.args]
+    if name == "_ratio":
+        return None if values[1] is None else _divide(box, *values)
+    if name in _FUNCTIONS:
+        return _FUNCTIONS[name](box, *values)
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
 
 
@@ -558,6 +578,8 @@ def _figure(
         elif isinstance(target, ast.Name) and target.id not in {"arguments", "result"}:
             box.names[target.id] = _followed(value, box)
     shape = tuple(claim["shape"])
+    if set(box.entries) != set(_indices(shape)):
+        raise Refused("the entries are not those of its shape, one statement each")
     numbers = [box.entries[index] for index in _indices(shape)]
     return max((_error(box, claim, numbers, n) for n, number in enumerate(numbers) if number), default=0.0)
 

@@ -16,7 +16,7 @@ from itertools import product
 import numpy as np
 
 from radartrack.verification.rounding.enclosures import SLACK, Array, Enclosure, curve
-from radartrack.verification.rounding.error_rules import ULPS, Value, exact, settled
+from radartrack.verification.rounding.error_rules import ULPS, Signs, Value, exact, settled
 
 SMALLEST = 1e-20
 LARGEST_CORRELATION = 0.99
@@ -137,19 +137,19 @@ def given(arguments: Sequence[Argument], case: Case, place: Coordinates, low: Ar
         if argument.kind != "angle":
             values[name] = exact(size, _sign(choice, count))
             continue
-        small, large = _sine(size, choice[2] == "s", "sin"), _sine(size, choice[2] == "s", "cos")
+        small, large = _sine(size, "sin"), _sine(size, "cos")
         sine, cosine = (small, large) if choice[2] == "s" else (large, small)
         sines[name] = _of_library(sine, _sign(choice[1], count), "sin")
         cosines[name] = _of_library(cosine, _sign(choice[0], count), "cos")
     return Given(values, cosines, sines, one)
 
 
-def _of_library(size: Enclosure, sign: np.ndarray, function: str) -> Value:
+def _of_library(size: Enclosure, sign: Signs, function: str) -> Value:
     relative = np.full_like(size.middle, 2 * ULPS[function])
     return settled(size, sign, relative, None, size, size.low - 1e-6)
 
 
-def _sign(choice: str, count: int) -> np.ndarray:
+def _sign(choice: str, count: int) -> Signs:
     return np.full(count, {"+": 1, "-": -1, "±": 0}[choice], dtype=np.int8)
 
 
@@ -161,10 +161,14 @@ def _logarithm(coordinate: int, middle: Array, half: Array) -> Enclosure:
     return Enclosure(centre, slopes, slack, slack, low, high)
 
 
-def _sine(distance: Enclosure, _: bool, function: str) -> Enclosure:
+def _sine(distance: Enclosure, function: str) -> Enclosure:
     """Sine or cosine of the distance from a quarter turn, both concave in its logarithm."""
-    if function == "sin":
-        return curve(
-            distance, lambda l: np.log(np.sin(np.exp(l))), lambda l: np.exp(l) / np.tan(np.exp(l)), concave=True
-        )
-    return curve(distance, lambda l: np.log(np.cos(np.exp(l))), lambda l: -np.exp(l) * np.tan(np.exp(l)), concave=True)
+
+    def logarithm(of: Array) -> Array:
+        return np.asarray(np.log(np.sin(np.exp(of)) if function == "sin" else np.cos(np.exp(of))))
+
+    def slope(of: Array) -> Array:
+        x = np.exp(of)
+        return np.asarray(x / np.tan(x) if function == "sin" else -x * np.tan(x))
+
+    return curve(distance, logarithm, slope, concave=True)

@@ -183,15 +183,16 @@ def settled(
 
 def exact(size: Enclosure, sign: Signs, *, number: bool = False) -> Value:
     """An argument or a number, as it is given."""
-    parts = {(): size.middle + size.above} if number else whole(size)
+    parts: Parts = {(): size.middle + size.above} if number else whole(size)
     return Value(size, sign, np.zeros_like(size.middle), None, size, size.low, parts, None, parts)
 
 
 def inexact(value: Value | None) -> Value | None:
     """A number that is rounded as it is written down."""
-    return value and settled(
-        value.size, value.sign, value.relative + 1.0, None, value.size, value.tiny, value.parts, None, value.makeup
-    )
+    if value is None:
+        return None
+    relative, parts = value.relative + 1.0, value.parts
+    return settled(value.size, value.sign, relative, None, value.size, value.tiny, parts, None, value.makeup)
 
 
 def _rounded(relative: Array, roundings: float) -> Array:
@@ -227,9 +228,8 @@ def product(first: Value, second: Value, roundings: float = 1.0) -> Value:
         )
     tiny = first.tiny + second.tiny
     terms = first.terms * second.terms
-    return settled(
-        size, sign, relative, error, terms, tiny, product_parts, errors, _both(first.makeup, second.makeup, multiplied)
-    )
+    makeup = _both(first.makeup, second.makeup, multiplied)
+    return settled(size, sign, relative, error, terms, tiny, product_parts, errors, makeup)
 
 
 def _both(first: Parts | None, second: Parts | None, joined: Callable[[Parts, Parts], Parts]) -> Parts | None:
@@ -270,17 +270,8 @@ def quotient(above: Value, below: Value) -> Value:
             inherited = multiplied(above.error_parts, inverse)
             errors = merged(times(inherited, (1 + U) * (1 + U * safe)), times(parts, 1 + (1 + U) * safe))
     tiny = above.tiny - np.where(np.isfinite(below.size.high), below.size.high, np.inf) - 1e-6
-    return settled(
-        size,
-        sign,
-        relative,
-        error,
-        above.terms / below.size,
-        tiny,
-        parts,
-        errors,
-        above.makeup and multiplied(above.makeup, inverse),
-    )
+    makeup = above.makeup and multiplied(above.makeup, inverse)
+    return settled(size, sign, relative, error, above.terms / below.size, tiny, parts, errors, makeup)
 
 
 def root(value: Value) -> Value:
@@ -292,9 +283,8 @@ def root(value: Value) -> Value:
         half = np.where(part < 0.5, value.relative / (1 + np.sqrt(1 - np.minimum(part, 0.5))), np.inf)
     size = value.size.power(0.5)
     parts = raised(value.makeup or {}, 0.5, size.power(2.0))
-    return settled(
-        size, value.sign, _rounded(half, 1.0), None, value.terms.power(0.5), value.tiny / 2 - 1e-6, parts, None, parts
-    )
+    terms, tiny = value.terms.power(0.5), value.tiny / 2 - 1e-6
+    return settled(size, value.sign, _rounded(half, 1.0), None, terms, tiny, parts, None, parts)
 
 
 def sum_of(first: Value, second: Value) -> Value:
@@ -312,12 +302,11 @@ def sum_of(first: Value, second: Value) -> Value:
                 weighed = np.exp((own / size).high)
             shared = np.fmin(shared, weighed)
         tiny = np.maximum(first.tiny, second.tiny) - 1e-6
-        errors = None
-        if first.errors is not None or second.errors is not None:
-            errors = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
-        error = None if errors is None or own is None else total([own, size])
         relative, makeup = _rounded(shared, 1.0), _both(first.makeup, second.makeup, merged)
-        return settled(size, first.sign, relative, error, terms, tiny, parts, errors, makeup)
+        if own is None or (first.errors is None and second.errors is None):
+            return settled(size, first.sign, relative, None, terms, tiny, parts, None, makeup)
+        in_parts = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
+        return settled(size, first.sign, relative, total([own, size]), terms, tiny, parts, in_parts, makeup)
     larger = _middle_or_most(first) >= _middle_or_most(second)
     major, minor = either(larger, first.size, second.size), either(larger, second.size, first.size)
     leading = np.where(larger, first.sign, second.sign)
@@ -328,13 +317,12 @@ def sum_of(first: Value, second: Value) -> Value:
     size = either(certain, definite, _of_either_sign(first, second))
     sign = np.where(certain, leading, 0).astype(np.int8)
     relative = np.full_like(size.middle, 1.0 if own is None else np.inf)
-    error = None if own is None else total([own, size])
     tiny = np.minimum(first.tiny, second.tiny) - SPACING
-    errors = None
-    if own is not None:
-        inherited = merged(*(value.error_parts for value in (first, second) if value.error is not None))
-        errors = merged(times(inherited, 1 + U), parts)
-    return settled(size, sign, relative, error, terms, tiny, parts, errors, whole(size) if certain.all() else None)
+    makeup = whole(size) if certain.all() else None
+    if own is None:
+        return settled(size, sign, relative, None, terms, tiny, parts, None, makeup)
+    in_parts = merged(times(merged(first.error_parts, second.error_parts), 1 + U), parts)
+    return settled(size, sign, relative, total([own, size]), terms, tiny, parts, in_parts, makeup)
 
 
 def _middle_or_most(value: Value) -> Array:
@@ -362,7 +350,7 @@ def _of_either_sign(first: Value, second: Value) -> Enclosure:
 
 
 def hypotenuse(first: Value, second: Value) -> Value:
-    """√(first² + second²), by the library's function; the errors of both are a vector that is not longer than theirs."""
+    """√(first² + second²), by the library's function; the vector changes by no more than its entries, relative."""
     size = total([first.size.power(2.0), second.size.power(2.0)]).power(0.5)
     relative = _rounded(np.maximum(first.relative, second.relative), 2 * ULPS["hypot"])
     sign = np.ones_like(first.sign)
@@ -385,18 +373,16 @@ def direction(y: Value, x: Value) -> Value:
 
 def exponential(value: Value) -> Value:
     """e^value, of an argument whose sign is known."""
-    negative = (value.sign < 0).all()
+    negative = bool((value.sign < 0).all())
     if not negative and not (value.sign > 0).all():
         raise NotAnalysed("the exponential of what may have either sign")
-    size = curve(
-        value.size,
-        (lambda l: -np.exp(l)) if negative else np.exp,
-        (lambda l: -np.exp(l)) if negative else np.exp,
-        concave=negative,
-    )
-    return settled(
-        size, np.ones_like(value.sign), _rounded(_change(value), 2 * ULPS["exp"]), None, size, size.low - 1e-6
-    )
+
+    def logarithm(of: Array) -> Array:
+        return np.asarray(-np.exp(of) if negative else np.exp(of))
+
+    size = curve(value.size, logarithm, logarithm, concave=negative)
+    relative = _rounded(_change(value), 2 * ULPS["exp"])
+    return settled(size, np.ones_like(value.sign), relative, None, size, size.low - 1e-6)
 
 
 def _change(value: Value) -> Array:
@@ -410,16 +396,16 @@ def _change(value: Value) -> Array:
 
 def exponential_less_one(value: Value) -> Value:
     """e^value − 1, of an argument whose sign is known; its condition is below 1 on the left, x/(1 − e^−x) right."""
-    negative = (value.sign < 0).all()
+    negative = bool((value.sign < 0).all())
     if not negative and not (value.sign > 0).all():
         raise NotAnalysed("expm1 of what may have either sign")
 
-    def logarithm(l: Array) -> Array:
-        return np.log(-np.expm1(-np.exp(l))) if negative else np.log(np.expm1(np.exp(l)))
+    def logarithm(of: Array) -> Array:
+        return np.asarray(np.log(-np.expm1(-np.exp(of))) if negative else np.log(np.expm1(np.exp(of))))
 
-    def slope(l: Array) -> Array:
-        x = np.exp(l)
-        return x / np.expm1(x) if negative else -x / np.expm1(-x)
+    def slope(of: Array) -> Array:
+        x = np.exp(of)
+        return np.asarray(x / np.expm1(x) if negative else -x / np.expm1(-x))
 
     size = curve(value.size, logarithm, slope, concave=negative)
     part = np.minimum(U * value.relative, 0.5)

@@ -119,8 +119,8 @@ def _paired(value: Value, first: Value, second: Value) -> Array:
 
     With c_ii = Σ aₘ and c_jj = Σ bₙ, an error that is at most Σ Mₘₙ √(aₘ bₙ) is at most √(c_ii c_jj) times the norm of
     the matrix M, and that is at most the root of its largest sum along rows by that along columns (Schur). So every
-    term of the error is shared out among products aₘ bₙ that it is small against: one of cos β sin β a goes with cos² β a and
-    sin² β a, wherever β is.
+    term of the error is shared out among products aₘ bₙ that it is small against: one of cos β sin β a goes with
+    cos² β a and sin² β a, wherever β is.
     """
     if first.makeup is None or second.makeup is None:
         return np.full_like(value.relative, np.inf)
@@ -140,7 +140,8 @@ def _paired(value: Value, first: Value, second: Value) -> Array:
         lowest = highs.min(axis=(0, 1))
         shared = highs <= lowest + SHARED
         matrix += np.exp(highs) * shared / shared.sum(axis=(0, 1))
-    return np.sqrt(matrix.sum(axis=1).max(axis=0) * matrix.sum(axis=0).max(axis=0))
+    norm: Array = np.sqrt(matrix.sum(axis=1).max(axis=0) * matrix.sum(axis=0).max(axis=0))
+    return norm
 
 
 def _serial(one: Atom) -> int:

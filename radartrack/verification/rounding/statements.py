@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 
@@ -28,10 +29,15 @@ class Run:
 
 def function_node(module: str, name: str) -> ast.FunctionDef:
     """The definition of a function in the text of a module."""
-    for node in ast.parse(module).body:
-        if isinstance(node, ast.FunctionDef) and node.name == name:
-            return node
-    raise LookupError(f"there is no function {name}")
+    found = _functions(module).get(name)
+    if found is None:
+        raise LookupError(f"there is no function {name}")
+    return found
+
+
+@lru_cache(maxsize=4)
+def _functions(module: str) -> dict[str, ast.FunctionDef]:
+    return {node.name: node for node in ast.parse(module).body if isinstance(node, ast.FunctionDef)}
 
 
 def evaluated(function: ast.FunctionDef, given: Given) -> dict[Index, Value | None]:
@@ -64,7 +70,7 @@ def _statement(statement: ast.stmt, run: Run) -> None:
 
 def _index(place: ast.expr) -> Index:
     parts = place.elts if isinstance(place, ast.Tuple) else [place]
-    return tuple(int(part.value) for part in parts if isinstance(part, ast.Constant) and part.value is not ...)
+    return tuple(part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, int))
 
 
 def _value(node: ast.expr, run: Run) -> Value | None:
@@ -83,15 +89,18 @@ def _value(node: ast.expr, run: Run) -> Value | None:
             return _negated(_value(operand, run))
         case ast.BinOp(left=left, op=operator, right=right):
             return _operation(left, operator, right, run)
-        case ast.Call(func=ast.Attribute(attr="cos" | "sin" as name), args=[ast.Name(id=angle)]) if (
-            angle in run.given.cosines
-        ):
-            return (run.given.cosines if name == "cos" else run.given.sines)[angle]
         case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name), args=operands):
-            if name not in _CALLS:
-                raise NotAnalysed(f"the function {name}")
-            return _CALLS[name](*(_value(operand, run) for operand in operands))
+            return _called(name, operands, run)
     raise NotAnalysed(f"the expression {ast.unparse(node)[:60]}")
+
+
+def _called(name: str, operands: Sequence[ast.expr], run: Run) -> Value | None:
+    waves = {"cos": run.given.cosines, "sin": run.given.sines}.get(name, {})
+    if isinstance(operands[0], ast.Name) and operands[0].id in waves:
+        return waves[operands[0].id]
+    if name not in _CALLS:
+        raise NotAnalysed(f"the function {name}")
+    return _CALLS[name](*(_value(operand, run) for operand in operands))
 
 
 def _number(number: float, like: Enclosure) -> Value | None:
@@ -120,17 +129,21 @@ def _operation(left: ast.expr, operator: ast.operator, right: ast.expr, run: Run
             return first or second
         return rules.sum_of(first, second)
     if isinstance(operator, ast.Mult):
-        if first is None or second is None:
-            return None
-        for one, other in ((left, second), (right, first)):
-            if _power_of_two(one):
-                return rules.scaled(other, float(ast.literal_eval(one)))
-        return rules.product(first, second)
+        return _product((left, first), (right, second))
     if isinstance(operator, ast.Div):
         if second is None:
             raise NotAnalysed("a division by zero")
         return first and rules.quotient(first, second)
     raise NotAnalysed(f"the operator {type(operator).__name__}")
+
+
+def _product(left: tuple[ast.expr, Value | None], right: tuple[ast.expr, Value | None]) -> Value | None:
+    if left[1] is None or right[1] is None:
+        return None
+    for (one, _), (_, other) in ((left, right), (right, left)):
+        if other is not None and _power_of_two(one):
+            return rules.scaled(other, float(ast.literal_eval(one)))
+    return rules.product(left[1], right[1])
 
 
 def _power_of_two(node: ast.expr) -> bool:

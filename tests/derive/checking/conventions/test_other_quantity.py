@@ -39,9 +39,10 @@ def test_the_covariance_given_a_measurement_or_the_truth_is_the_decorrelated_one
     }
     verdict = check(f"{module}.unbiased.covariance", _decorrelated(module, values | NO_CORRELATION))
     words = "a prediction as good as the measurement" if kind == "measured" else "a perfect prediction"
-    (only,) = verdict.suggestions
-    assert only.formula == f"{module}.decorrelated.covariance with {words} when rho = 0"
-    assert only.edit in verdict.reason
+    own, general = verdict.suggestions
+    assert own.formula == f"{module}.unbiased.covariance.{'averaged' if kind == 'measured' else 'truth'} when rho = 0"
+    assert general.formula == f"{module}.decorrelated.covariance with {words} when rho = 0"
+    assert own.edit in verdict.reason
 
 
 def test_another_quantity_is_known_in_another_convention() -> None:

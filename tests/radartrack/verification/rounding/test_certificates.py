@@ -124,7 +124,7 @@ def test_no_error_is_above_the_bound_whatever_the_statement(expression: str, sca
 
 
 def evaluated(node: ast.expr, names: Mapping[str, Any], number: Callable[[float], Any]) -> Any:
-    if isinstance(node, ast.Constant):
+    if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         return number(node.value)
     if isinstance(node, ast.Name):
         return number(names[node.id])
