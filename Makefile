@@ -118,7 +118,7 @@ installed: $(VENV)/.package
 	@$(INSTALL) --no-deps --target build/installed ./build/source
 
 web/node_modules/.installed: web/package.json web/package-lock.json
-	@node -e 'process.exit(parseInt(process.versions.node) < 20)' 2>/dev/null || { \
+	@node -e 'process.exit(+(parseInt(process.versions.node) < 20))' 2>/dev/null || { \
 		echo "The site is built with Node 20 or newer and npm; https://nodejs.org has them." >&2; exit 1; }
 	cd web && npm ci --no-audit --no-fund
 	@touch $@

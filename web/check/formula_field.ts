@@ -59,7 +59,7 @@ export class FormulaField {
 
   async #load(): Promise<void> {
     const { MathfieldElement } = await import("mathlive");
-    MathfieldElement.fontsDirectory = "fonts";
+    MathfieldElement.fontsDirectory = new URL("fonts", document.baseURI).href;
     MathfieldElement.soundsDirectory = null;
     MathfieldElement.plonkSound = null;
     const field = new MathfieldElement() as unknown as MathField;
