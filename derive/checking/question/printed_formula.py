@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from math import prod
 from types import MappingProxyType
 
+from radartrack.derive.catalogue import common_symbols
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
@@ -176,7 +177,8 @@ def symbol_called(name: str, names: Names, reference: Reference) -> Variable | N
     if (found := next((symbol for symbol in reference.symbols if symbol.name == name), None)) is not None:
         return found
     value = names.meaning(name).value if name in names.let else names.symbols.get(name)
-    if value is None and len(meant := means(name, reference.symbols)) == 1 and meant[0][1] == 1:
+    is_correlation = name in common_symbols() and common_symbols()[name].is_correlation  # rho is no range here
+    if value is None and not is_correlation and len(meant := means(name, reference.symbols)) == 1 and meant[0][1] == 1:
         return meant[0][0]  # as in a formula: azimuth for beta
     return value if isinstance(value, Variable) else None
 

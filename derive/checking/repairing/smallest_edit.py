@@ -66,7 +66,8 @@ def suggest(
     told: list[tuple[Edited, Path]] = []
     for edited, tree in confirmed:
         path = changed_part(printed, tree)
-        if not any(edited.cost >= one.cost + AT_ONE_PLACE and is_within(path, place) for one, place in told):
+        longer = [(one, place) for one, place in told if len(edited.formula) >= len(one.formula)]
+        if not any(edited.cost >= one.cost + AT_ONE_PLACE and is_within(path, place) for one, place in longer):
             told.append((edited, path))
     return [replace(edited, span=_span_at(printed, path)) for edited, path in told]
 

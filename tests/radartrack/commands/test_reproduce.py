@@ -65,7 +65,7 @@ class _Page(HTMLParser):
         self.links += [given["href"] or ""] if "href" in given else []
         if tag == "img":
             self.images.append(given)
-        elif tag != "meta":
+        elif tag not in {"input", "meta"}:
             self.open.append(tag)
 
     def handle_endtag(self, tag: str) -> None:
