@@ -52,6 +52,11 @@ export class Catalogue {
     this.tell();
   }
 
+  /** Search again, now that words of the field are known, too. */
+  ready(): void {
+    if (document.activeElement === this.#input) void this.#search();
+  }
+
   /** Say what the chosen quantity is. */
   tell(): void {
     const known = this.#entries.find(({ name }) => name === this.value.replace(/\[.*$/s, ""));

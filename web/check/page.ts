@@ -23,6 +23,7 @@ const engine = new Engine((state) => {
   loading.textContent = STATES[state] ?? `Python does not start here: ${state.replace("failed: ", "")}. `;
   if (state === "ready") {
     read();
+    catalogue.ready();
     keepForLater();
   }
 });
