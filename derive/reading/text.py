@@ -45,7 +45,8 @@ def read_text(
     check_characters(text, allowed)
     whole = text
     try:
-        text = _LEFT_SIDE.sub(lambda found: " " * len(found.group()), text, count=1)
+        if said := _LEFT_SIDE.match(text):  # at the beginning alone: a search for it would begin at every letter
+            text = " " * said.end() + text[said.end() :]
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
         tree = _with_transposes(_parse(text, None if strangers else allowed), shapes)
