@@ -18,7 +18,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.writing.quantity_text import latex_name
 from radartrack.derive.writing.short_formula import plain
 
-LONGEST = 2500  # characters of a quantity; the whole book is rendered up to half a megabyte
+LONGEST = 1500  # characters of a quantity; the whole book is rendered up to half a megabyte
 LINE = 220
 NEW_LINE = " \\\\\n"
 LETTERS = {"attenuation": "q", "shortfall": "u"}

@@ -30,7 +30,7 @@ from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 
 MATTERS = 0.01  # a relative difference that nobody overlooks
-TELLS = 1e3  # one beyond which the derived value may only happen to vanish at a point
+TELLS = 1e9  # one beyond which the derived value may only happen to vanish at a point
 DOMAIN_POINTS = 40
 STEP = 0.5
 NEARLY_NOTHING = 0.05  # of its floor: where a scale is less, a difference is not measured against it

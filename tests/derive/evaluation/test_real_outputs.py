@@ -129,7 +129,10 @@ WRONG: dict[str, tuple[Callable[[], object], str]] = {
     "a surrogate": (lambda: length("r", "range \ud800"), "the meaning of r must be one line"),
     "a source of two lines": (lambda: model(source=Source("a", 1, "b\rc")), "the source of mine must be one line"),
     "no source": (lambda: model(source=Source("", None)), "the source of mine"),
-    "a module's name": (lambda: model(name="loops"), "the model's name must not be conversions nor convert nor elementary nor loops"),
+    "a module's name": (
+        lambda: model(name="loops"),
+        "the model's name must not be conversions nor convert nor elementary nor loops",
+    ),
     "another letter in code": (lambda: model(name="ﬁ"), "must be an identifier"),
     "a loop's name": (lambda: model(measured=(length("i", "range"), b)), "which generated code uses; given 'i'"),
 }

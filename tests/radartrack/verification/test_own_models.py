@@ -66,7 +66,9 @@ def test_waves_arcs_powers_roots_inverse_functions_and_motions_pass_every_layer(
     own = written(declared(ARC), names, HERE, steps)
     found = verdicts(own, names)
     assert {name: layers for name, layers in found.items() if "failed" in layers.values()} == {}
-    assert set(found["arc.bias.truth"].values()) == {"passed"}
+    assert {layer: one for layer, one in found["arc.bias.truth"].items() if one != "passed"} == {
+        "rounding": "not applicable"  # proofs come with the code of the catalogue alone
+    }
 
 
 def spoilt(own: OwnModels, change: Callable[[str], str]) -> OwnModels:
