@@ -11,8 +11,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy is loaded; a 
 # A shared machine is slow by accident.
 ON_ANY_MACHINE = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 PROFILES = {
-    "dev": settings(ON_ANY_MACHINE, max_examples=40),
-    "ci": settings(ON_ANY_MACHINE, max_examples=40, derandomize=True, print_blob=True),
+    "dev": settings(ON_ANY_MACHINE, max_examples=50),
+    "ci": settings(ON_ANY_MACHINE, max_examples=100, derandomize=True, print_blob=True),
     "thorough": settings(ON_ANY_MACHINE, max_examples=2000, print_blob=True),
 }
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tests.conftest import PROFILES, profile_name
 
 ROOT = Path(__file__).parents[1]
-EXAMPLES = {"dev": 40, "ci": 40, "thorough": 2000}
+EXAMPLES = {"dev": 50, "ci": 100, "thorough": 2000}
 
 
 def collect(**wishes: str) -> subprocess.CompletedProcess[str]:

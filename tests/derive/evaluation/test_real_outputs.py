@@ -226,7 +226,7 @@ def refusal_of(output: Any) -> str:
 
 
 @given(MAPS)
-@share(0.2)
+@share(0.5)
 def test_any_map_is_differentiated_as_numbers_say_or_refused_on_one_line(tmp_path_factory: Any, output: Any):
     refusal = refusal_of(output)
     if refusal:
