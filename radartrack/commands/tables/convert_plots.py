@@ -32,7 +32,9 @@ class BadRowsOption(StrEnum):
 
 
 def convert(
-    files: Annotated[list[Path], typer.Argument(help="Parquet files of plots.", show_default=False)],
+    files: Annotated[
+        list[Path], typer.Argument(exists=True, dir_okay=False, help="Parquet files of plots.", show_default=False)
+    ],
     sensor: Annotated[str, typer.Option(help="A conversion: polar, spherical, polar_doppler, …")] = "polar",
     out: Annotated[
         Path | None, typer.Option(help="The new file; of several files, their directory.", show_default=False)

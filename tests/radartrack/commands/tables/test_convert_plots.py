@@ -229,3 +229,11 @@ def test_a_cluster_that_loses_a_worker_gives_all_files_whole(tmp_path: Path, mon
     assert not [path for path in (tmp_path / "out").iterdir() if PART in path.name]
     for number, path in enumerate(paths):
         requires_same(pq.read_table(tmp_path / "out" / path.name), table(200, number))
+
+
+def test_a_file_that_is_not_there_is_told_as_that_and_not_as_the_output(tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["convert", str(tmp_path / "nosuch.parquet")])
+    assert result.exit_code == 2
+    said = "".join(letter for letter in result.output if letter.isalnum())  # in a box, which breaks lines anywhere
+    assert "nosuchparquetdoesnotexist" in said
+    assert "cannotbewritten" not in said
