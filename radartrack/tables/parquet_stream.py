@@ -59,6 +59,9 @@ def rows_of(source: Path) -> int:
         return int(file.metadata.num_rows)
 
 
+_NAMES = {"UNCOMPRESSED": "NONE"}  # what pyarrow reads of a file and how it wants to be told, where they differ
+
+
 def convert_file(
     source: Path, target: Path, chosen: PlotColumns, step: Callable[[int], None] = lambda _: None
 ) -> Outcome:
@@ -132,7 +135,7 @@ def _options(file: Any, chosen: PlotColumns) -> dict[str, Any]:
     """How columns are written: those that are kept as they were."""
     group = file.metadata.row_group(0) if file.metadata.num_row_groups else None
     kept = [group.column(i) for i in range(group.num_columns)] if group is not None else []
-    compression = {column.path_in_schema: column.compression for column in kept}
+    compression = {column.path_in_schema: _NAMES.get(column.compression, column.compression) for column in kept}
     # What was measured seldom repeats: a dictionary of it takes half of all the time, and is given up in the end.
     words = [column.path_in_schema for column in kept if _has_words(column)]
     new = dict.fromkeys(chosen.outputs, "NONE")
