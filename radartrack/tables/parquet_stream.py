@@ -105,7 +105,7 @@ def convert_file(
 def _opened(source: Path) -> Any:
     pa, pq = import_module("pyarrow"), import_module("pyarrow.parquet")
     try:
-        return pq.ParquetFile(source, buffer_size=BUFFER)
+        return pq.ParquetFile(source, buffer_size=BUFFER, pre_buffer=False)  # what is read ahead is never let go
     except pa.ArrowInvalid as error:
         raise NoPlots(f"{source} is no Parquet file: {error}") from None
 

@@ -88,6 +88,19 @@ def test_columns_that_are_kept_are_compressed_as_they_were(compression: str, tmp
     assert [new.column(i).compression for i in kept] == [old.column(i).compression for i in kept]
 
 
+def test_a_long_file_is_never_in_memory_as_a_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(parquet_stream, "BATCH", 1 << 12)
+    pq.write_table(table(100 << 12), tmp_path / "plots.parquet", row_group_size=1 << 12, compression="none")
+    before, allocated = pa.total_allocated_bytes(), []
+    parquet_stream.convert_file(
+        tmp_path / "plots.parquet",
+        tmp_path / "new.parquet",
+        chosen(),
+        lambda _: allocated.append(pa.total_allocated_bytes() - before),
+    )
+    assert max(allocated) < (tmp_path / "plots.parquet").stat().st_size / 4
+
+
 def test_without_out_the_new_file_is_beside_the_old_one(plots: Path) -> None:
     assert converted(plots).exit_code == 0
     assert sorted(path.name for path in plots.parent.iterdir()) == ["plots-converted.parquet", "plots.parquet"]
