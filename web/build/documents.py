@@ -58,7 +58,6 @@ def main(target: Path) -> None:
     (folder / "documents.css").write_text(_of_formulas(look) + extra, encoding="utf-8")
     settings = yaml.safe_load((HERE / "mkdocs.yml").read_text(encoding="utf-8"))
     settings |= {"nav": _navigation(pages), "docs_dir": str(folder), "copyright": f"radartrack {VERSION}"}
-    settings["theme"]["custom_dir"] = str(HERE / "theme")
     settings["plugins"][1]["mkdocstrings"]["handlers"]["python"]["paths"] = [str(ROOT)]
     (target / "mkdocs.yml").write_text(yaml.safe_dump(settings, sort_keys=False), encoding="utf-8")
 
