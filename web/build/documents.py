@@ -32,6 +32,7 @@ EXPLANATIONS = ("one_idea", "proved", "rounding", "way_of_a_formula", "reproduct
 BEFORE = ("tutorial", *GUIDES, *EXPLANATIONS)
 PUBLIC = ("convert", "observe", "kalman", "initiate", "finite_sample_filter", "line", "variance_table", "fusion",
           "simulate", "consistency", "validity", "testing")  # fmt: skip
+SCOREBOARD = "scoreboard.html"  # a page of its own look
 LINK = re.compile(
     r"(?<!!)\[(?P<words>(?:[^\[\]]|\[[^\]]*\])*)\]"
     r"\((?!https?:|mailto:)(?P<target>[^)#\s]*)(?P<anchor>#[^)\s]*)?\)"
@@ -51,6 +52,7 @@ def main(target: Path) -> None:
     for place, text in pages.items():
         (folder / place).parent.mkdir(parents=True, exist_ok=True)
         (folder / place).write_text(text, encoding="utf-8")
+    (folder / SCOREBOARD).write_text(_scoreboard(), encoding="utf-8")
     for pictures in (ROOT / "docs" / "pictures", HERE / "static"):
         shutil.copytree(pictures, folder / pictures.name, dirs_exist_ok=True)
     look = (ROOT / "radartrack" / "_reports" / "look.css").read_text(encoding="utf-8")
@@ -93,6 +95,13 @@ def _reference() -> Pages:
     return pages | {"command_line.md": command_line()}
 
 
+def _scoreboard() -> str:
+    """The audit of literature and libraries, with a way back, and findings where the site has them."""
+    page = (ROOT / "docs" / SCOREBOARD).read_text(encoding="utf-8")
+    page = re.sub(r'href="findings/(\w+)\.md"', r'href="findings/\1/"', page)
+    return page.replace("<body>\n", '<body>\n<p><a href="./">radartrack</a></p>\n', 1)
+
+
 def _linked(text: str, place: str, pages: Pages, names: dict[str, str]) -> str:
     """Links between files of the project as links between pages; what is no page is only named."""
     origin = "" if place in {"changelog.md", "contributing.md", "index.md"} else f"docs/{place}"
@@ -120,6 +129,8 @@ def _page_of(path: str, anchor: str, pages: Pages, names: dict[str, str]) -> str
     if path == "docs/formulas.md":
         name = names.get(anchor.removeprefix("#"))
         return f"quantities/{name}.md" if name else "quantities/index.md"
+    if path == f"docs/{SCOREBOARD}":
+        return SCOREBOARD
     known = {
         "README.md": "index.md", "CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md",
         "notebooks": "notebooks/choose_a_conversion.md", "docs": "index.md",
@@ -149,6 +160,10 @@ def _navigation(pages: Pages) -> list[object]:
         {"Explanation": [
             *entries([f"{name}.md" for name in EXPLANATIONS]),
             {"Decisions": entries(sorted(place for place in pages if place.startswith("decisions/")))},
+        ]},
+        {"Audits": [
+            {"Scoreboard": SCOREBOARD},
+            {"Findings": entries(sorted(place for place in pages if place.startswith("findings/")))},
         ]},
         {"Notebooks": entries(sorted(place for place in pages if place.startswith("notebooks/")))},
         {"Changes": ["changelog.md", "contributing.md"]},
