@@ -43,7 +43,7 @@ Pages = dict[str, str]
 
 
 def main(target: Path) -> None:
-    """Write `mkdocs.yml` and the pages."""
+    """Write `mkdocs.yml`, the same with a choice of releases, and the pages."""
     pages = {**_documents(), **_notebooks(), **_quantities(), **_reference()}
     names = {one.name.replace(".", ""): one.name for one in sections()}
     pages = {place: _linked(text, place, pages, names) for place, text in pages.items()}
@@ -62,6 +62,8 @@ def main(target: Path) -> None:
     settings |= {"nav": _navigation(pages), "docs_dir": str(folder), "copyright": f"radartrack {VERSION}"}
     settings["plugins"][1]["mkdocstrings"]["handlers"]["python"]["paths"] = [str(ROOT)]
     (target / "mkdocs.yml").write_text(yaml.safe_dump(settings, sort_keys=False), encoding="utf-8")
+    released = {"INHERIT": "mkdocs.yml", "extra": {"version": {"provider": "mike", "default": "latest"}}}
+    (target / "release.yml").write_text(yaml.safe_dump(released), encoding="utf-8")
 
 
 def _documents() -> Pages:
