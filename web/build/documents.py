@@ -18,6 +18,7 @@ from pathlib import Path
 import yaml
 from book_sections import bibliography, introduction, sections
 from command_line import command_line
+from long_formulas import long_formula
 from notebook_pages import notebook_page
 from quantity_pages import chapters, quantity_page
 from typeset_math import typeset
@@ -83,7 +84,9 @@ def _notebooks() -> Pages:
 
 def _quantities() -> Pages:
     found = sections()
-    pages = {f"quantities/{one.name}.md": quantity_page(one) for one in found}
+    pages = {
+        f"quantities/{one.name}.md": quantity_page(one, "" if one.latex else long_formula(one.name)) for one in found
+    }
     text = [f"# Quantities\n\n{introduction()}\n"]
     for module, names in chapters(found):
         text += [f"\n## {module}\n", *(f"- [{name}]({name}.md): {meaning}" for name, meaning in names)]
