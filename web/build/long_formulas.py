@@ -1,4 +1,4 @@
-"""Formulas that are too long for the formula book: entry by entry and without correlation, as far as a page takes them."""
+"""Formulas too long for the formula book: entry by entry and without correlation, as far as a page takes them."""
 
 from __future__ import annotations
 
