@@ -57,7 +57,8 @@ async function startAnew(): Promise<Answer> {
   python.runPython(importer);
   python.globals.get("install")(await packed);
   python.globals.get("prepare")();
-  void memory.keep(python.makeMemorySnapshot()); // before anybody's formula is in it
+  const prepared = python.makeMemorySnapshot(); // before anybody's formula is in it
+  setTimeout(() => void memory.keep(prepared), 1000); // after what waits is answered: packing it takes a second
   return answering(python);
 }
 
