@@ -25,7 +25,7 @@ from radartrack.derive.checking.comparing.counterexample import (
 from radartrack.derive.checking.comparing.difference_scale import squared_floor
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Here, Imaginary, Values
 from radartrack.derive.checking.comparing.order_of_difference import orders
-from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
 from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
@@ -57,6 +57,7 @@ from radartrack.derive.checking.repairing.slips_inside import Repair, Slip, has_
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.evaluation.points import Point
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
@@ -300,7 +301,7 @@ class Rounding:
 
 @dataclass(frozen=True)
 class Question:
-    """A printed formula, what it is compared with, under which conditions, and in which sense, in words."""
+    """A printed formula, what it is compared with, under which conditions, where, and in which sense, in words."""
 
     reference: Reference
     printed: Printed
@@ -309,6 +310,7 @@ class Question:
     rounding: Rounding | None = None
     reading: Reading = AS_TYPED
     paper: Paper | None = None
+    where: Callable[[Point], bool] = everywhere
 
     @cached_property
     def symbols(self) -> tuple[Variable, ...]:
@@ -327,7 +329,7 @@ class Question:
     @cached_property
     def domain(self) -> Domain:
         """Where the formulas are compared."""
-        return Domain(self.symbols, self.conditions)
+        return Domain(self.symbols, self.conditions, where=self.where)
 
     def answers(self) -> Iterator[Verdict]:
         """The verdict on all entries together, the gravest of them; then again and again, each with more beside it.

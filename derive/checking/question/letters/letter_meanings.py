@@ -205,7 +205,7 @@ def means(name: str, symbols: Iterable[Symbol], *, weak: bool = False) -> list[t
     said, known = meanings(name), list(symbols)
     if weak:
         return list(_meant(said.weak, known))
-    return list(_meant(said.strong, known)) or list(_in_words(name, known))
+    return list(_by_subscript(name, known)) or list(_meant(said.strong, known)) or list(_in_words(name, known))
 
 
 def is_known_word(name: str) -> bool:
@@ -255,6 +255,17 @@ def _in_words(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, in
         plays = Role.DEVIATION if symbol.name.startswith("sigma") else Role.VALUE
         if plays is (Role.DEVIATION if role is Role.VARIANCE else role) and any(one.startswith(word) for one in said):
             yield symbol, 2 if role is Role.VARIANCE else 1
+
+
+def _by_subscript(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
+    """The deviation of just what a deviation or a variance is said to be of: s_w is sigma_w, whatever else w may be.
+
+    Numbers bind less: papers and code count from one or from zero.
+    """
+    for pattern, power in ((_VARIANCE, 2), (_DEVIATION, 1)):
+        if (found := pattern.match(name)) and (of := next(filter(None, found.groupdict().values()), "")):
+            yield from ((symbol, power) for symbol in symbols if symbol.name == f"sigma_{of}" and not of.isdigit())
+            return
 
 
 def _of(name: str) -> str:

@@ -76,6 +76,11 @@ class Reading:
     fits: bool = True
 
     @property
+    def is_right(self) -> bool:
+        """Whether it makes the formula what it should be, as far as can be told without a proof."""
+        return self.fits and not self.wrong
+
+    @property
     def words(self) -> tuple[str, ...]:
         """With what it was read: "theta for beta"."""
         return tuple(f"{name} for {letter}" for name, letter in self.letters.items())
@@ -122,9 +127,10 @@ class Typed:
 
     def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
-        if not any(reading.fits for reading in found):
+        if not any(reading.is_right for reading in found):
             farther = self._judged(self._assignments(unknown, fixed, farther=True))
-            found = [reading for reading in farther if reading.fits and not reading.wrong] or found
+            fits = any(reading.fits for reading in found)
+            found = [one for one in farther if one.is_right or (one.fits and not fits)] or found
         if doubtful and not any(reading.fits for reading in found):
             free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
             found = [reading for reading in free if reading.fits] or found
@@ -181,7 +187,7 @@ class Typed:
         return [(one, power) for one, power in means(name, self.reference.symbols) if one.name != name]
 
     def _assignments(self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False) -> Iterator[Letters]:
-        """What the letters may stand for; farther, also what they seldom do: that has to make the formula right."""
+        """What the letters may stand for; farther, also what they seldom do."""
         taken = frozenset((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
         candidates = {name: choices(name, symbols) for name in unknown}
