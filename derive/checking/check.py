@@ -38,6 +38,7 @@ from radartrack.derive.checking.question.letters.letter_readings import (
     Typed,
     ambiguous,
     as_typed,
+    unreadable,
 )
 from radartrack.derive.checking.question.letters.undeclared_letters import undeclared_letters
 from radartrack.derive.checking.question.letters.undeclared_letters import words as assumed
@@ -139,10 +140,10 @@ def ask(
     paper = Paper(formula, code or (LATEX if latex else TEXT), function, given or {}, let or {}, world, sense)
     try:
         question = paper.ask(quantity)
-    except FormulaError:
+    except FormulaError as error:
         other = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
         if other is None:
-            raise
+            raise attempted(lambda: paper.refusal(quantity), lambda _: None) or error from None
         question = other
     return replace(question, paper=paper)
 
@@ -171,6 +172,13 @@ class Paper:
         if typed is None or self.other_model(reference) is None:
             return None
         return next((self._question(reference, reading) for reading in typed.forced()), None)
+
+    def refusal(self, quantity: str | Quantity) -> FormulaError | None:
+        """Why the formula cannot be read whatever its letters mean, which is told before what is no name."""
+        definitions = {**self.world.let, **self.let}
+        reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, definitions)
+        error = unreadable(partial(self._read_loosely, wanted=1), reference, definitions)
+        return error.within(self.formula) if error else None
 
     def other_model(self, reference: Reference) -> Question | None:
         """The question whether it is the same thing in another model, if it is."""

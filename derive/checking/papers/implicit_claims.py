@@ -243,7 +243,9 @@ class _Solution:
     @cached_property
     def _restrictions(self) -> dict[str, tuple[list[Expr], list[str]]]:
         """The conditions in which no unknown occurs, by their texts: what is compared in them, and the signs."""
-        restrict = [text for text in self.definition.where if not set(WORD.findall(text)) & set(self.definition.unknown)]
+        restrict = [
+            text for text in self.definition.where if not set(WORD.findall(text)) & set(self.definition.unknown)
+        ]
         return {text: _compared(text, self.names, self._conditions) for text in restrict}
 
     def _restriction(self, symbols: Sequence[Variable]) -> Callable[[Point], bool]:
@@ -288,9 +290,7 @@ class _Solution:
 def _narrowed(names: Names, definition: ImplicitDefinition) -> Names:
     """The names, with symbols that lie where a condition compares them with numbers: n > 0, 0 < alpha < 1."""
     ends: dict[Variable, tuple[float, float]] = {}
-    for text in definition.where:
-        if set(WORD.findall(text)) & set(definition.unknown):
-            continue
+    for text in _restricting(definition):
         formulas, signs = _compared(text, names, {})
         for (first, second), sign in zip(pairwise(formulas), signs, strict=True):
             small, large = (first, second) if "<" in sign else (second, first)
@@ -304,6 +304,11 @@ def _narrowed(names: Names, definition: ImplicitDefinition) -> Names:
         if not low < high:
             raise FormulaError(f"where: {' and '.join(definition.where)} leaves {symbol} no value")
     return names.with_symbols({symbol.name: symbol.on(low, high) for symbol, (low, high) in ends.items()})
+
+
+def _restricting(definition: ImplicitDefinition) -> list[str]:
+    """The conditions in which no unknown occurs."""
+    return [text for text in definition.where if not set(WORD.findall(text)) & set(definition.unknown)]
 
 
 def _compared(text: str, names: Names, conditions: Mapping[Symbol, Expr]) -> tuple[list[Expr], list[str]]:

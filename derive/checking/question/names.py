@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
-from itertools import islice
+from itertools import count, islice
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
@@ -24,15 +24,15 @@ from radartrack.derive.checking.question.meaning import Meaning, number_of_parts
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fold import Fold
+from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.from_expression import to_tree
-from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.functions import BINDING, SPELLINGS
 from radartrack.derive.formula.limits import MAX_NODES
 from radartrack.derive.formula.magnitude import Measure, magnitudes
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression, Reader
-from radartrack.derive.formula.tree import Array, Entries, Name, Tree, bound_names, has_verbs
+from radartrack.derive.formula.tree import Array, Call, Entries, Name, Tree, bound_names, has_verbs
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.tree import parts as tree_parts
 from radartrack.derive.formula.unknown_names import unknown_name, unusable
@@ -165,7 +165,33 @@ class Names(Mapping[str, Expression]):
         self._mentioned |= mentioned
         shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=not typed)
         found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function, wanted=wanted)
+        if bound_names(found.tree) & self.let.keys():
+            found = replace(found, tree=rebuild(found.tree, self._with_own_index))
         self.largeness(found.tree)
+        return found
+
+    def _with_own_index(self, node: Tree) -> Tree:
+        """A sum or the like whose index is called as a definition is: within the sum the index is meant.
+
+        Where another definition in it rests on that one, both may be meant, and nothing is changed.
+        """
+        if not isinstance(node, Call) or node.function not in BINDING or not isinstance(node.arguments[1], Name):
+            return node
+        inside, index, *ends = node.arguments
+        name = index.name
+        if name not in self.let or any(name in self._rests_on(one) for one in names_of(inside) - {name}):
+            return node
+        own = replace(index, name=next(one for n in count(1) if (one := f"{name}_{n}") not in self))
+        return replace(node, arguments=(rebuild(inside, lambda part: own if part == index else part), own, *ends))
+
+    def _rests_on(self, name: str) -> set[str]:
+        """The definitions that one mentions, and those that these mention."""
+        found: set[str] = set()
+        waiting = [name]
+        while waiting:
+            words = set(WORD.findall(self.let.get(waiting.pop(), ""))) & self.let.keys() - found
+            found |= words
+            waiting += words
         return found
 
     def read(self, tree: Tree) -> Expr:

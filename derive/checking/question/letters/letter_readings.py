@@ -316,6 +316,18 @@ def as_typed(
     return Typed(reference, entries, needed, conditions, declared) if entries.shape == reference.shape else None
 
 
+def unreadable(
+    read: Callable[[Sequence[str], Mapping[str, Shape]], Tree], reference: Reference, let: Mapping[str, str]
+) -> FormulaError | None:
+    """Why a formula cannot be read whatever its letters mean; None where it can."""
+    own = [symbol.name for symbol in reference.symbols]
+    try:
+        read([*own, *let], _Definitions(let, own).shapes)
+    except FormulaError as error:
+        return error
+    return None
+
+
 class _Definitions:
     """Definitions read before it is known what the names in them mean.
 

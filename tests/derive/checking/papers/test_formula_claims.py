@@ -280,3 +280,19 @@ def test_a_wrong_sign_in_one_of_many_definitions_is_found_there(place: int):
 def test_a_slip_inside_of_what_is_worked_out_is_found(wrong: str, right: str):
     verdict = decided(quantity="polar.jacobian", formula=wrong)
     assert right in [one.formula for one in verdict.suggestions]
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("sum(j^2, j, 1, n)", "n*(n + 1)*(2*n + 1)/6"),
+        ("sum(i*c, i, 1, n)", "c*n*(n + 1)/2"),
+        ("integral(exp(-b*j), j, 0, c)", "(1 - exp(-b*c))/b"),
+        ("j + sum(j, j, 1, n)", "2*a + n*(n + 1)/2"),
+    ],
+)
+def test_an_index_hides_a_definition_of_its_name_within_its_sum_alone(left: str, right: str):
+    own = world_of([{"symbols": SYMBOLS | {"n": {"unit": "1", "low": 1, "high": 9, "whole": True}}}])
+    let = {"j": "2*a", "c": "a*b"}
+    assert decided(own, left=left, right=right, let=let).verdict is Outcome.EQUAL
+    assert decided(own, left=left, right=f"2*({right})", let=let).verdict is Outcome.DIFFERS
