@@ -143,7 +143,7 @@ def ask(
     except FormulaError as error:
         other = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
         if other is None:
-            raise attempted(lambda: paper.refusal(quantity), lambda _: None) or error from None
+            raise attempted(lambda: paper.refusal(quantity, error), lambda _: error) from None
         question = other
     return replace(question, paper=paper)
 
@@ -173,12 +173,24 @@ class Paper:
             return None
         return next((self._question(reference, reading) for reading in typed.forced()), None)
 
-    def refusal(self, quantity: str | Quantity) -> FormulaError | None:
-        """Why the formula cannot be read whatever its letters mean, which is told before what is no name."""
+    def refusal(self, quantity: str | Quantity, error: FormulaError) -> FormulaError:
+        """What to say instead of what is no name here: why the formula cannot be read at all, or whose letters it has."""
         definitions = {**self.world.let, **self.let}
         reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, definitions)
-        error = unreadable(partial(self._read_loosely, wanted=1), reference, definitions)
-        return error.within(self.formula) if error else None
+        why = unreadable(partial(self._read_loosely, wanted=1), reference, definitions)
+        if why is not None:
+            return why.within(self.formula)
+        likely = next((name for name in rivals(reference) if self._has_units_of(name)), None)
+        words = f"{error.message}. With its letters and units it may be meant for {likely}"
+        return FormulaError(words, error.source, error.span) if likely else error
+
+    def _has_units_of(self, name: str) -> bool:
+        """Whether the formula can be read as this quantity, with the units of it."""
+        try:
+            _, typed = self._typed(name)
+            return typed is not None and any(reading.fits for reading in typed.readings())
+        except (FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+            return False
 
     def other_model(self, reference: Reference) -> Question | None:
         """The question whether it is the same thing in another model, if it is."""

@@ -135,7 +135,7 @@ _WEAK = {
 # What a name says of how it was got, or in which unit: target_range, az_rad and rngTrue are ranges and azimuths.
 _LITTLE = (
     "angle value val meas measured measurement true truth target tgt radar sensor obs observed est estimated raw rad "
-    "radians meters metres polar"
+    "radians deg degrees meters metres polar"
 )
 _SAYS_LITTLE = frozenset(_LITTLE.split())
 _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
@@ -216,6 +216,11 @@ def is_known_word(name: str) -> bool:
 def is_angle_word(name: str) -> bool:
     """Whether a name means an angle."""
     return any(one.of in {"azimuth", "elevation", "heading"} for one in meanings(name).strong)
+
+
+def says_degrees(name: str) -> bool:
+    """Whether a name says that it is in degrees."""
+    return bool({"deg", "degrees"} & {part.lower() for part in _CAMEL.sub("_", name).split("_")})
 
 
 def is_word(name: str) -> bool:

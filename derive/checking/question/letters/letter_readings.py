@@ -15,7 +15,7 @@ from types import MappingProxyType
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
 from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
-from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means
+from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
@@ -83,7 +83,10 @@ class Reading:
     @property
     def words(self) -> tuple[str, ...]:
         """With what it was read: "theta for beta"."""
-        return tuple(f"{name} for {letter}" for name, letter in self.letters.items())
+        return tuple(
+            f"{name}{', in radians,' if says_degrees(name) else ''} for {letter}"
+            for name, letter in self.letters.items()
+        )
 
 
 AS_TYPED = Reading({})
