@@ -141,11 +141,16 @@ def ask(
     try:
         question = paper.ask(quantity)
     except FormulaError as error:
-        other = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
-        if other is None:
-            raise attempted(lambda: paper.refusal(quantity, error), lambda _: error) from None
-        question = other
+        question = _of_another_model(paper, quantity, error)
     return replace(question, paper=paper)
+
+
+def _of_another_model(paper: Paper, quantity: str | Quantity, error: FormulaError) -> Question:
+    """The question of a formula in letters that the quantity does not have, where it is one of another model."""
+    found = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
+    if found is None:
+        raise attempted(lambda: paper.refusal(quantity, error), lambda _: error) from None
+    return found
 
 
 @dataclass(frozen=True)
@@ -174,13 +179,13 @@ class Paper:
         return next((self._question(reference, reading) for reading in typed.forced()), None)
 
     def refusal(self, quantity: str | Quantity, error: FormulaError) -> FormulaError:
-        """What to say instead of what is no name here: why the formula cannot be read at all, or whose letters it has."""
-        definitions = {**self.world.let, **self.let}
-        reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, definitions)
-        why = unreadable(partial(self._read_loosely, wanted=1), reference, definitions)
+        """What to say instead of an error: why the formula cannot be read at all, or whose letters it has."""
+        reference, typed = self._typed(quantity)
+        why = unreadable(partial(self._read_loosely, wanted=1), reference, {**self.world.let, **self.let})
         if why is not None:
             return why.within(self.formula)
-        likely = next((name for name in rivals(reference) if self._has_units_of(name)), None)
+        has_letters = typed is None or typed.readings()
+        likely = None if has_letters else next((one for one in rivals(reference) if self._has_units_of(one)), None)
         words = f"{error.message}. With its letters and units it may be meant for {likely}"
         return FormulaError(words, error.source, error.span) if likely else error
 

@@ -14,8 +14,8 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.derivatives import taylor
 from radartrack.derive.verbs.limit import limit
+from radartrack.derive.verbs.taylor_polynomial import taylor
 
 DEVIATION = "sigma"
 
