@@ -67,7 +67,7 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.any_letters import plain_formulas, read_loosely
 from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
@@ -137,7 +137,8 @@ def ask(
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
-    paper = Paper(formula, code or (LATEX if latex else TEXT), function, given or {}, let or {}, world, sense)
+    conditions, definitions = plain_formulas(given or {}), plain_formulas(let or {})
+    paper = Paper(formula, code or (LATEX if latex else TEXT), function, conditions, definitions, world, sense)
     try:
         question = paper.ask(quantity)
     except FormulaError as error:
@@ -294,8 +295,9 @@ def ask_identity(
         FormulaError, UnknownQuantity: when something cannot be read.
         NoClosedForm: when something cannot be worked out.
     """
-    definitions = {**world.let, **(let or {})}
-    texts = [left, right, *(given or {}).values(), *(let or {}).values()]
+    given, let = plain_formulas(given or {}), plain_formulas(let or {})
+    definitions = {**world.let, **let}
+    texts = [left, right, *given.values(), *let.values()]
     symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
     names = Names(symbols, definitions, world)
     letters = undeclared_letters(alike or [left, right], names, world.letters)
@@ -303,7 +305,7 @@ def ask_identity(
     reference = of_formula(left, names).with_symbols(names.symbols.values())
     printed = read_printed(right, names.fixing(names.tree(left)), reference.shape)
     remarks = (*printed.remarks, *([assumed(letters)] if letters else []))
-    return asked(reference, replace(printed, remarks=remarks), given or {}, world, sense)
+    return asked(reference, replace(printed, remarks=remarks), given, world, sense)
 
 
 @dataclass(frozen=True)

@@ -78,6 +78,7 @@ class Names(Mapping[str, Expression]):
         self.fixed = fixed
         self._known: dict[str, Meaning] = dict(known)
         self._mentioned: set[str] = set()  # quantities
+        self._being_defined: set[str] = set()
 
     def __getitem__(self, name: str) -> Expression:
         return self.meaning(name).value
@@ -158,7 +159,7 @@ class Names(Mapping[str, Expression]):
             FormulaError, UnknownQuantity: when it cannot be read, names what there is not, or becomes too large.
         """
         typed = notation == TEXT and not is_printed(text)
-        words = set(WORD.findall(text)) & self.let.keys() if typed else set(self.let)
+        words = set(WORD.findall(text)) & self.let.keys() if typed else set(self.let) - self._being_defined
         mentioned = set(QUANTITY.findall(text)) if typed else set()
         for word in mentioned:
             self.meaning(word)
@@ -311,6 +312,7 @@ class Names(Mapping[str, Expression]):
         text = self.let[name]
         hides = name in self.symbols and name in WORD.findall(text)
         others = self._without(name) if hides else self
+        self._being_defined.add(name)
         try:
             tree = others.tree(text)
             value = others.worked_out(tree)
@@ -319,6 +321,8 @@ class Names(Mapping[str, Expression]):
             raise FormulaError(f"let {name}: {error.message}", error.source or text, error.span) from None
         except NoClosedForm as error:
             raise NoClosedForm(f"let {name}: {error}") from None
+        finally:
+            self._being_defined.discard(name)
         if value == 0:
             return Meaning(value, lambda _: NOTHING, measure, size, tree)
         return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size, tree)
