@@ -17,6 +17,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import Known, R
 
 STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
 PER_SECOND = "1/s"
+TIME_CONSTANT = "tau"  # which a period is called as well
 _NUMBERED = re.compile(r"(?P<stem>\D*)(?P<number>\d{1,9})")
 
 Symbol = TypeVar("Symbol", bound=Known)
@@ -71,11 +72,12 @@ def farther_choices(
     own = list(known[name])
     binds = bool(own) and own[0].rank == STRONG
     shared = sum(1 for others in known.values() if list(others) == own) > 1
+    constants = [Choice(one, -1, ANY) for one in symbols if str(one.unit) == PER_SECOND]
     if binds and not shared:
-        return own
+        return [*own, *(constants if name.startswith(TIME_CONSTANT) else ())]
     found = [*own, *(free_choices(name, symbols) if shared else ())]
     if meanings(name).role is None:
-        found += [Choice(one, -1, ANY) for one in symbols if str(one.unit) == PER_SECOND]
+        found += constants
         found += [Choice(one, 2, ANY) for one in symbols if meaning_of(one).role is Role.DEVIATION]
     return list(dict.fromkeys(found))
 
@@ -85,10 +87,16 @@ def assignments(
 ) -> Iterator[dict[str, Choice[Symbol]]]:
     """Every way to give the letters different meanings; those with the fewest choices come first."""
     order = sorted(candidates, key=lambda name: len(candidates[name]))
-    yield from filter(_keeps_numbers, _distinct(order, candidates, taken))
+    yield from filter(keeps_numbers, _distinct(order, candidates, taken))
 
 
-def _keeps_numbers(assigned: Mapping[str, Choice[Symbol]]) -> bool:
+def stem(name: str) -> str:
+    """What a numbered letter is without its number; nothing of others."""
+    found = _NUMBERED.fullmatch(name)
+    return found["stem"] if found else ""
+
+
+def keeps_numbers(assigned: Mapping[str, Choice[Symbol]]) -> bool:
     """Whether letters that differ by a number stand in the order of the symbols that they mean."""
     letters = {letter: _NUMBERED.fullmatch(letter) for letter in assigned}
     numbered = {letter: (found["stem"], int(found["number"])) for letter, found in letters.items() if found}

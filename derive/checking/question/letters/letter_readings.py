@@ -14,7 +14,14 @@ from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
-from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.assignments import (
+    Choice,
+    assignments,
+    choices,
+    farther_choices,
+    keeps_numbers,
+    stem,
+)
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
@@ -117,7 +124,10 @@ class Typed:
         """
         unknown = [name for name in self.used if name not in self._own]
         fixed = [name for name in self.used if name in self._own]
-        doubtful = [name for name in fixed if name not in self.declared and self._other_meanings(name)]
+        stems = {stem(name) for name in unknown} - {""}  # sigma_0 beside sigma_1: it may be counted from zero
+        doubtful = [
+            name for name in fixed if name not in self.declared and (stem(name) in stems or self._other_meanings(name))
+        ]
         if any(len(name) > LONGEST for name in unknown):
             return []
         if not unknown and (not doubtful or self._fits({})):
@@ -196,7 +206,10 @@ class Typed:
         candidates = {name: choices(name, symbols) for name in unknown}
         if farther:
             candidates = {name: farther_choices(name, candidates, symbols) for name in unknown}
+        known = {name: Choice(self._own[name]) for name in fixed}
         for one in islice(assignments(candidates, taken), MOST):
+            if not keeps_numbers({**known, **one}):
+                continue
             yield {name: Letter(choice.symbol, choice.power, choice.rank) for name, choice in one.items()}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
