@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
+from radartrack.derive.code_languages import LANGUAGES
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
@@ -382,7 +383,7 @@ def _misplaced(claim: Claim) -> Iterator[str]:
     if claim.along and (claim.value or claim.attained_at):
         yield "along belongs to trend, crosses, at_most and at_least; a value has at"
     if bool(claim.code) != bool(claim.language) or (claim.function and not claim.code):
-        yield f"code and language stand together; the languages are {', '.join(_languages())}"
+        yield f"code and language stand together; the languages are {', '.join(LANGUAGES)}"
     if claim.significant is not None and not claim.value:
         yield "significant needs value"
     if claim.is_formula and (claim.at or claim.along or claim.maximum_over):
@@ -443,13 +444,6 @@ def _number(value: object, where: str) -> str:
     if not isinstance(value, str) or not NUMBER.fullmatch(value):
         raise ClaimsError(f'{where} must be a number in quotes, as printed, such as "2.78"; given {_shown(value)}')
     return value
-
-
-def _languages() -> tuple[str, ...]:
-    """Those that code is read in; what reads them is loaded by the child that decides, seldom here."""
-    from radartrack.derive.reading.code.source_code import LANGUAGES
-
-    return LANGUAGES
 
 
 def _one_of(allowed: tuple[str, ...]) -> Callable[[object, str], str]:
@@ -560,7 +554,7 @@ _FIELDS: Mapping[str, Callable[[object, str], Any]] = {
     "within": _within,
     "error_at_most": _bound,
     "code": _code,
-    "language": lambda value, where: _one_of(_languages())(value, where),
+    "language": _one_of(LANGUAGES),
     "function": _text,
     "value": _number,
     "unit": _unit,

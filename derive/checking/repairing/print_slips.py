@@ -140,12 +140,13 @@ def other_numbers(node: Tree) -> Iterator[Alternative]:
 
 def inside_function(node: Tree) -> Iterator[Alternative]:
     """A half, a two or a sign that is missing in the argument of a function, or in an exponent."""
-    inside = None
     if isinstance(node, Call) and len(node.arguments) == 1:
         inside = node.arguments[0]
-    elif isinstance(node, Power) and not isinstance(node.exponent, Number):
+    elif isinstance(node, Power):
         inside = node.exponent
-    if inside is None or isinstance(inside, Number):
+    else:
+        return
+    if isinstance(inside, Number):
         return
     two = Number("2")
     for changed, words, cost in (
@@ -153,7 +154,7 @@ def inside_function(node: Tree) -> Iterator[Alternative]:
         (Quotient(inside, two), "a missing factor 1/2 of {}", 1.2),
         (Product((two, inside)), "a missing factor 2 of {}", 1.2),
     ):
-        edited = replace(node, arguments=(changed,)) if isinstance(node, Call) else replace(node, exponent=changed)
+        edited = Power(node.base, changed) if isinstance(node, Power) else replace(node, arguments=(changed,))
         yield Alternative(edited, words, cost, (inside,))
 
 
