@@ -13,7 +13,7 @@ from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 MOST_TERMS = 500  # six variables to order 4 have 210, to order 5 462
-ZERO = sp.Integer(0)
+ZERO: Expr = sp.Integer(0)
 
 
 def taylor(function: Expr, increments: Sequence[Symbol], order: int) -> Expr:

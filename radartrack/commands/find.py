@@ -84,7 +84,7 @@ def rows_until_found(own: Iterable[Quantity], tree: Tree) -> dict[str, Mapping[s
     from radartrack.derive.finding.formula_search import FormulaSearch, letters_of
     from radartrack.derive.finding.screening_values import row
 
-    found = {}
+    found: dict[str, Mapping[str, Any]] = {}
     for quantity in own:
         found[quantity.name] = one = row(quantity, letters_of(tree))
         if FormulaSearch({quantity.name: one}).candidates(tree):

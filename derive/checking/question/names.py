@@ -176,9 +176,11 @@ class Names(Mapping[str, Expression]):
 
         Where another definition in it rests on that one, both may be meant, and nothing is changed.
         """
-        if not isinstance(node, Call) or node.function not in BINDING or not isinstance(node.arguments[1], Name):
+        if not isinstance(node, Call) or node.function not in BINDING:
             return node
         inside, index, *ends = node.arguments
+        if not isinstance(index, Name):
+            return node
         name = index.name
         if name not in self.let or any(name in self._rests_on(one) for one in names_of(inside) - {name}):
             return node
