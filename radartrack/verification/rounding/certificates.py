@@ -26,6 +26,7 @@ from radartrack.verification.rounding.statements import function_node
 RECORD = "certificates.json"
 ENOUGH = 10.0  # times what was measured: a bound that need not be made smaller
 BOXES = 24  # a case may have
+WEIGHTS = "the weights of this, the first and the last scan and the root mean square of all"
 Row = dict[str, Any]
 
 
@@ -52,10 +53,17 @@ def code_of(source: str, function: str) -> str:
     return sha256("\n".join(map(ast.unparse, statements)).encode()).hexdigest()[:16]
 
 
-def claim_of(quantity: Quantity, trees: Mapping[str, str], *, correlated: bool = False) -> Row:
+def claim_of(quantity: Quantity, trees: Mapping[str, str], *, correlated: bool = False, precision: str = "double") -> Row:
     """What a certificate claims: domain and scale are the quantity's, whatever the certificate says."""
     arguments = [
-        {"name": symbol.name, "low": float(symbol.low), "high": float(symbol.high), "kind": _kind(symbol)}
+        {
+            "name": symbol.name,
+            "low": float(symbol.low),
+            "high": float(symbol.high),
+            "kind": _kind(symbol),
+            "whole": symbol.whole,
+            "at_most": symbol.at_most.name if symbol.at_most is not None else None,
+        }
         for symbol in quantity.symbols
     ]
     return {
@@ -63,8 +71,9 @@ def claim_of(quantity: Quantity, trees: Mapping[str, str], *, correlated: bool =
         "arguments": arguments,
         "shape": quantity.shape,
         "scale": _scale(quantity),
-        "groups": peers(quantity) if _scale(quantity) == "norm" else [],
+        "groups": _groups(quantity),
         "correlated": correlated,
+        "precision": precision,
         "trees": trees,
     }
 
@@ -128,17 +137,26 @@ def write(rows: Mapping[str, Row], path: Path) -> None:
 
 def _theorem(quantity: Quantity, source: str) -> Theorem:
     arguments = [Argument(s.name, float(s.low), float(s.high), _kind(s)) for s in quantity.symbols]
-    scale = _scale(quantity)
-    groups = peers(quantity) if scale == "norm" else []
-    return Theorem(function_node(source, quantity.function), arguments, quantity.shape, scale, groups)
+    return Theorem(
+        function_node(source, quantity.function), arguments, quantity.shape, _scale(quantity), _groups(quantity)
+    )
 
 
 def _scale(quantity: Quantity) -> str:
+    """What errors are measured against, as the checker says it; where a scale is a sum, a part of it will do."""
     if quantity.scale is not None:
-        raise NotAnalysed("its errors are measured against a scale of its own")
-    if any(symbol.at_most is not None for symbol in quantity.symbols):
-        raise NotAnalysed("one argument bounds another")
+        found = {"itself": "norm", WEIGHTS: "ends"}.get(quantity.measured_against)
+        if found is None:
+            raise NotAnalysed("its errors are measured against a scale of its own")
+        return found
     return "terms" if quantity.is_difference else "covariance" if quantity.is_covariance else "norm"
+
+
+def _groups(quantity: Quantity) -> list[list[int]]:
+    """Of every entry those that its error is measured against."""
+    if quantity.scale is not None:
+        return [[position] for position in range(math.prod(quantity.shape))]
+    return peers(quantity) if _scale(quantity) == "norm" else []
 
 
 def _kind(symbol: Variable) -> str:

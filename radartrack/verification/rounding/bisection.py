@@ -1,0 +1,93 @@
+"""Boxes of a certificate by asking its checker: the worst box is halved where that helps most, until all are good enough."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from time import process_time
+from typing import Any
+
+from radartrack.verification.rounding.certificate_checker import boxes_of, cases_of, figure
+from radartrack.verification.rounding.checked_numbers import Refused
+
+Ends = dict[str, tuple[float, float]]
+HOPELESS = 300.0  # of a logarithm: what a box without any bound counts
+
+
+@dataclass
+class _Case:
+    """The boxes of one choice of signs, by their paths; a path says by 0 and 1 which halves were taken."""
+
+    source: str
+    claim: Mapping[str, Any]
+    case: str
+    splits: dict[str, int] = field(default_factory=dict)
+    boxes: dict[str, tuple[float, Ends]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        (whole,) = boxes_of(self.claim, self.case, ".")
+        self.boxes[""] = self._bound(whole), whole
+
+    def _bound(self, box: Ends) -> float:
+        try:
+            return figure(self.source, self.claim, self.case, box)
+        except Refused:
+            return math.inf
+
+    @property
+    def worst(self) -> str:
+        """The path of the box with the largest bound; of several without one the widest."""
+        return max(self.boxes, key=lambda path: (self.boxes[path][0], -len(path)))
+
+    def halve(self) -> None:
+        """Put two halves for the worst box."""
+        path = self.worst
+        _, box = self.boxes.pop(path)
+        tried = []
+        for axis, (name, (low, high)) in enumerate(box.items()):
+            middle = (low + high) / 2
+            halves = [{**box, name: ends} for ends in ((low, middle), (middle, high))]
+            bounds = [self._bound(half) for half in halves]
+            logs = sorted(min(math.log(max(bound, 1.0)), HOPELESS) for bound in bounds)
+            tried.append((logs[1] + 0.5 * logs[0] - 1e-3 * min(high - low, 50.0), axis, list(zip(bounds, halves, strict=True))))
+        _, self.splits[path], found = min(tried, key=lambda one: one[:2])
+        self.boxes |= {path + str(n): half for n, half in enumerate(found)}
+
+    @property
+    def tree(self) -> str:
+        """In preorder."""
+        stack, letters = [""], []
+        while stack:
+            path = stack.pop()
+            axis = self.splits.get(path)
+            letters.append("." if axis is None else chr(ord("a") + axis))
+            if axis is not None:
+                stack += [path + "1", path + "0"]
+        return "".join(letters)
+
+
+def bisected(source: str, claim: Mapping[str, Any], enough: float, most: int, seconds: float) -> dict[str, str]:
+    """The trees of all cases.
+
+    Args:
+        source: the text of the generated module.
+        claim: as the checker takes it; its trees are not looked at.
+        enough: a bound in ulp that need not be made smaller.
+        most: boxes that a case may have.
+        seconds: of processor time after which a box is halved only where there is no bound, and twice that at all.
+
+    Raises:
+        Refused: there is a box without a bound.
+    """
+    start, cases = process_time(), [_Case(source, claim, case) for case in cases_of(claim)]
+    for case in cases:
+        while len(case.boxes) < most:
+            bound, box = case.boxes[case.worst]
+            spent = process_time() - start
+            if bound <= enough or not box or spent > seconds * (1 if math.isfinite(bound) else 2):
+                break
+            case.halve()
+        if not math.isfinite(case.boxes[case.worst][0]):
+            figure(source, claim, case.case, case.boxes[case.worst][1])
+    return {case.case: case.tree for case in cases}

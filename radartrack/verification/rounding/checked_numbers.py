@@ -1,0 +1,782 @@
+"""Intermediate results of a function as the checker of certificates knows them: where they lie, and how far off they are.
+
+Sizes are intervals of logarithms and sums of products of powers, errors are such sums, and exact values are sums with
+signs, which show what cancels. All coefficients are rational or balls of Arb (python-flint), which round outward.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cached_property
+from itertools import product as pairs_of
+from typing import Any
+
+import numpy as np
+
+Ball = Any
+Rational = Any
+Key = tuple[tuple[int, float], ...]  # atoms, by their numbers, and their exponents
+Polynomial = dict[Key, Ball]  # coefficients are not negative
+Signed = dict[Key, Rational]  # of any sign; atoms may be carriers of a sign
+
+CLOSE = 0.4  # an error's terms are shared among products whose logarithms are this close to the best
+NARROW = (0.0, 0.75, 3.0)  # of logarithms: sizes known so well count as coefficients when signs are looked for
+MOST_VALUE, MOST_PARTS = 120, 160  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
+FEW = 10  # parts of a variance whose error is shared among pairs of them while it is made
+ENDLESS = 1e9
+NOTHING: Polynomial = {}
+
+
+class Refused(ValueError):
+    """The certificate does not show what it claims."""
+
+
+@dataclass(frozen=True)
+class Precision:
+    """A binary format, and what is assumed of the elementary functions in it.
+
+    Attributes:
+        bits: of the significand.
+        normal: binary logarithm below which a number may not be normal.
+        largest: binary logarithm that no number may reach.
+        ulps: error of each elementary function, in units of the last place of the exact value.
+    """
+
+    bits: int
+    normal: int
+    largest: int
+    ulps: dict[str, float]
+
+    @property
+    def underflow(self) -> float:
+        """Half the least distance of two numbers, in units of rounding: what a result too small to be normal is off by."""
+        return 2.0 ** (self.normal - self.bits) * 2.0**self.bits
+
+
+DOUBLE = Precision(
+    53, -1021, 1023, {"sin": 1, "cos": 1, "exp": 1, "expm1": 1, "hypot": 1, "arctan2": 1, "square": 1}
+)
+SINGLE = Precision(
+    24, -125, 127, {"sin": 4, "cos": 4, "exp": 4, "expm1": 4, "hypot": 4, "arctan2": 4, "square": 1}
+)
+
+
+@dataclass(frozen=True)
+class Number:
+    """What is known of an intermediate result in one box.
+
+    Attributes:
+        sign: 1, −1, or 0 where it is not known.
+        low: of the logarithm of its size; minus infinity where nothing keeps it from zero.
+        high: likewise.
+        relative: bound of its error by itself, in units of rounding; None where there is none.
+        size: a sum that the size is at most.
+        exactly: a sum that the size is.
+        error: a sum that the error is at most, in units of rounding.
+        terms: the sum of the sizes of its terms.
+        tiny: binary logarithm that a computed value is not below, unless it is zero.
+        value: a sum with signs that it is.
+        grid: binary logarithm of what it is a multiple of, where that is known.
+    """
+
+    sign: int
+    low: Ball
+    high: Ball
+    relative: Ball | None
+    size: Polynomial
+    exactly: Polynomial
+    error: Polynomial
+    terms: Polynomial
+    tiny: float
+    value: Signed
+    grid: int | None = None
+
+    @cached_property
+    def is_exact(self) -> bool:
+        """Whether the computed value is the exact one."""
+        return not self.error
+
+
+@dataclass
+class Box:
+    """The sizes that sums are made of in one box, and the rules of arithmetic."""
+
+    flint: Any
+    precision: Precision = DOUBLE
+    in_parts: bool = False  # whether errors are told by the terms of a difference, or by the difference as a whole
+    atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
+    carriers: set[int] = field(default_factory=set)
+    waves: list[tuple[int, int]] = field(default_factory=list)
+    known: dict[Any, Any] = field(default_factory=dict)
+
+    def ball(self, value: float) -> Ball:
+        """A number as it is."""
+        return self.flint.arb(value)
+
+    def rational(self, value: float | Fraction) -> Rational:
+        """A number as it is."""
+        exact = Fraction(value)
+        return self.flint.fmpq(exact.numerator, exact.denominator)
+
+    @cached_property
+    def unit(self) -> Ball:
+        """The unit of errors."""
+        return self.ball(2.0**-self.precision.bits)
+
+    @cached_property
+    def one(self) -> Ball:
+        """1."""
+        return self.ball(1)
+
+    def atom(self, low: Ball, high: Ball) -> Key:
+        """A size that is not taken apart."""
+        self.atoms.append((low, high))
+        return ((len(self.atoms) - 1, 1.0),)
+
+    def carrier(self) -> Key:
+        """A sign that is not known: its square is 1."""
+        key = self.atom(self.ball(0), self.ball(0))
+        self.carriers.add(key[0][0])
+        return key
+
+    def whole(self, value: Signed, sign: int, low: Ball, high: Ball) -> tuple[Signed, Polynomial]:
+        """A value as one size and a sign; the same value is the same size again."""
+        name, turn = _normal(value)
+        if name in self.known:
+            number = self.known[name][0][0][0]
+            ends = self.atoms[number]
+            self.atoms[number] = (_highest((ends[0], low)), _lowest((ends[1], high)))
+        else:
+            self.known[name] = self.atom(low, high), () if sign else self.carrier(), sign * turn or 1
+        size, carrier, turned = self.known[name]
+        if sign:
+            return {size: self.rational(sign)}, {size: self.one}
+        return {_key(size, carrier, self.carriers): self.rational(turned * turn)}, {size: self.one}
+
+    def bare(self, key: Key) -> Key:
+        """A product of powers without signs."""
+        return tuple(part for part in key if part[0] not in self.carriers) if self.carriers else key
+
+    def bounds(self, sum_: Polynomial) -> tuple[Ball, Ball]:
+        """Of the logarithm of a sum."""
+        ends = [self.monomial(key, coefficient) for key, coefficient in sum_.items()]
+        low, high = (sum((end[i].exp() for end in ends), self.ball(0)) for i in (0, 1))
+        return _below(low.log() if low.lower() > 0 else self.ball(-math.inf)), _above(high.log())
+
+    def monomial(self, key: Key, coefficient: Ball) -> tuple[Ball, Ball]:
+        """Of the logarithm of one product of powers."""
+        low, high = (end.log() if end > 0 else self.ball(-math.inf) for end in (coefficient.lower(), coefficient.upper()))
+        for number, exponent in key:
+            ends = self.atoms[number]
+            first, last = (ends[0], ends[1]) if exponent > 0 else (ends[1], ends[0])
+            low, high = low + first * exponent, high + last * exponent
+        return low, high
+
+    def _ratio(self, key: Key, coefficient: Ball, other: Key, size: Ball) -> Ball:
+        return _above(self.monomial(product_of(key, other, -1.0), coefficient / size)[1].exp())
+
+    def _logarithms(self, above: Polynomial, below: Sequence[tuple[Key, Ball]]) -> Any:
+        """About the largest quotients of all terms of a sum by some products; what is chosen by them is checked after."""
+        numbers = sorted({n for key in (*above, *(key for key, _ in below)) for n, _ in key})
+        place = {number: position for position, number in enumerate(numbers)}
+
+        def table(keys: Iterable[Key]) -> Any:
+            rows = list(keys)
+            found = np.zeros((len(rows), len(numbers)))
+            for row, key in enumerate(rows):
+                for number, exponent in key:
+                    found[row, place[number]] = exponent
+            return found
+
+        lows, highs = (np.array([_near(self.atoms[n][i]) for n in numbers]) for i in (0, 1))
+        net = table(above)[:, np.newaxis] - table(key for key, _ in below)[np.newaxis]
+        tops = np.array([_log(c.upper()) for c in above.values()])
+        feet = np.array([_log(c.lower()) for _, c in below])
+        return tops[:, np.newaxis] - feet + np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows
+
+    def share(self, error: Polynomial, scale: Polynomial) -> Ball | None:
+        """A number κ with error ≤ κ · scale; a term of the error counts by that of the scale that it is smallest by."""
+        if not error:
+            return self.ball(0)
+        if not scale:
+            return None
+        keys = list(scale.items())
+        best = self._logarithms(error, keys).argmin(axis=1)
+        loads: dict[Key, Ball] = {}
+        for (key, coefficient), chosen in zip(error.items(), best, strict=True):
+            other, size = keys[chosen]
+            loads[other] = loads.get(other, self.ball(0)) + self._ratio(key, coefficient, other, size)
+        found = _largest(list(loads.values()))
+        return found if found.is_finite() else None
+
+    def paired(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Ball | None:
+        """A number κ with error ≤ κ · √(first · second).
+
+        Σ Mᵢⱼ √(aᵢ bⱼ) is at most ‖M‖ √(Σ aᵢ Σ bⱼ), and ‖M‖² at most the largest sum of a row by that of a column.
+        """
+        if not error:
+            return self.ball(0)
+        pairs = [(i, j) for i in first for j in second]
+        if not pairs or len(pairs) * len(error) > 200_000:
+            return None
+        roots = [(product_of(half(i), half(j)), (first[i] * second[j]).sqrt()) for i, j in pairs]
+        logarithms = self._logarithms(error, roots)
+        rows, columns = dict.fromkeys(first, self.ball(0)), dict.fromkeys(second, self.ball(0))
+        for (key, coefficient), row in zip(error.items(), logarithms, strict=True):
+            shared = np.flatnonzero(row <= row.min() + CLOSE)
+            for n in shared:
+                ratio = self._ratio(key, coefficient, *roots[n]) / len(shared)
+                i, j = pairs[n]
+                rows[i] += ratio
+                columns[j] += ratio
+        found = _above((_largest(list(rows.values())) * _largest(list(columns.values()))).sqrt())
+        return found if found.is_finite() else None
+
+    def of_one_sign(self, value: Signed) -> tuple[int, Polynomial] | None:
+        """The sign of a sum and its size as a sum, where what is subtracted is part of what is there."""
+        if len(value) > MOST_VALUE:
+            return None
+        forms = list(self._forms(value))
+        for narrow in NARROW:
+            for form in forms:
+                found = self._of_one_sign(form, narrow)
+                if found is not None:
+                    return found
+        return None
+
+    def _forms(self, value: Signed) -> Iterator[Signed]:
+        """The sum with sin² for 1 − cos² or the other way, of every angle."""
+        there = [w for w in self.waves if any(e >= 2 and n in w for key in value for n, e in key)][:3]
+        yield value
+        for turns in pairs_of((0, 1), repeat=len(there)) if there else ():
+            form = value
+            for wave, turn in zip(there, turns, strict=True):
+                form = self._with_square_replaced(form, wave[turn], wave[1 - turn])
+            yield form
+
+    def _with_square_replaced(self, value: Signed, gone: int, kept: int) -> Signed:
+        found: Signed = {}
+        rows = list(value.items())
+        while rows:
+            key, coefficient = rows.pop()
+            exponents = dict(key)
+            if exponents.get(gone, 0.0) >= 2:
+                rest = product_of(key, ((gone, 2.0),), -1.0)
+                rows += [(rest, coefficient), (product_of(rest, ((kept, 2.0),)), -coefficient)]
+            else:
+                _put(found, key, coefficient)
+        return found
+
+    def _of_one_sign(self, value: Signed, narrow: float) -> tuple[int, Polynomial] | None:
+        if not value:
+            return None
+        shared = frozenset.intersection(*(frozenset(p for p in key if p[0] in self.carriers) for key in value))
+        groups: dict[Key, Ball] = {}
+        for key, coefficient in value.items():
+            rest = tuple(part for part in key if part not in shared)
+            wide = tuple(p for p in rest if p[0] not in self.carriers and not self._is_narrow(p[0], narrow))
+            near = tuple(p for p in rest if p not in wide and p[0] not in self.carriers)
+            size = self.flint.arb(coefficient)
+            if near:
+                low, high = (end.exp() for end in self.monomial(near, self.one))
+                size *= _between(_below(low), _above(high))
+            if any(p[0] in self.carriers for p in rest):
+                size = _between(-abs(size).upper(), abs(size).upper())
+            groups[wide] = groups[wide] + size if wide in groups else size
+        for sign in (1, -1):
+            found = self._absorbed({key: sign * size for key, size in groups.items()})
+            if found is not None:
+                return (0 if shared else sign), found
+        return None
+
+    def _is_narrow(self, number: int, width: float) -> bool:
+        low, high = self.atoms[number]
+        return width > 0 and bool(high - low < width)
+
+    def _absorbed(self, groups: dict[Key, Ball]) -> Polynomial | None:
+        """Positive parts that hold all others: one that may be negative is a share of a part, or of two by their mean."""
+        parts = {key: size for key, size in groups.items() if size > 0}
+        others = {key: _above(abs(size)) for key, size in groups.items() if not size > 0 and not size == 0}
+        if not parts or not others:
+            return self._kept({key: (_below(size), _above(size)) for key, size in parts.items()}) if parts else None
+        keys = list(parts)
+        pairs = [(i, j) for n, i in enumerate(keys) for j in keys[n:]] if len(keys) <= 12 else [(i, i) for i in keys]
+        roots = [(product_of(half(i), half(j)), (parts[i].lower() * parts[j].lower()).sqrt()) for i, j in pairs]
+        best = self._logarithms(others, roots)
+        if not best.size or not (best.min(axis=1) < 0.7).all():
+            return None
+        spent = dict.fromkeys(keys, self.ball(0))
+        for row, (key, size) in zip(best, others.items(), strict=True):
+            chosen = int(row.argmin())
+            ratio = self._ratio(key, size, *roots[chosen])
+            for part in pairs[chosen]:
+                spent[part] += ratio / 2
+        found = {}
+        for key, size in parts.items():
+            share = spent[key].upper()
+            if not share < 1:
+                return None
+            low = _below(size.lower() * (1 - share))
+            if not low > 1e-6 * size.upper():
+                return None
+            found[key] = low, _above(size.upper() * (1 + share))
+        return self._kept(found)
+
+    def _kept(self, parts: dict[Key, tuple[Ball, Ball]]) -> Polynomial:
+        """Sizes that are known within limits: what is not known is one size more, as balls are too wide to multiply."""
+        found: Polynomial = {}
+        for key, (low, high) in parts.items():
+            if high < low * (1 + 1e-6):
+                found[key] = low.union(high)
+            else:
+                found[product_of(key, self.atom(_below(low.log()), _above(high.log())))] = self.one
+        return found
+
+    def made(
+        self,
+        sign: int,
+        exactly: Polynomial | None,
+        error: Polynomial | None,
+        relative: Ball | None,
+        tiny: float,
+        value: Signed | None,
+        size: Polynomial | None = None,
+        terms: Polynomial | None = None,
+        ends: tuple[Ball, Ball] | None = None,
+        *,
+        may_underflow: bool = True,
+    ) -> Number:
+        """A result with both bounds of its error; one that may overflow is refused."""
+        low, high = ends or self.bounds(exactly or size or NOTHING)
+        if value is not None and len(value) > MOST_VALUE:
+            value = None
+        if exactly is None or len(exactly) > MOST_PARTS or value is None:
+            given = {((-1, float(len(self.atoms))),): self.one} if value is None else value
+            whole, exact = self.whole(given, sign, low, high)
+            value = whole if value is None else value
+            exactly = exact if exactly is None or len(exactly) > MOST_PARTS else exactly
+        if size is None or not self.in_parts or len(size) > MOST_PARTS:
+            size = exactly
+        if not high < self.precision.largest * self.ball(2).log():
+            raise Refused("a result may overflow")
+        if error is not None and len(error) > MOST_PARTS:
+            top = self.bounds(error)[1].exp()
+            error = {(): _above(top)} if relative is None else None
+        if tiny < self.precision.normal and may_underflow:
+            lost = self.ball(self.precision.underflow)
+            error = plus(_scaled(size, relative) if error is None else error, {(): lost})
+            if relative is not None:
+                relative = _above(relative + lost / low.exp()) if low.is_finite() else None
+        if error is None:
+            error = _scaled(size, relative)
+        elif relative is None or not relative.is_finite() or relative > 8:
+            found = self.share(error, exactly)
+            if (found is None or found > 64) and len(exactly) <= FEW:
+                both = (found, self.paired(error, exactly, exactly))
+                found = min((one for one in both if one is not None), key=_float, default=None)
+            if found is not None and (relative is None or found < relative):
+                relative = found
+        if relative is not None and not relative.is_finite():
+            relative = None
+        return Number(sign, low, high, relative, size, exactly, error, terms or exactly, tiny, value)
+
+    def _rounded(self, relative: Ball | None, units: float) -> Ball | None:
+        return None if relative is None else _above(relative + units + self.unit * relative * units)
+
+    def small(self, relative: Ball) -> Ball:
+        """A relative error as a share, of operands of what is known for small ones only."""
+        part = self.unit * relative
+        if not part < self.ball(1e-3):
+            raise Refused("an operand with a relative error above one in a thousand")
+        return part
+
+    def _exact_by_grid(self, grid: int | None, high: Ball) -> bool:
+        return grid is not None and bool(high < (self.precision.bits + grid) * self.ball(2).log())
+
+    def constant(self, value: float | Fraction, roundings: float = 0.0) -> Number | None:
+        """A number that is written down."""
+        exact = self.rational(value)
+        if exact == 0:
+            return None
+        size: Polynomial = {(): abs(self.flint.arb(exact))}
+        log = size[()].log()
+        error = _scaled(size, self.ball(roundings)) if roundings else NOTHING
+        grid = 1 - int(exact.q).bit_length() if not roundings and int(exact.q).bit_count() == 1 else None
+        return Number(
+            1 if exact > 0 else -1, _below(log), _above(log), self.ball(roundings), size, size, error, size,
+            float(log.lower()) / math.log(2) - 1e-3, {(): exact}, grid,
+        )  # fmt: skip
+
+    def argument(self, sign: int, low: Ball, high: Ball, roundings: float = 0.0) -> Number:
+        """What is given: a size, and a sign that may be either."""
+        key = self.atom(low, high)
+        size: Polynomial = {key: self.one}
+        value = {key: self.rational(sign)} if sign else {_key(key, self.carrier(), self.carriers): self.rational(1)}
+        error = _scaled(size, self.ball(roundings)) if roundings else NOTHING
+        tiny = float(low.lower()) / math.log(2) - 1e-3
+        return Number(sign, low, high, self.ball(roundings), size, size, error, size, tiny, value)
+
+    def multiply(self, a: Number | None, b: Number | None, units: float = 1.0) -> Number | None:
+        """a · b."""
+        if a is None or b is None:
+            return None
+        if len(a.size) * len(b.size) > 4 * MOST_PARTS:
+            a, b = (self._as_whole(one) if len(one.size) > MOST_PARTS // 8 else one for one in (a, b))
+        relative, u = None, self.unit
+        if a.relative is not None and b.relative is not None:
+            relative = self._rounded(a.relative + b.relative + u * a.relative * b.relative, units)
+        exactly = times(a.exactly, b.exactly)
+        size = times(a.size, b.size) if a.size is not a.exactly or b.size is not b.exactly else exactly
+        error = None
+        if relative is None or not (self._is_of_relative(a) and self._is_of_relative(b)):
+            spread = plus(times(a.error, b.size), times(a.size, b.error), _scaled(times(a.error, b.error), u))
+            error = plus(_scaled(spread, 1 + u * units), _scaled(size, self.ball(units)))
+        ends = (_below(a.low + b.low), _above(a.high + b.high))
+        grid = None if a.grid is None or b.grid is None else a.grid + b.grid
+        is_exact = a.is_exact and b.is_exact and units <= 2 and self._exact_by_grid(grid, ends[1])
+        if is_exact:
+            relative, error = self.ball(0), NOTHING
+        value = self.product(a.value, b.value)
+        made = self.made(
+            a.sign * b.sign, exactly, error, relative, a.tiny + b.tiny, value, size, times(a.terms, b.terms), ends,
+            may_underflow=not is_exact,
+        )  # fmt: skip
+        return replace(made, grid=grid)
+
+    def _as_whole(self, a: Number) -> Number:
+        """The same, not taken apart."""
+        value, size = self.whole(a.value, a.sign, a.low, a.high)
+        error = {(): _above(self.bounds(a.error)[1].exp())} if a.error else NOTHING
+        error = error if a.relative is None else _scaled(size, a.relative)
+        return replace(a, value=value, size=size, exactly=size, error=error, terms=size)
+
+    def _is_of_relative(self, a: Number) -> bool:
+        """Whether its error says no more than the relative one."""
+        return a.is_exact or (a.relative is not None and len(a.size) == 1)
+
+    @staticmethod
+    def total(a: Signed, b: Signed) -> Signed:
+        """The sum of two sums with signs."""
+        found = dict(a)
+        for key, coefficient in b.items():
+            _put(found, key, coefficient)
+        return found
+
+    def product(self, a: Signed, b: Signed) -> Signed | None:
+        """The product of two sums with signs, unless it has too many terms."""
+        if len(a) * len(b) > 4 * MOST_VALUE:
+            return None
+        found: Signed = {}
+        for (i, x), (j, y) in pairs_of(a.items(), b.items()):
+            _put(found, _key(i, j, self.carriers), x * y)
+        return found
+
+    def squared(self, a: Number | None) -> Number | None:
+        """a²."""
+        found = self.multiply(a, a, 2.0 * self.precision.ulps["square"])
+        if found is None or found.sign > 0:
+            return found
+        return replace(found, sign=1)
+
+    def by_power_of_two(self, a: Number | None, factor: float) -> Number | None:
+        """A product that rounds nothing."""
+        if a is None:
+            return None
+        f, g, shift = self.ball(abs(factor)), self.rational(factor), int(math.log2(abs(factor)))
+        size = _scaled(a.size, f)
+        return Number(
+            a.sign if factor > 0 else -a.sign, _below(a.low + f.log()), _above(a.high + f.log()), a.relative,
+            size, size if a.exactly is a.size else _scaled(a.exactly, f), _scaled(a.error, f), _scaled(a.terms, f),
+            a.tiny + shift, {key: c * g for key, c in a.value.items()}, None if a.grid is None else a.grid + shift,
+        )  # fmt: skip
+
+    def divide(self, a: Number | None, b: Number | None) -> Number | None:
+        """a / b."""
+        if a is None:
+            return None
+        if b is None or b.relative is None:
+            raise Refused("a divisor that may be zero")
+        u, b = self.unit, self._if_not_zero(b)
+        worse = _above(b.relative / (1 - self.small(b.relative)))
+        if len(b.value) == 1 and len(b.exactly) == 1:
+            of, below = b.value, b.exactly
+        else:
+            of, below = self.whole(b.value, b.sign, b.low, b.high)
+        inverse = {_inverse(key): 1 / c for key, c in below.items()}
+        size, terms, exactly = times(a.size, inverse), times(a.terms, inverse), times(a.exactly, inverse)
+        relative = None if a.relative is None else self._rounded(a.relative + worse + u * a.relative * worse, 1.0)
+        error = None
+        if relative is None or not self._is_of_relative(a):
+            error = plus(
+                _scaled(times(a.error, inverse), (1 + u) * (1 + u * worse)), _scaled(size, 1 + (1 + u) * worse)
+            )
+        ends = (_below(a.low - b.high), _above(a.high - b.low))
+        tiny = a.tiny - float(b.high.upper()) / math.log(2) - 1e-3
+        value = self.product(a.value, {_inverse(key): 1 / c for key, c in of.items()})
+        return self.made(a.sign * b.sign, exactly, error, relative, tiny, value, size, terms, ends)
+
+    def _if_not_zero(self, a: Number) -> Number:
+        """The same where it is not zero; a formula that divides by it is not defined there."""
+        return a if a.low.is_finite() else replace(a, low=_below(self.ball(a.tiny - 1e-2) * self.ball(2).log()))
+
+    def add(self, a: Number | None, b: Number | None) -> Number | None:
+        """a + b."""
+        if a is None or b is None:
+            return a or b
+        value = self.total(a.value, b.value)
+        if not value and a.is_exact and b.is_exact:
+            return None
+        grid = None if a.grid is None or b.grid is None else min(a.grid, b.grid)
+        u, size, terms = self.unit, plus(a.size, b.size), plus(a.terms, b.terms)
+        high = _above((a.high.exp() + b.high.exp()).log())
+        is_of_exact = a.is_exact and b.is_exact
+        relative = self.one if is_of_exact else None
+        if a.sign * b.sign > 0:
+            if a.relative is not None and b.relative is not None:
+                relative = self._rounded(_largest([a.relative, b.relative]), 1.0)
+            exactly: Polynomial | None = plus(a.exactly, b.exactly)
+            sign, ends = a.sign, (_below((a.low.exp() + b.low.exp()).log()), high)
+            tiny = max(a.tiny, b.tiny) - 1e-3
+        else:
+            sign, exactly, ends = self._difference(a, b, value, high)
+            tiny = min(a.tiny, b.tiny) - self.precision.bits
+            if grid is not None:
+                tiny = max(tiny, float(grid))
+            if exactly is not None:
+                size = exactly
+            elif value and not self.in_parts:
+                exactly = size = self.whole(value, sign, *ends)[1]
+        error = plus(_scaled(plus(a.error, b.error), 1 + u), size)
+        if is_of_exact and self._exact_by_grid(grid, ends[1]):
+            error, relative = NOTHING, self.ball(0)
+        made = self.made(sign, exactly, error, relative, tiny, value or None, size, terms, ends, may_underflow=False)
+        return replace(made, grid=grid)
+
+    def _difference(
+        self, a: Number, b: Number, value: Signed, high: Ball
+    ) -> tuple[int, Polynomial | None, tuple[Ball, Ball]]:
+        """Sign, size and range of a sum whose terms may cancel."""
+        low, sign = self.ball(-math.inf), 0
+        if a.sign * b.sign < 0:
+            apart = [_above(x.high.exp() - y.low.exp()) for x, y in ((a, b), (b, a))]
+            high = _lowest((high, _above(_largest(apart).log()))) if _largest(apart) > 0 else high
+        for major, minor in ((a, b), (b, a)):
+            if major.sign and minor.high < major.low:
+                low, sign = _below(major.low + (1 - (minor.high - major.low).exp()).log()), major.sign
+        found = (self.of_one_sign(value) or self._remainder(a, b)) if value else None
+        if found is None:
+            return sign, None, (low, high)
+        ends = self.bounds(found[1])
+        return found[0] or sign, found[1], (_highest((low, ends[0])), _lowest((high, ends[1])))
+
+    def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
+        """The same of the parts as they came about."""
+        if a.sign * b.sign >= 0 or max(len(a.exactly), len(b.exactly)) > MOST_VALUE:
+            return None
+        left = plus(a.exactly, _scaled(b.exactly, self.ball(-1)))
+        for sign in (1, -1):
+            found = self._absorbed({key: sign * size for key, size in left.items()})
+            if found is not None:
+                return sign * a.sign, found
+        return None
+
+    def root(self, a: Number | None) -> Number | None:
+        """√a."""
+        if a is None:
+            return None
+        if a.sign <= 0 or a.relative is None:
+            raise Refused("a root of what may be negative")
+        part = self.small(a.relative)
+        relative = self._rounded(a.relative / (1 + (1 - part).sqrt()), 1.0)
+        (value, exactly), ends = self._root_of(a), (_below(a.low / 2), _above(a.high / 2))
+        return self.made(1, exactly, None, relative, a.tiny / 2 - 1e-3, value, ends=ends, may_underflow=False)
+
+    def _root_of(self, a: Number) -> tuple[Signed, Polynomial]:
+        if len(a.value) == 1 and len(a.exactly) == 1:
+            ((key, c),) = a.value.items()
+            above, below = math.isqrt(int(c.p)), math.isqrt(int(c.q))
+            if above**2 == int(c.p) and below**2 == int(c.q) and not any(n in self.carriers for n, _ in key):
+                root = self.rational(Fraction(above, below))
+                return {half(key): root}, {half(key): self.flint.arb(root)}
+        return self.whole({(*key, (-2, 1.0)): c for key, c in a.value.items()}, 1, _below(a.low / 2), _above(a.high / 2))
+
+    def hypotenuse(self, a: Number | None, b: Number | None) -> Number | None:
+        """√(a² + b²)."""
+        if a is None or b is None:
+            return self.magnitude(a or b)
+        if a.relative is None or b.relative is None:
+            raise Refused("the length of a vector whose entries may vanish")
+        relative = self._rounded(_largest([a.relative, b.relative]), 2.0 * self.precision.ulps["hypot"])
+        low, high = (((2 * x).exp() + (2 * y).exp()).log() / 2 for x, y in ((a.low, b.low), (a.high, b.high)))
+        return self._new(1, _below(low), _above(high), relative, max(a.tiny, b.tiny) - 1e-3)
+
+    def magnitude(self, a: Number | None) -> Number | None:
+        """|a|."""
+        if a is None or a.sign > 0:
+            return a
+        if a.sign < 0:
+            return self.by_power_of_two(a, -1.0)
+        if len(a.exactly) == 1 and len(a.value) == 1:
+            value: Signed = {self.bare(key): abs(c) for key, c in a.value.items()}
+        else:
+            value, _ = self.whole({(*key, (-3, 1.0)): c for key, c in a.value.items()}, 1, a.low, a.high)
+        return replace(a, sign=1, value=value)
+
+    def _new(self, sign: int, low: Ball, high: Ball, relative: Ball | None, tiny: float) -> Number:
+        """A result of a function that nothing else is known of."""
+        key = self.atom(low, high)
+        value = {key: self.rational(sign)} if sign else {_key(key, self.carrier(), self.carriers): self.rational(1)}
+        return self.made(sign, {key: self.one}, None, relative, tiny, value, ends=(low, high))
+
+    def direction(self, y: Number | None, x: Number | None) -> Number | None:
+        """The angle of (x, y): half the sine of twice the angle, which is below the angle, is its condition."""
+        known = [one for one in (y, x) if one is not None]
+        if not known:
+            return None
+        relatives = [one.relative for one in known if one.relative is not None]
+        if len(relatives) < len(known):
+            raise Refused("the direction of a vector whose entries may vanish")
+        both = sum(relatives, self.ball(0)) * (1 + self.ball(2.0**-10))
+        self.small(both)
+        tiny = min(one.tiny for one in known) - max(float(one.high.upper()) for one in known) / math.log(2) - 2
+        relative = self._rounded(both, 2.0 * self.precision.ulps["arctan2"])
+        return self._new(0, self.ball(-math.inf), _above(self.flint.arb.pi().log()), relative, tiny)
+
+    def exponential(self, a: Number | None) -> Number | None:
+        """e^a."""
+        if a is None:
+            return self.constant(1)
+        if not a.sign:
+            raise Refused("an exponential of either sign")
+        ends = [a.sign * a.low.exp(), a.sign * a.high.exp()]
+        low, high = (_below(ends[0]), _above(ends[1])) if a.sign > 0 else (_below(ends[1]), _above(ends[0]))
+        off = self.bounds(a.error)[1].exp() if a.error else self.ball(0)
+        off = off if a.relative is None else min(off, a.relative * a.high.exp(), key=_float)
+        change = (self.unit * off).expm1() / self.unit
+        relative = self._rounded(_above(change), 2.0 * self.precision.ulps["exp"])
+        return self._new(1, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+
+    def exponential_less_one(self, a: Number | None) -> Number | None:
+        """e^a − 1; its condition is below 1 on the left, a/(1 − e^−a) on the right."""
+        if a is None:
+            return None
+        if not a.sign or a.relative is None:
+            raise Refused("expm1 of either sign")
+        low, high = ((a.sign * end.exp()).expm1() * a.sign for end in (a.low, a.high))
+        low, high = _below(low.log()), _above(high.log())
+        part = self.small(a.relative)
+        farthest = a.high.exp() * (1 + part)
+        condition = farthest / -(-farthest).expm1() if a.sign > 0 else self.ball(1)
+        change = ((condition * -(1 - part).log()).expm1()) / self.unit
+        relative = self._rounded(_above(change), 2.0 * self.precision.ulps["expm1"])
+        return self._new(a.sign, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+
+
+def _put(sum_: Signed, key: Key, coefficient: Rational) -> None:
+    found = sum_.get(key, 0) + coefficient
+    if found == 0:
+        sum_.pop(key, None)
+    else:
+        sum_[key] = found
+
+
+def _normal(value: Signed) -> tuple[Any, int]:
+    """A name of a value and of its opposite, and which of the two it is."""
+    first = min(value)
+    turn = 1 if value[first] > 0 else -1
+    return frozenset((key, str(c * turn)) for key, c in value.items()), turn
+
+
+def _key(first: Key, second: Key, carriers: set[int]) -> Key:
+    found = product_of(first, second)
+    if carriers:
+        return tuple((n, e % 2 if n in carriers else e) for n, e in found if n not in carriers or e % 2)
+    return found
+
+
+def product_of(first: Key, second: Key, power: float = 1.0) -> Key:
+    """The product of one by a power of the other."""
+    exponents = dict(first)
+    for number, exponent in second:
+        exponents[number] = exponents.get(number, 0.0) + power * exponent
+    return tuple(sorted((number, exponent) for number, exponent in exponents.items() if exponent))
+
+
+def half(key: Key) -> Key:
+    """The root."""
+    return tuple((number, exponent / 2) for number, exponent in key)
+
+
+def _inverse(key: Key) -> Key:
+    return tuple((number, -exponent) for number, exponent in key)
+
+
+def plus(*sums: Polynomial) -> Polynomial:
+    """The sum."""
+    found: Polynomial = {}
+    for one in sums:
+        for key, coefficient in one.items():
+            found[key] = found[key] + coefficient if key in found else coefficient
+    return found
+
+
+def times(first: Polynomial, second: Polynomial) -> Polynomial:
+    """The product."""
+    found: Polynomial = {}
+    for (i, a), (j, b) in pairs_of(first.items(), second.items()):
+        key = product_of(i, j)
+        found[key] = found[key] + a * b if key in found else a * b
+    return found
+
+
+def _scaled(one: Polynomial, factor: Ball) -> Polynomial:
+    return {key: coefficient * factor for key, coefficient in one.items()}
+
+
+def _float(ball: Ball) -> float:
+    """Close to its upper end; infinite where it is no number."""
+    value = float(ball.upper())
+    return math.inf if math.isnan(value) else value
+
+
+def _near(ball: Ball) -> float:
+    value = float(ball)
+    return value if math.isfinite(value) else math.copysign(ENDLESS, -1.0 if math.isnan(value) else value)
+
+
+def _log(ball: Ball) -> float:
+    return _near(ball.log()) if ball > 0 else -ENDLESS
+
+
+def _largest(balls: Sequence[Ball]) -> Ball:
+    """One that no other is above."""
+    return max(balls, key=_float)
+
+
+def _between(low: Ball, high: Ball) -> Ball:
+    return low.union(high)
+
+
+def _highest(balls: tuple[Ball, Ball]) -> Ball:
+    return balls[0] if balls[0] > balls[1] else balls[1]
+
+
+def _lowest(balls: tuple[Ball, Ball]) -> Ball:
+    return balls[0] if balls[0] < balls[1] else balls[1]
+
+
+def _above(ball: Ball) -> Ball:
+    return ball.upper()
+
+
+def _below(ball: Ball) -> Ball:
+    return ball.lower()
+
+
+FUNCTIONS: dict[str, Callable[..., Number | None]] = {
+    "abs": Box.magnitude, "arctan2": Box.direction, "exp": Box.exponential, "expm1": Box.exponential_less_one,
+    "hypot": Box.hypotenuse, "sqrt": Box.root,
+}  # fmt: skip
