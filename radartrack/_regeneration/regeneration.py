@@ -12,7 +12,7 @@ import os
 import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
@@ -45,6 +45,8 @@ from radartrack.derive.writing.formula_book import Page, book, formula
 from radartrack.derive.writing.numpy_writer import Function, body, module_text
 from radartrack.verification.domain_points import sample
 from radartrack.verification.error_in_ulp import errors
+from radartrack.verification.rounding.certificates import code_of, proved_bounds
+from radartrack.verification.rounding.certificates import kept as kept_certificates
 
 RECORD = "accuracy.json"
 CHUNK = 20  # neighbours in the catalogue share what they are derived from
@@ -75,12 +77,14 @@ class Accuracy:
         ulp: the largest error in double precision.
         single: that in single precision, in ulp of that.
         single_points: at how many points that was: where nothing leaves the range of single precision.
+        proved: bounds that certificates prove, in ulp: "double", "correlated", "single".
     """
 
     code: str
     ulp: float
     single: float = math.nan
     single_points: int | None = None
+    proved: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def is_complete(self) -> bool:
@@ -89,7 +93,19 @@ class Accuracy:
 
     @property
     def sentence(self) -> str:
-        """For the docstring."""
+        """For the docstring: what is proved, else what was measured."""
+        if "double" not in self.proved:
+            return f"measured, not proved: {self.measured}"
+        said = [f"at most {self.proved['double']:g} ulp of float64 anywhere in this domain, proved"]
+        if "correlated" in self.proved:
+            said.append(f"at most {self.proved['correlated']:g} for correlations up to 0.99 in size")
+        if "single" in self.proved:
+            said.append(f"at most {self.proved['single']:g} ulp of float32 in float32")
+        return f"{'; '.join(said)}."
+
+    @property
+    def measured(self) -> str:
+        """The error at points."""
         if math.isnan(self.ulp):
             return "not measured."
         return (
@@ -100,7 +116,7 @@ class Accuracy:
     @property
     def in_double(self) -> str:
         """For the comment in C."""
-        return f"Accuracy in double: {self.sentence.replace('float64', 'double, by the same statements in NumPy')}"
+        return f"Accuracy in double: {self.measured.replace('float64', 'double, by the same statements in NumPy')}"
 
     @property
     def in_single(self) -> str:
@@ -342,8 +358,9 @@ def _rounded_up(ulp: float) -> float:
 
 def texts(derivation: Derivation, record: Record) -> Files:
     """The files of the generated package, the formula book, of the catalogue its values, and the record of them all."""
+    proved = with_proofs(derivation.functions, record)
     pages = [
-        Page(derived.function.quantity, derived.formula, record[derived.function.quantity.name].sentence)
+        Page(derived.function.quantity, derived.formula, proved[derived.function.quantity.name].sentence)
         for derived in derivation.quantities
     ]
     files = {
@@ -351,7 +368,7 @@ def texts(derivation: Derivation, record: Record) -> Files:
         "py.typed": "",
         RECORD: record_text(record),
         BOOK: book(pages),
-        **_modules(derivation.functions, record),
+        **_modules(derivation.functions, proved),
     }
     if record.keys() == catalogue().keys():
         files[SCREENING] = _screening(derivation.quantities)
@@ -359,6 +376,19 @@ def texts(derivation: Derivation, record: Record) -> Files:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
     return files | {written_files.RECORD: written_files.record(files)}
+
+
+def with_proofs(functions: Iterable[Function], record: Record) -> Record:
+    """The same with the bounds that certificates of the package prove of the very code, over the very domain."""
+    rows, known = kept_certificates(), catalogue()
+    found = dict(record)
+    for function in functions:
+        name, row = function.quantity.name, rows.get(function.quantity.name, {})
+        if known.get(name) is function.quantity and row.get("code") == code_of(
+            function.text(""), function.quantity.function
+        ):
+            found[name] = replace(record[name], proved=proved_bounds(row))
+    return found
 
 
 def record_text(record: Record) -> str:

@@ -81,6 +81,16 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
         Path | None,
         typer.Option(help="Only look for proofs of rounding errors, and write the certificates of all functions here."),
     ] = None,
+    worst: Annotated[
+        Path | None,
+        typer.Option(
+            help="Only search for where rounding errors are worst, and write the points of all functions here."
+        ),
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(help="Only draw the rounding errors of one function over its domain, to this SVG or PNG."),
+    ] = None,
 ) -> None:
     """Measure every layer of verification and show the worst function first.
 
@@ -99,11 +109,14 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     _refuse_without_compiler(language)
     declared = _declared(model)
     chosen = _chosen(names or [], declared.quantities or catalogue())
-    if prove is not None:
+    of_rounding = {"--prove": (prove, _prove), "--worst": (worst, _search), "--plot": (plot, _draw)}
+    for option, (path, task) in of_rounding.items():
+        if path is None:
+            continue
         if model is not None:
-            raise typer.BadParameter("certificates are of the catalogue's functions; leave --model out")
-        output_files.refuse_unwritable({"--prove": prove})
-        _prove(chosen, prove)
+            raise typer.BadParameter(f"{option} is for the catalogue's functions; leave --model out")
+        output_files.refuse_unwritable({option: path})
+        task(chosen, path)
         return
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
@@ -135,7 +148,15 @@ def _prove(chosen: Sequence[str], path: Path) -> None:
     """Write the certificates that the package holds, with new ones of the chosen functions."""
     from radartrack._regeneration.regeneration import read_record, source_directory
     from radartrack.derive.catalogue import catalogue
-    from radartrack.verification.rounding.certificates import BOXES, ENOUGH, certificate, kept, source_of, write
+    from radartrack.verification.rounding.certificates import (
+        BOXES,
+        ENOUGH,
+        SECONDS,
+        certificate,
+        kept,
+        source_of,
+        write,
+    )
 
     rows, directory = kept(), source_directory()
     measured = read_record(directory) if directory is not None else {}
@@ -144,8 +165,53 @@ def _prove(chosen: Sequence[str], path: Path) -> None:
             step(name, len(chosen))
             quantity, known = catalogue()[name], measured.get(name)
             enough = ENOUGH * max(known.ulp, 0.5) if known is not None else 0.0
-            rows[name] = certificate(quantity, source_of(quantity), enough, BOXES)
+            rows[name] = certificate(quantity, source_of(quantity), enough, BOXES, SECONDS)
     write(rows, path)
+
+
+def _search(chosen: Sequence[str], path: Path) -> None:
+    """Write the worst points that the package holds, with new ones of the chosen functions."""
+    _refuse_without("flint", "--worst needs python-flint")
+    from radartrack.derive.catalogue import catalogue
+    from radartrack.verification.rounding.certificates import source_of
+    from radartrack.verification.rounding.worst_points import kept, worst_point, write
+
+    rows = kept()
+    with _progress() as step:
+        for name in chosen:
+            step(name, len(chosen))
+            rows[name] = worst_point(catalogue()[name], source_of(catalogue()[name]))
+    write(rows, path)
+
+
+def _draw(chosen: Sequence[str], path: Path) -> None:
+    """Write the picture of one function.
+
+    Raises:
+        typer.BadParameter: for several functions, one without arguments, or another kind of file.
+    """
+    _refuse_without("matplotlib", "--plot needs the extra: pip install radartrack[plots]")
+    from radartrack.derive.catalogue import catalogue
+    from radartrack.verification.error_plot import error_plot, errors_over_domain
+    from radartrack.verification.rounding.certificates import kept, proved_bounds
+
+    kind = path.suffix.lower().removeprefix(".")
+    if kind not in {"svg", "png"}:
+        raise typer.BadParameter(f"--plot writes .svg or .png; given {path.name!r}")
+    if len(chosen) != 1:
+        raise typer.BadParameter(f"--plot draws one function; {len(chosen)} fit, such as {', '.join(chosen[:3])}")
+    quantity = catalogue()[chosen[0]]
+    if not quantity.symbols:
+        raise typer.BadParameter(f"{quantity.name} has no arguments to draw its errors over")
+    picture = error_plot(quantity, errors_over_domain(quantity), proved_bounds(kept().get(quantity.name, {})))
+    path.write_bytes(picture.svg() if kind == "svg" else picture.png())
+    terminal.say(picture.caption)
+
+
+def _refuse_without(module: str, message: str) -> None:
+    if find_spec(module) is None:
+        terminal.complain(message)
+        raise typer.Exit(2)
 
 
 def _refuse_without_compiler(language: Language) -> None:

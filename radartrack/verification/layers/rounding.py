@@ -8,11 +8,13 @@ from importlib.util import find_spec
 
 from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.outcome import Function, Outcome
-from radartrack.verification.rounding.certificate_checker import Refused
-from radartrack.verification.rounding.certificates import Row, confirmed_bound, kept, source_of
+from radartrack.verification.rounding.certificates import Row, confirmed_bound, kept, proved_bounds, source_of
+from radartrack.verification.rounding.checked_numbers import Refused
 from radartrack.verification.subject import NotGenerated, generated
 
 NAME = "rounding"
+DOUBLE = "double"
+SAID = {"correlated": "correlations up to 0.99", "single": "single precision"}
 
 
 @dataclass(frozen=True)
@@ -26,16 +28,18 @@ class Rounding:
         row = _certificates().get(quantity.name)
         if row is None or not _is_generated(quantity, function):
             return Outcome.not_applicable(NAME, "certificates are of the catalogue's generated functions")
-        if "bound" not in row:
-            return Outcome.not_applicable(NAME, f"measured, not proved: {row['reason']}")
+        bounds = proved_bounds(row)
+        if DOUBLE not in bounds:
+            return Outcome.not_applicable(NAME, f"measured, not proved: {row[DOUBLE]['reason']}")
         if find_spec("flint") is None:
             return Outcome.not_applicable(NAME, "the checker needs python-flint")
         try:
-            found = confirmed_bound(quantity, row, source_of(quantity))
+            found = {kind: confirmed_bound(quantity, row, source_of(quantity), kind) for kind in bounds}
         except Refused as error:
             return Outcome.failed(NAME, str(error))
-        boxes = sum(tree.count(".") for tree in row["trees"].values())
-        return Outcome.measured(NAME, found, row["bound"], f"proved in {boxes} boxes of the domain, independent errors")
+        others = "".join(f", {SAID[kind]} {bound:.3g} ulp" for kind, bound in found.items() if kind != DOUBLE)
+        detail = f"proved over the whole domain, independent errors{others}"
+        return Outcome.measured(NAME, found[DOUBLE], bounds[DOUBLE], detail)
 
 
 def _is_generated(quantity: Quantity, function: Function) -> bool:

@@ -52,7 +52,7 @@ class Accuracy:
         worst_at_random = float(np.nanmax(found, initial=0.0))
         litter = (self.points - len(found)) // GENERATIONS
         for _ in range(GENERATIONS if litter and first else 0):
-            born = self._held(_bred(quantity, tried, np.nan_to_num(found, nan=-1.0, posinf=np.inf), litter, generator))
+            born = self._held(bred(quantity, tried, np.nan_to_num(found, nan=-1.0, posinf=np.inf), litter, generator))
             tried = {name: np.concatenate([values, born[name]]) for name, values in tried.items()}
             found = np.concatenate([found, self._errors(function, quantity, born, exact)])
         strong_points = self._held(coarse(quantity, CORRELATED, self.seed + 7))
@@ -130,7 +130,7 @@ def _conditions(
     return found
 
 
-def _bred(
+def bred(
     quantity: Quantity,
     tried: Points,
     found: npt.NDArray[np.float64],

@@ -50,7 +50,9 @@ class _Case:
             halves = [{**box, name: ends} for ends in ((low, middle), (middle, high))]
             bounds = [self._bound(half) for half in halves]
             logs = sorted(min(math.log(max(bound, 1.0)), HOPELESS) for bound in bounds)
-            tried.append((logs[1] + 0.5 * logs[0] - 1e-3 * min(high - low, 50.0), axis, list(zip(bounds, halves, strict=True))))
+            tried.append(
+                (logs[1] + 0.5 * logs[0] - 1e-3 * min(high - low, 50.0), axis, list(zip(bounds, halves, strict=True)))
+            )
         _, self.splits[path], found = min(tried, key=lambda one: one[:2])
         self.boxes |= {path + str(n): half for n, half in enumerate(found)}
 

@@ -118,7 +118,7 @@ def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
             octants = [c + s + o[2] for o in octants for c in sides[o[0]] for s in sides[o[1]]]
         return (["zero"] if argument["low"] <= 0 <= argument["high"] else []) + octants
     if kind == "signed":
-        return ["zero", "±"]
+        return ["zero", "±"] if -argument["low"] == argument["high"] else ["zero", "+", "-"]
     return ["+"] if argument["low"] > 0 else ["zero", "+"]
 
 
@@ -126,7 +126,7 @@ def boxes_of(claim: Claim, case: str, tree: str) -> Iterator[dict[str, tuple[flo
     """The leaves of a tree in preorder; halves meet in one number, so nothing is left out between them."""
     chosen = _chosen(case)
     present = [argument for argument in claim["arguments"] if chosen[argument["name"]] != "zero"]
-    stack = [[_ends(argument, claim["arguments"]) for argument in present]]
+    stack = [[_ends(argument, chosen[argument["name"]], claim["arguments"]) for argument in present]]
     for letter in tree:
         if not stack:
             raise Refused("a tree goes on after its end")
@@ -145,9 +145,9 @@ def boxes_of(claim: Claim, case: str, tree: str) -> Iterator[dict[str, tuple[flo
         raise Refused("a tree ends before its boxes cover the domain")
 
 
-def _ends(argument: Mapping[str, Any], arguments: Sequence[Mapping[str, Any]]) -> tuple[float, float]:
+def _ends(argument: Mapping[str, Any], choice: str, arguments: Sequence[Mapping[str, Any]]) -> tuple[float, float]:
     """Of the logarithm of a size, or of an angle's distance from a quarter turn; a little wider than they need be."""
-    reach = max(abs(argument["low"]), abs(argument["high"]))
+    reach = {"+": argument["high"], "-": -argument["low"]}.get(choice, max(abs(argument["low"]), abs(argument["high"])))
     low, high = (argument["low"] if argument["low"] > 0 else min(SMALLEST, reach)), reach
     if argument["kind"] == "angle":
         low, high = SMALLEST, min(reach, math.pi / 4 * (1 + 1e-9))
@@ -307,7 +307,9 @@ def _figure(
     run = _start(claim, chosen, ends, in_parts=in_parts)
     indices = _indices(tuple(claim["shape"]))
     entries = _entries(function, run, indices)
-    others = [_entries(function, _moved(run, claim, end), indices) for end in ("low", "high") if claim["scale"] == "ends"]
+    others = [
+        _entries(function, _moved(run, claim, end), indices) for end in ("low", "high") if claim["scale"] == "ends"
+    ]
     positions = [n for n, number in enumerate(entries) if number is not None and not number.is_exact]
     return max((_error(run.box, claim, entries, others, n) for n in positions), default=0.0)
 
@@ -371,7 +373,8 @@ def _error(
         row, column = divmod(position, claim["shape"][-1])
         first, second = (numbers[i * claim["shape"][-1] + i] for i in (row, column))
         if first and second:
-            bounds.append(box.paired(number.error, first.exactly, second.exactly))
+            forms = [[one.exactly, box.plain(one.value)] for one in (first, second)]
+            bounds += [box.paired(number.error, i, j) for i, j in zip(*forms, strict=True) if i and j]
     elif claim["scale"] == "terms":
         bounds.append(box.share(number.error, number.terms))
     elif claim["scale"] == "ends":

@@ -17,16 +17,25 @@ from typing import Any
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.verification.error_in_ulp import peers
-from radartrack.verification.rounding.certificate_checker import Refused, cases_of, confirmed
+from radartrack.verification.rounding.bisection import bisected
+from radartrack.verification.rounding.certificate_checker import PRECISIONS, cases_of, confirmed
+from radartrack.verification.rounding.checked_numbers import Refused
 from radartrack.verification.rounding.domain_boxes import Argument
-from radartrack.verification.rounding.error_rules import ULPS, NotAnalysed
+from radartrack.verification.rounding.error_rules import NotAnalysed
 from radartrack.verification.rounding.proving import NotProved, Theorem, proved
+from radartrack.verification.rounding.scales import ITSELF, WEIGHTS
 from radartrack.verification.rounding.statements import function_node
 
 RECORD = "certificates.json"
 ENOUGH = 10.0  # times what was measured: a bound that need not be made smaller
 BOXES = 24  # a case may have
-WEIGHTS = "the weights of this, the first and the last scan and the root mean square of all"
+SECONDS = 20.0  # of processor time for a function
+CONDITION = 10.0  # times as much is enough where variances are differences
+KINDS: dict[str, dict[str, Any]] = {
+    "double": {"correlated": False, "precision": "double"},
+    "correlated": {"correlated": True, "precision": "double"},
+    "single": {"correlated": False, "precision": "single"},
+}
 Row = dict[str, Any]
 
 
@@ -34,6 +43,11 @@ def kept() -> dict[str, Row]:
     """What the package holds: by quantity a bound and the boxes that prove it, or why there is none."""
     found: dict[str, Row] = json.loads(files(__package__).joinpath(RECORD).read_text())["functions"]
     return found
+
+
+def proved_bounds(row: Row) -> dict[str, float]:
+    """By kind the bounds in ulp that certificates claim of a function."""
+    return {kind: row[kind]["bound"] for kind in KINDS if "bound" in row.get(kind, {})}
 
 
 def source_of(quantity: Quantity) -> str:
@@ -53,7 +67,9 @@ def code_of(source: str, function: str) -> str:
     return sha256("\n".join(map(ast.unparse, statements)).encode()).hexdigest()[:16]
 
 
-def claim_of(quantity: Quantity, trees: Mapping[str, str], *, correlated: bool = False, precision: str = "double") -> Row:
+def claim_of(
+    quantity: Quantity, trees: Mapping[str, str], *, correlated: bool = False, precision: str = "double"
+) -> Row:
     """What a certificate claims: domain and scale are the quantity's, whatever the certificate says."""
     arguments = [
         {
@@ -78,76 +94,101 @@ def claim_of(quantity: Quantity, trees: Mapping[str, str], *, correlated: bool =
     }
 
 
-def confirmed_bound(quantity: Quantity, row: Row, source: str) -> float:
+def confirmed_bound(quantity: Quantity, row: Row, source: str, kind: str = "double") -> float:
     """The bound that the boxes prove of the code as it stands.
+
+    Args:
+        quantity: whose function it is.
+        row: its certificates.
+        source: the text of its module.
+        kind: which of them, a name of `KINDS`.
 
     Raises:
         Refused: they do not, or they prove less than the certificate says.
     """
     if row["code"] != code_of(source, quantity.function):
         raise Refused("the certificate is of other code")
-    found = confirmed(source, claim_of(quantity, row["trees"]))
-    if not found <= row["bound"]:
-        raise Refused(f"the boxes prove {found:.6g} ulp, the certificate says {row['bound']:g}")
+    claim = claim_of(quantity, {}, **KINDS[kind])
+    found = confirmed(source, {**claim, "trees": _of_all_cases(claim, row[kind]["trees"])})
+    if not found <= row[kind]["bound"]:
+        raise Refused(f"the boxes prove {found:.6g} ulp, the certificate says {row[kind]['bound']:g}")
     return found
 
 
-def certificate(quantity: Quantity, source: str, enough: float, most: int) -> Row:
-    """A bound with its boxes, or the reason why there is none.
+def _of_all_cases(claim: Row, trees: str | dict[str, str]) -> dict[str, str]:
+    """Where all cases have one tree, a certificate has it once."""
+    return dict.fromkeys(cases_of(claim), trees) if isinstance(trees, str) else trees
+
+
+def certificate(quantity: Quantity, source: str, enough: float, most: int, seconds: float) -> Row:
+    """Bounds with their boxes, or the reasons why there are none: of each of `KINDS` that a quantity has.
 
     Args:
         quantity: whose function is looked at.
         source: the text of its module.
         enough: a bound in ulp that need not be made smaller.
         most: boxes that a case may have.
+        seconds: of processor time for each kind, beyond which boxes are halved for a bound at all only.
     """
-    code = code_of(source, quantity.function)
-    reason = ""
-    best: Row = {}
-    for boxes in (_one_each, _split):
+    found: Row = {"code": code_of(source, quantity.function)}
+    for kind, said in KINDS.items():
+        if kind == "correlated" and not any(symbol.is_correlation for symbol in quantity.symbols):
+            continue
+        wanted = enough * CONDITION if kind == "correlated" else enough
+        found[kind] = _best(quantity, source, said, wanted, most, seconds)
+    return found
+
+
+def _best(quantity: Quantity, source: str, kind: Row, enough: float, most: int, seconds: float) -> Row:
+    """The first bound that is good enough, else the smallest, else why there is none."""
+    reason, best = "", {}
+    for boxes in (_one_each, _split, bisected):
         try:
-            trees = boxes(quantity, source, enough, most)
-            bound = _rounded_up(confirmed(source, claim_of(quantity, trees)))
+            claim = claim_of(quantity, {}, **kind)
+            trees = boxes(source, claim, enough, most, seconds)
+            bound = _rounded_up(confirmed(source, {**claim, "trees": trees}))
         except (NotAnalysed, NotProved, Refused) as error:
             reason = reason or str(error)
             continue
         if not best or bound < best["bound"]:
-            best = {"code": code, "bound": bound, "trees": trees}
+            shapes = set(trees.values())
+            best = {"bound": bound, "trees": shapes.pop() if len(shapes) == 1 else trees}
         if bound <= enough:
             break
-    return best or {"code": code, "reason": reason}
+    return best or {"reason": reason}
 
 
-def _one_each(quantity: Quantity, source: str, enough: float, most: int) -> dict[str, str]:
+def _one_each(source: str, claim: Row, enough: float, most: int, seconds: float) -> dict[str, str]:
     """The whole domain as one box, with every choice of signs: enough for most functions."""
-    del source, enough, most
-    return dict.fromkeys(cases_of(claim_of(quantity, {})), ".")
+    del source, enough, most, seconds
+    return dict.fromkeys(cases_of(claim), ".")
 
 
-def _split(quantity: Quantity, source: str, enough: float, most: int) -> dict[str, str]:
-    return proved(_theorem(quantity, source), most=most, enough=enough).trees
+def _split(source: str, claim: Row, enough: float, most: int, seconds: float) -> dict[str, str]:
+    """Boxes that plain floating point finds good enough."""
+    del seconds
+    if claim["precision"] != "double" or any(argument["whole"] for argument in claim["arguments"]):
+        raise NotAnalysed("the search by enclosures is of doubles, and of numbers that need not be whole")
+    arguments = [Argument(a["name"], a["low"], a["high"], a["kind"]) for a in claim["arguments"]]
+    function = function_node(source, claim["function"])
+    theorem = Theorem(function, arguments, claim["shape"], claim["scale"], claim["groups"])
+    return proved(theorem, correlated=claim["correlated"], most=most, enough=enough).trees
 
 
 def write(rows: Mapping[str, Row], path: Path) -> None:
     """One line a function."""
     lines = [f"{json.dumps(name)}: {json.dumps(row, ensure_ascii=False)}" for name, row in sorted(rows.items())]
-    head = json.dumps({"assumed_ulp": ULPS})[1:-1]
+    assumed = {name: precision.ulps for name, precision in PRECISIONS.items()}
+    head = json.dumps({"assumed_ulp": assumed})[1:-1]
     path.write_text("{" + head + ',\n"functions": {\n' + ",\n".join(lines) + "\n}}\n", encoding="utf-8")
-
-
-def _theorem(quantity: Quantity, source: str) -> Theorem:
-    arguments = [Argument(s.name, float(s.low), float(s.high), _kind(s)) for s in quantity.symbols]
-    return Theorem(
-        function_node(source, quantity.function), arguments, quantity.shape, _scale(quantity), _groups(quantity)
-    )
 
 
 def _scale(quantity: Quantity) -> str:
     """What errors are measured against, as the checker says it; where a scale is a sum, a part of it will do."""
     if quantity.scale is not None:
-        found = {"itself": "norm", WEIGHTS: "ends"}.get(quantity.measured_against)
+        found = {ITSELF: "norm", WEIGHTS: "ends"}.get(quantity.measured_against)
         if found is None:
-            raise NotAnalysed("its errors are measured against a scale of its own")
+            raise Refused("its errors are measured against a scale of its own")
         return found
     return "terms" if quantity.is_difference else "covariance" if quantity.is_covariance else "norm"
 

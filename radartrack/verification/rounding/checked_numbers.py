@@ -56,12 +56,8 @@ class Precision:
         return 2.0 ** (self.normal - self.bits) * 2.0**self.bits
 
 
-DOUBLE = Precision(
-    53, -1021, 1023, {"sin": 1, "cos": 1, "exp": 1, "expm1": 1, "hypot": 1, "arctan2": 1, "square": 1}
-)
-SINGLE = Precision(
-    24, -125, 127, {"sin": 4, "cos": 4, "exp": 4, "expm1": 4, "hypot": 4, "arctan2": 4, "square": 1}
-)
+DOUBLE = Precision(53, -1021, 1023, {"sin": 1, "cos": 1, "exp": 1, "expm1": 1, "hypot": 1, "arctan2": 1, "square": 1})
+SINGLE = Precision(24, -125, 127, {"sin": 4, "cos": 4, "exp": 4, "expm1": 4, "hypot": 4, "arctan2": 4, "square": 1})
 
 
 @dataclass(frozen=True)
@@ -168,7 +164,9 @@ class Box:
 
     def monomial(self, key: Key, coefficient: Ball) -> tuple[Ball, Ball]:
         """Of the logarithm of one product of powers."""
-        low, high = (end.log() if end > 0 else self.ball(-math.inf) for end in (coefficient.lower(), coefficient.upper()))
+        low, high = (
+            end.log() if end > 0 else self.ball(-math.inf) for end in (coefficient.lower(), coefficient.upper())
+        )
         for number, exponent in key:
             ends = self.atoms[number]
             first, last = (ends[0], ends[1]) if exponent > 0 else (ends[1], ends[0])
@@ -234,6 +232,12 @@ class Box:
                 columns[j] += ratio
         found = _above((_largest(list(rows.values())) * _largest(list(columns.values()))).sqrt())
         return found if found.is_finite() else None
+
+    def plain(self, value: Signed) -> Polynomial | None:
+        """A sum whose terms have one sign as they stand."""
+        if len({c > 0 for c in value.values()}) != 1 or any(n in self.carriers for key in value for n, _ in key):
+            return None
+        return {key: abs(self.flint.arb(c)) for key, c in value.items()}
 
     def of_one_sign(self, value: Signed) -> tuple[int, Polynomial] | None:
         """The sign of a sum and its size as a sum, where what is subtracted is part of what is there."""
@@ -374,9 +378,11 @@ class Box:
             error = _scaled(size, relative)
         elif relative is None or not relative.is_finite() or relative > 8:
             found = self.share(error, exactly)
-            if (found is None or found > 64) and len(exactly) <= FEW:
-                both = (found, self.paired(error, exactly, exactly))
-                found = min((one for one in both if one is not None), key=_float, default=None)
+            if found is None or found > 64:
+                plain = self.plain(value)
+                others = [self.share(error, plain)] if plain else []
+                others += [self.paired(error, one, one) for one in (exactly, plain) if one and len(one) <= FEW]
+                found = min((one for one in (found, *others) if one is not None), key=_float, default=None)
             if found is not None and (relative is None or found < relative):
                 relative = found
         if relative is not None and not relative.is_finite():
@@ -601,7 +607,9 @@ class Box:
             if above**2 == int(c.p) and below**2 == int(c.q) and not any(n in self.carriers for n, _ in key):
                 root = self.rational(Fraction(above, below))
                 return {half(key): root}, {half(key): self.flint.arb(root)}
-        return self.whole({(*key, (-2, 1.0)): c for key, c in a.value.items()}, 1, _below(a.low / 2), _above(a.high / 2))
+        return self.whole(
+            {(*key, (-2, 1.0)): c for key, c in a.value.items()}, 1, _below(a.low / 2), _above(a.high / 2)
+        )
 
     def hypotenuse(self, a: Number | None, b: Number | None) -> Number | None:
         """√(a² + b²)."""
