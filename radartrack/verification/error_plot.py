@@ -55,7 +55,7 @@ def error_plot(quantity: Quantity, errors: Errors, proved: Mapping[str, float]) 
         proved: bounds in ulp; "double" is drawn.
     """
     shown = [symbol for symbol in quantity.symbols if np.ptp(errors.points[symbol.name])]
-    columns = min(len(shown), 2 if len(shown) == 4 else 3)  # noqa: PLR2004 - a square of four
+    columns = min(len(shown), 2 if len(shown) == 4 else 3)
     rows = math.ceil(len(shown) / columns)
     with drawing(PANEL[0] * columns, PANEL[1] * rows + 0.7) as figure:
         panels = figure.subplots(rows, columns, sharey=True, squeeze=False)

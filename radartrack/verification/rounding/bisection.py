@@ -1,4 +1,4 @@
-"""Boxes of a certificate by asking its checker: the worst box is halved where that helps most, until all are good enough."""
+"""Boxes of a certificate by asking its checker: the worst box is halved where that helps most, until all will do."""
 
 from __future__ import annotations
 

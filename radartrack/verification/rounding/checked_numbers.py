@@ -1,4 +1,4 @@
-"""Intermediate results of a function as the checker of certificates knows them: where they lie, and how far off they are.
+"""Intermediate results as the checker of certificates knows them: where they lie, and how far off they are.
 
 Sizes are intervals of logarithms and sums of products of powers, errors are such sums, and exact values are sums with
 signs, which show what cancels. All coefficients are rational or balls of Arb (python-flint), which round outward.
@@ -25,6 +25,7 @@ Signed = dict[Key, Rational]  # of any sign; atoms may be carriers of a sign
 CLOSE = 0.4  # an error's terms are shared among products whose logarithms are this close to the best
 NARROW = (0.0, 0.75, 3.0)  # of logarithms: sizes known so well count as coefficients when signs are looked for
 MOST_VALUE, MOST_PARTS = 120, 160  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
+GOOD, FAIR = 8, 64  # relative errors up to which nothing better is looked for, and nothing slower
 FEW = 10  # parts of a variance whose error is shared among pairs of them while it is made
 ENDLESS = 1e9
 NOTHING: Polynomial = {}
@@ -52,8 +53,8 @@ class Precision:
 
     @property
     def underflow(self) -> float:
-        """Half the least distance of two numbers, in units of rounding: what a result too small to be normal is off by."""
-        return 2.0 ** (self.normal - self.bits) * 2.0**self.bits
+        """In units of rounding what a result that is too small to be normal is off by: half a distance of numbers."""
+        return 2.0**self.normal
 
 
 DOUBLE = Precision(53, -1021, 1023, {"sin": 1, "cos": 1, "exp": 1, "expm1": 1, "hypot": 1, "arctan2": 1, "square": 1})
@@ -177,7 +178,7 @@ class Box:
         return _above(self.monomial(product_of(key, other, -1.0), coefficient / size)[1].exp())
 
     def _logarithms(self, above: Polynomial, below: Sequence[tuple[Key, Ball]]) -> Any:
-        """About the largest quotients of all terms of a sum by some products; what is chosen by them is checked after."""
+        """About the largest quotients of a sum's terms by some products; what is chosen by them is checked after."""
         numbers = sorted({n for key in (*above, *(key for key, _ in below)) for n, _ in key})
         place = {number: position for position, number in enumerate(numbers)}
 
@@ -301,9 +302,9 @@ class Box:
         return width > 0 and bool(high - low < width)
 
     def _absorbed(self, groups: dict[Key, Ball]) -> Polynomial | None:
-        """Positive parts that hold all others: one that may be negative is a share of a part, or of two by their mean."""
+        """Positive parts that hold all others: what may be negative is a share of a part, or of two by their mean."""
         parts = {key: size for key, size in groups.items() if size > 0}
-        others = {key: _above(abs(size)) for key, size in groups.items() if not size > 0 and not size == 0}
+        others = {key: _above(abs(size)) for key, size in groups.items() if not size > 0 and not size.is_zero()}
         if not parts or not others:
             return self._kept({key: (_below(size), _above(size)) for key, size in parts.items()}) if parts else None
         keys = list(parts)
@@ -355,20 +356,13 @@ class Box:
     ) -> Number:
         """A result with both bounds of its error; one that may overflow is refused."""
         low, high = ends or self.bounds(exactly or size or NOTHING)
-        if value is not None and len(value) > MOST_VALUE:
-            value = None
-        if exactly is None or len(exactly) > MOST_PARTS or value is None:
-            given = {((-1, float(len(self.atoms))),): self.one} if value is None else value
-            whole, exact = self.whole(given, sign, low, high)
-            value = whole if value is None else value
-            exactly = exact if exactly is None or len(exactly) > MOST_PARTS else exactly
-        if size is None or not self.in_parts or len(size) > MOST_PARTS:
-            size = exactly
         if not high < self.precision.largest * self.ball(2).log():
             raise Refused("a result may overflow")
+        exactly, value = self._identified(exactly, value, sign, low, high)
+        if size is None or not self.in_parts or len(size) > MOST_PARTS:
+            size = exactly
         if error is not None and len(error) > MOST_PARTS:
-            top = self.bounds(error)[1].exp()
-            error = {(): _above(top)} if relative is None else None
+            error = {(): _above(self.bounds(error)[1].exp())} if relative is None else None
         if tiny < self.precision.normal and may_underflow:
             lost = self.ball(self.precision.underflow)
             error = plus(_scaled(size, relative) if error is None else error, {(): lost})
@@ -376,18 +370,34 @@ class Box:
                 relative = _above(relative + lost / low.exp()) if low.is_finite() else None
         if error is None:
             error = _scaled(size, relative)
-        elif relative is None or not relative.is_finite() or relative > 8:
-            found = self.share(error, exactly)
-            if found is None or found > 64:
-                plain = self.plain(value)
-                others = [self.share(error, plain)] if plain else []
-                others += [self.paired(error, one, one) for one in (exactly, plain) if one and len(one) <= FEW]
-                found = min((one for one in (found, *others) if one is not None), key=_float, default=None)
-            if found is not None and (relative is None or found < relative):
-                relative = found
-        if relative is not None and not relative.is_finite():
-            relative = None
-        return Number(sign, low, high, relative, size, exactly, error, terms or exactly, tiny, value)
+        elif relative is None or not relative.is_finite() or relative > GOOD:
+            relative = _least(relative, self._by_itself(error, exactly, value))
+        return Number(sign, low, high, _least(relative), size, exactly, error, terms or exactly, tiny, value)
+
+    def _identified(
+        self, exactly: Polynomial | None, value: Signed | None, sign: int, low: Ball, high: Ball
+    ) -> tuple[Polynomial, Signed]:
+        """Both ways to say what a result is; where one is missing or too long, as a whole."""
+        if value is not None and len(value) > MOST_VALUE:
+            value = None
+        if exactly is not None and len(exactly) <= MOST_PARTS and value is not None:
+            return exactly, value
+        unheard: Signed = {((-1, float(len(self.atoms))),): self.one}
+        whole, exact = self.whole(unheard if value is None else value, sign, low, high)
+        return (
+            exact if exactly is None or len(exactly) > MOST_PARTS else exactly,
+            whole if value is None else value,
+        )
+
+    def _by_itself(self, error: Polynomial, exactly: Polynomial, value: Signed) -> Ball | None:
+        """A bound of an error by what it is the error of."""
+        found = self.share(error, exactly)
+        if found is not None and not found > FAIR:
+            return found
+        plain = self.plain(value)
+        others = [self.share(error, plain)] if plain else []
+        others += [self.paired(error, one, one) for one in (exactly, plain) if one and len(one) <= FEW]
+        return _least(found, *others)
 
     def _rounded(self, relative: Ball | None, units: float) -> Ball | None:
         return None if relative is None else _above(relative + units + self.unit * relative * units)
@@ -764,16 +774,22 @@ def _largest(balls: Sequence[Ball]) -> Ball:
     return max(balls, key=_float)
 
 
+def _least(*bounds: Ball | None) -> Ball | None:
+    """The smallest bound; none where no one is finite."""
+    finite = [bound for bound in bounds if bound is not None and bound.is_finite()]
+    return min(finite, key=_float, default=None)
+
+
 def _between(low: Ball, high: Ball) -> Ball:
     return low.union(high)
 
 
 def _highest(balls: tuple[Ball, Ball]) -> Ball:
-    return balls[0] if balls[0] > balls[1] else balls[1]
+    return max(balls)
 
 
 def _lowest(balls: tuple[Ball, Ball]) -> Ball:
-    return balls[0] if balls[0] < balls[1] else balls[1]
+    return min(balls)
 
 
 def _above(ball: Ball) -> Ball:

@@ -70,7 +70,7 @@ class ExactStatements:
             worst = 0.0
             for number, value, scale in zip(computed, entries, stated or self._scales(point, entries), strict=True):
                 off = abs(value[0] - number)
-                if not off == 0:
+                if not off.is_zero():
                     size = float(scale)
                     worst = max(worst, float(off) / math.ulp(size) if size and math.isfinite(number) else math.inf)
         return worst
@@ -127,7 +127,7 @@ def _leaves(node: ast.expr) -> list[ast.expr]:
 
 def _norm(values: Sequence[Ball]) -> Ball:
     total = sum(value * value for value in values)
-    return total.sqrt() if not total == 0 else total
+    return total.sqrt() if not total.is_zero() else total
 
 
 def _value(node: ast.expr, names: Mapping[str, Pair], entries: Mapping[str, Pair]) -> Pair:
@@ -151,8 +151,8 @@ def _value(node: ast.expr, names: Mapping[str, Pair], entries: Mapping[str, Pair
         case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name), args=arguments):
             values = [_value(argument, names, entries)[0] for argument in arguments]
             found = _FUNCTIONS[name](*values)
-            if name == "_ratio":
-                return found, _value(arguments[0], names, entries)[1] / abs(values[1]) if not values[1] == 0 else found
+            if name == "_ratio" and not found.is_zero():
+                return found, _value(arguments[0], names, entries)[1] / abs(values[1])
             return found, abs(found)
     raise LookupError(f"there is no rule for {ast.unparse(node)}")
 
@@ -177,7 +177,7 @@ def _hypot(x: Ball, y: Ball) -> Ball:
 
 
 def _ratio(above: Ball, below: Ball) -> Ball:
-    return below if below == 0 else above / below
+    return below if below.is_zero() else above / below
 
 
 def _remainder(x: Ball, order: Ball) -> Ball:
@@ -200,8 +200,7 @@ def _stumpff(x: Ball, order: Ball) -> Ball:
 
 def _third(x: Ball) -> Ball:
     """The positive root c of 4c³ − 3c = x."""
-    c = (x.acosh() / 3).cosh() if x > 1 else (x.acos() / 3).cos()
-    return c
+    return (x.acosh() / 3).cosh() if x > 1 else (x.acos() / 3).cos()
 
 
 def _less(x: Ball, y: Ball) -> Ball:
@@ -211,11 +210,11 @@ def _less(x: Ball, y: Ball) -> Ball:
 def _direction(y: Ball, x: Ball) -> Ball:
     import flint  # noqa: PLC0415
 
-    return 0 * x if y == 0 and x >= 0 else flint.arb.atan2(y, x)
+    return 0 * x if y.is_zero() and x >= 0 else flint.arb.atan2(y, x)
 
 
 _FUNCTIONS: dict[str, Callable[..., Ball]] = {
     "_ratio": _ratio, "_remainder": _remainder, "_stumpff": _stumpff, "_third": _third, "abs": abs,
     "arctan2": _direction, "cos": lambda x: x.cos(), "exp": lambda x: x.exp(), "expm1": lambda x: x.expm1(),
-    "hypot": _hypot, "less": _less, "sin": lambda x: x.sin(), "sqrt": lambda x: x.sqrt() if not x == 0 else x,
+    "hypot": _hypot, "less": _less, "sin": lambda x: x.sin(), "sqrt": lambda x: x.sqrt() if not x.is_zero() else x,
 }  # fmt: skip
