@@ -36,6 +36,7 @@ KINDS: dict[str, dict[str, Any]] = {
     "correlated": {"correlated": True, "precision": "double"},
     "single": {"correlated": False, "precision": "single"},
 }
+WORTH = {"double": 1e3, "correlated": 1e5, "single": 1e3}  # ulp; a larger bound says nothing that is of use
 Row = dict[str, Any]
 
 
@@ -136,6 +137,8 @@ def certificate(quantity: Quantity, source: str, enough: float, most: int, secon
             continue
         wanted = enough * CONDITION if kind == "correlated" else enough
         found[kind] = _best(quantity, source, said, wanted, most, seconds)
+        if found[kind].get("bound", 0.0) > WORTH[kind]:
+            found[kind] = {"reason": f"no bound below {WORTH[kind]:g} ulp"}
     return found
 
 

@@ -313,7 +313,7 @@ class Box:
         best = self._logarithms(others, roots)
         if not best.size or not (best.min(axis=1) < 0.7).all():
             return None
-        spent = dict.fromkeys(keys, self.ball(0))
+        spent: dict[Key, Ball] = dict.fromkeys(keys, self.ball(0))
         for row, (key, size) in zip(best, others.items(), strict=True):
             chosen = int(row.argmin())
             ratio = self._ratio(key, size, *roots[chosen])
@@ -321,7 +321,7 @@ class Box:
                 spent[part] += ratio / 2
         found = {}
         for key, size in parts.items():
-            share = spent[key].upper()
+            share = _above(spent[key])
             if not share < 1:
                 return None
             low = _below(size.lower() * (1 - share))
@@ -465,8 +465,9 @@ class Box:
     def _as_whole(self, a: Number) -> Number:
         """The same, not taken apart."""
         value, size = self.whole(a.value, a.sign, a.low, a.high)
-        error = {(): _above(self.bounds(a.error)[1].exp())} if a.error else NOTHING
-        error = error if a.relative is None else _scaled(size, a.relative)
+        error: Polynomial = {(): _above(self.bounds(a.error)[1].exp())} if a.error else NOTHING
+        if a.relative is not None:
+            error = _scaled(size, a.relative)
         return replace(a, value=value, size=size, exactly=size, error=error, terms=size)
 
     def _is_of_relative(self, a: Number) -> bool:

@@ -23,10 +23,10 @@ from radartrack.verification.subject import generated
 
 pytest.importorskip("flint")
 KEPT = kept()
-PROVED = {name: proved_bounds(row) for name, row in KEPT.items() if proved_bounds(row)}
+PROVED = {name: proved_bounds(row) for name, row in KEPT.items() if "bound" in row["double"]}
 SHOWN = (
     "polar.covariance.linear", "polar.unbiased.estimate", "observe.polar.jacobian", "fusion.weights.two",
-    "finite_sample.degree2.range_rate.covariance", "finite_sample.degree1.range.at_lag.range_weights",
+    "finite_sample.degree2.range_rate.covariance", "finite_sample.degree1.range.range_weights",
     "frames.ecef_from_geodetic.map", "observe.range_difference.jacobian", "ruv.covariance.second_order",
 )  # fmt: skip
 SPLIT = "polar.covariance.averaged"
@@ -166,8 +166,7 @@ def test_what_underflow_takes_is_part_of_the_bound():
     arguments = [positive("a", 1e-3, 1e-1), positive("b", 1.0, 1e5)]
     beside_one = confirmed(source(f"{power} + b"), {**small, "arguments": arguments})
     assert beside_one < 3
-    with pytest.raises(Refused):
-        confirmed(source(f"{power} * b"), {**small, "arguments": arguments})
+    assert confirmed(source(f"{power} * b"), {**small, "arguments": arguments}) > 1e30
 
 
 def test_whole_numbers_are_exact_as_long_as_they_fit():
