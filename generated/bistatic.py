@@ -77,8 +77,8 @@ def map(*, path: npt.ArrayLike, beta: npt.ArrayLike, baseline: npt.ArrayLike) ->
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 3 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 21.1 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 39.1.
     """
     arguments = _floats(path, beta, baseline)
     path, beta, baseline = arguments
@@ -110,8 +110,8 @@ def jacobian(*, path: npt.ArrayLike, beta: npt.ArrayLike, baseline: npt.ArrayLik
     Returns:
         Shape of the broadcast arguments + (2, 2), unit [m, m] × [1/m, 1/rad].
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline)
     path, beta, baseline = arguments
@@ -148,8 +148,8 @@ def hessian(*, path: npt.ArrayLike, beta: npt.ArrayLike, baseline: npt.ArrayLike
     Returns:
         Shape of the broadcast arguments + (2, 2, 2), unit [m, m] × [1/m, 1/rad] × [1/m, 1/rad].
 
-    Accuracy: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline)
     path, beta, baseline = arguments
@@ -214,8 +214,8 @@ def bias_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -287,8 +287,8 @@ def covariance_linear(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 14 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 14 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -372,8 +372,8 @@ def covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 15 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 15 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -633,8 +633,8 @@ def std_linear(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -697,8 +697,8 @@ def std_position(
     Returns:
         Shape of the broadcast arguments, unit m.
 
-    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -770,8 +770,8 @@ def validity_linear(
     Returns:
         Shape of the broadcast arguments + (2), unit 1.
 
-    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -828,8 +828,8 @@ def validity_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit 1.
 
-    Accuracy: at most 5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -909,8 +909,8 @@ def bias_truth_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -982,8 +982,8 @@ def bias_truth_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 7 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 7 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1157,8 +1157,8 @@ def bias_averaged_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1230,8 +1230,8 @@ def bias_averaged_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1405,8 +1405,8 @@ def covariance_truth_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 14 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 14 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1490,8 +1490,8 @@ def covariance_truth_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1857,8 +1857,8 @@ def covariance_averaged_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 14 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 14 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1942,8 +1942,8 @@ def covariance_averaged_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -2308,8 +2308,8 @@ def unbiased_estimate_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 4 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 4 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -2384,8 +2384,8 @@ def unbiased_estimate_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 4 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 4 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -2563,8 +2563,8 @@ def unbiased_covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 14 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 14 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -2648,8 +2648,8 @@ def unbiased_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -3010,8 +3010,8 @@ def posterior_estimate_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -3086,8 +3086,8 @@ def posterior_estimate_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -3265,8 +3265,8 @@ def posterior_covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 14 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 14 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -3350,8 +3350,8 @@ def posterior_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 13.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -3724,8 +3724,8 @@ def decorrelated_covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 14 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 14 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho, predicted_sigma_path, predicted_sigma_beta, predicted_rho)
     path, beta, baseline, sigma_path, sigma_beta, rho, predicted_sigma_path, predicted_sigma_beta, predicted_rho = arguments
@@ -3816,8 +3816,8 @@ def decorrelated_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 13 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 13 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho, predicted_sigma_path, predicted_sigma_beta, predicted_rho)
     path, beta, baseline, sigma_path, sigma_beta, rho, predicted_sigma_path, predicted_sigma_beta, predicted_rho = arguments
@@ -4472,8 +4472,8 @@ def covariance_averaged_semidefinite(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 18.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 18.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -5318,8 +5318,8 @@ def unbiased_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 19.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 19.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -6162,8 +6162,8 @@ def posterior_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 19.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 19.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -7016,8 +7016,8 @@ def decorrelated_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 19 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: measured, not proved: at most 19 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho, predicted_sigma_path, predicted_sigma_beta, predicted_rho)
     path, beta, baseline, sigma_path, sigma_beta, rho, predicted_sigma_path, predicted_sigma_beta, predicted_rho = arguments

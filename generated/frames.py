@@ -70,8 +70,8 @@ def ecef_from_geodetic_map(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 8.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(latitude, longitude, height, semi_major_axis, flattening)
     latitude, longitude, height, semi_major_axis, flattening = arguments
@@ -120,8 +120,8 @@ def ecef_from_geodetic_jacobian(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m] × [1/rad, 1/rad, 1/m].
 
-    Accuracy: at most 3 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 21.2 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(latitude, longitude, height, semi_major_axis, flattening)
     latitude, longitude, height, semi_major_axis, flattening = arguments
@@ -173,8 +173,7 @@ def geodetic_from_ecef_jacobian(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [rad, rad, m] × [1/m, 1/m, 1/m].
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 21 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
     """
     arguments = _floats(latitude, longitude, height, semi_major_axis, flattening)
     latitude, longitude, height, semi_major_axis, flattening = arguments
@@ -233,8 +232,8 @@ def enu_from_ecef_map(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 36.1 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(x, y, z, latitude, longitude, height, semi_major_axis, flattening)
     x, y, z, latitude, longitude, height, semi_major_axis, flattening = arguments
@@ -284,8 +283,8 @@ def enu_from_ecef_jacobian(*, latitude: npt.ArrayLike, longitude: npt.ArrayLike)
     Returns:
         Shape of the broadcast arguments + (3, 3), unit 1.
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 2.89 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 9.82.
     """
     arguments = _floats(latitude, longitude)
     latitude, longitude = arguments
@@ -333,8 +332,8 @@ def antenna_from_enu_map(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 17.5 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(east, north, up, azimuth, tilt, roll)
     east, north, up, azimuth, tilt, roll = arguments
@@ -371,8 +370,9 @@ def antenna_from_enu_jacobian(*, azimuth: npt.ArrayLike, tilt: npt.ArrayLike, ro
     Returns:
         Shape of the broadcast arguments + (3, 3), unit 1.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 12.4 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 263. Errors are measured against the
+    sizes of the terms.
     """
     arguments = _floats(azimuth, tilt, roll)
     azimuth, tilt, roll = arguments
@@ -422,8 +422,8 @@ def face_from_enu_map(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 17.5 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(east, north, up, azimuth, tilt, roll)
     east, north, up, azimuth, tilt, roll = arguments
@@ -460,8 +460,9 @@ def face_from_enu_jacobian(*, azimuth: npt.ArrayLike, tilt: npt.ArrayLike, roll:
     Returns:
         Shape of the broadcast arguments + (3, 3), unit 1.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 12.4 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 263. Errors are measured against the
+    sizes of the terms.
     """
     arguments = _floats(azimuth, tilt, roll)
     azimuth, tilt, roll = arguments

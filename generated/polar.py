@@ -66,8 +66,8 @@ def map(*, r: npt.ArrayLike, beta: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 3.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 9.01.
     """
     arguments = _floats(r, beta)
     r, beta = arguments
@@ -94,8 +94,8 @@ def jacobian(*, r: npt.ArrayLike, beta: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (2, 2), unit [m, m] × [1/m, 1/rad].
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 3.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 9.01.
     """
     arguments = _floats(r, beta)
     r, beta = arguments
@@ -124,8 +124,8 @@ def hessian(*, r: npt.ArrayLike, beta: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (2, 2, 2), unit [m, m] × [1/m, 1/rad] × [1/m, 1/rad].
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 3.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 9.01.
     """
     arguments = _floats(r, beta)
     r, beta = arguments
@@ -168,8 +168,9 @@ def bias_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 6.01 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 9.54; in float32, with
+    functions within 4 of its ulp, at most 12.1.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -208,8 +209,9 @@ def covariance_linear(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 13.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 2300; in float32, with
+    functions within 4 of its ulp, at most 25.1.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -269,8 +271,8 @@ def covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 4 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 22.3 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 39.3.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -344,8 +346,9 @@ def std_linear(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 7.51 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1150; in float32, with
+    functions within 4 of its ulp, at most 13.6.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -387,8 +390,9 @@ def std_position(
     Returns:
         Shape of the broadcast arguments, unit m.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 8.51 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 8.51; in float32, with
+    functions within 4 of its ulp, at most 14.6.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -428,8 +432,9 @@ def validity_linear(
     Returns:
         Shape of the broadcast arguments + (2), unit 1.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 6.01 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 7.51; in float32, with
+    functions within 4 of its ulp, at most 6.01.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -466,8 +471,8 @@ def validity_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit 1.
 
-    Accuracy: at most 2 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 7.01 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 9.01.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -505,8 +510,8 @@ def covariance_third_order(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 209 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 251.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -604,8 +609,9 @@ def bias_truth(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 8.01 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 13.8; in float32, with
+    functions within 4 of its ulp, at most 20.1.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -646,8 +652,8 @@ def bias_averaged(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 12.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 30.1.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -695,8 +701,8 @@ def covariance_truth(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 4 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 23.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 59.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -776,8 +782,8 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 46 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -874,8 +880,9 @@ def unbiased_estimate(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 2.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 8.01 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 14.9; in float32, with
+    functions within 4 of its ulp, at most 20.1.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -916,8 +923,8 @@ def unbiased_covariance(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 44 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 96.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -1013,8 +1020,9 @@ def posterior_estimate(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 7.01 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 13.5; in float32, with
+    functions within 4 of its ulp, at most 19.1.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -1054,8 +1062,8 @@ def posterior_covariance(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 4 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 23.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 80.9.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -1142,8 +1150,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 52.9 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 225.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho, predicted_sigma_r, predicted_sigma_beta, predicted_rho)
     r, beta, sigma_r, sigma_beta, rho, predicted_sigma_r, predicted_sigma_beta, predicted_rho = arguments
@@ -1252,8 +1260,8 @@ def unbiased_covariance_truth(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 29.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 108.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments
@@ -1332,8 +1340,8 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors).
+    Accuracy: at most 48.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho)
     r, beta, sigma_r, sigma_beta, rho = arguments

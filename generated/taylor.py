@@ -56,8 +56,8 @@ def quadratic_term(
     Returns:
         Shape of the broadcast arguments, unit m.
 
-    Accuracy: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 5.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(f_xx, f_xy, f_yy, dx, dy)
     f_xx, f_xy, f_yy, dx, dy = arguments
@@ -93,8 +93,9 @@ def mean_shift(
     Returns:
         Shape of the broadcast arguments, unit m.
 
-    Accuracy: at most 1 ulp from 50-digit arithmetic at 500 points of this domain (float64, independent
-    errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 3.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 237. Errors are measured against the
+    sizes of the terms.
     """
     arguments = _floats(f_xx, f_xy, f_yy, D_1, D_2, K_12)
     f_xx, f_xy, f_yy, D_1, D_2, K_12 = arguments

@@ -53,6 +53,12 @@ CHUNK = 20  # neighbours in the catalogue share what they are derived from
 POINTS = 500
 PACKAGE = '"""NumPy functions written from the derivations; see the docstring of each for source and accuracy."""\n'
 
+PROVED_FOR = {
+    "double": ", proved for elementary functions within 1 ulp (float64)",
+    "independent": " with independent errors, proved for elementary functions within 1 ulp (float64)",
+    "correlated": "with correlations up to 0.99 in size",
+    "single": "in float32, with functions within 4 of its ulp,",
+}
 BOOK = "formulas.md"
 SCREENING = "screening.json"
 Files = dict[str, str]
@@ -77,7 +83,7 @@ class Accuracy:
         ulp: the largest error in double precision.
         single: that in single precision, in ulp of that.
         single_points: at how many points that was: where nothing leaves the range of single precision.
-        proved: bounds that certificates prove, in ulp: "double", "correlated", "single".
+        proved: bounds that certificates prove, in ulp, by what they are for, a key of `PROVED_FOR`.
     """
 
     code: str
@@ -94,13 +100,14 @@ class Accuracy:
     @property
     def sentence(self) -> str:
         """For the docstring: what is proved, else what was measured."""
-        if "double" not in self.proved:
-            return f"measured, not proved: {self.measured}"
-        said = [f"at most {self.proved['double']:g} ulp of float64 anywhere in this domain, proved"]
-        if "correlated" in self.proved:
-            said.append(f"at most {self.proved['correlated']:g} for correlations up to 0.99 in size")
-        if "single" in self.proved:
-            said.append(f"at most {self.proved['single']:g} ulp of float32 in float32")
+        if not self.proved:
+            return f"measured, not proved: {self.measured}" if not math.isnan(self.ulp) else self.measured
+        said = [
+            f"at most {bound:g} ulp anywhere in this domain{PROVED_FOR[kind]}"
+            if kind in {"double", "independent"}
+            else f"{PROVED_FOR[kind]} at most {bound:g}"
+            for kind, bound in self.proved.items()
+        ]
         return f"{'; '.join(said)}."
 
     @property
@@ -387,8 +394,15 @@ def with_proofs(functions: Iterable[Function], record: Record) -> Record:
         if known.get(name) is function.quantity and row.get("code") == code_of(
             function.text(""), function.quantity.function
         ):
-            found[name] = replace(record[name], proved=proved_bounds(row))
+            found[name] = replace(record[name], proved=_said(function.quantity, proved_bounds(row)))
     return found
+
+
+def _said(quantity: Quantity, bounds: Mapping[str, float]) -> Mapping[str, float]:
+    """The bounds of a docstring: none without one in double precision, which is not all where errors correlate."""
+    if "double" not in bounds or not any(symbol.is_correlation for symbol in quantity.symbols):
+        return bounds if "double" in bounds else {}
+    return {"independent": bounds["double"]} | {kind: bound for kind, bound in bounds.items() if kind != "double"}
 
 
 def record_text(record: Record) -> str:

@@ -13,12 +13,14 @@ from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.domain_points import Points, sample
 from radartrack.verification.error_in_ulp import errors
+from radartrack.verification.rounding.certificates import kept, proved_bounds
 from tests import conversions
 
 POINTS = 60
 HEADROOM = 1.0
 LARGEST = {"polar": 8.0, "bistatic": 24.0}  # whose series have high powers of baseline over path
 LARGEST_ELSEWHERE = 16.0
+CERTIFICATES = kept()
 RECORD = json.loads((Path(radartrack.generated.__path__[0]) / "accuracy.json").read_text())
 
 
@@ -36,10 +38,17 @@ def test_the_error_is_the_stated_one_at_points_that_were_not_measured_and_within
 
 
 @pytest.mark.parametrize("quantity", conversions.QUANTITIES, ids=conversions.ids)
-def test_the_docstring_states_the_recorded_error(quantity: Quantity):
-    stated = re.search(r"Accuracy: at most (\S+) ulp", conversions.generated(quantity).__doc__ or "")
+def test_the_docstring_states_the_proved_bound_and_where_there_is_none_the_measured_error(quantity: Quantity):
+    text = " ".join((conversions.generated(quantity).__doc__ or "").split())
+    bounds = proved_bounds(CERTIFICATES[quantity.name])
+    start = "Accuracy: at most" if "double" in bounds else "Accuracy: measured, not proved: at most"
+    stated = re.search(rf"{start} (\S+) ulp", text)
     assert stated is not None
-    assert float(stated[1]) == pytest.approx(RECORD[quantity.name]["ulp"], rel=1e-4)
+    assert float(stated[1]) == pytest.approx(bounds.get("double", RECORD[quantity.name]["ulp"]), rel=1e-4)
+    if "double" in bounds:
+        correlates = any(symbol.is_correlation for symbol in quantity.symbols)
+        assert ("with independent errors" in text) == correlates
+        assert ("with correlations up to 0.99" in text) == ("correlated" in bounds)
 
 
 @pytest.mark.parametrize(

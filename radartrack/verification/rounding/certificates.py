@@ -144,7 +144,7 @@ def certificate(quantity: Quantity, source: str, enough: float, most: int, secon
 
 def _best(quantity: Quantity, source: str, kind: Row, enough: float, most: int, seconds: float) -> Row:
     """The first bound that is good enough, else the smallest, else why there is none."""
-    reason, best = "", {}
+    reason, best = "", Row()
     for boxes in (_one_each, _split, bisected):
         try:
             claim = claim_of(quantity, {}, **kind)

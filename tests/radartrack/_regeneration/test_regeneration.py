@@ -257,8 +257,8 @@ def make_syntax_error(out: Path) -> None:
 DAMAGES: dict[Callable[[Path], None], list[str]] = {
     edit_code: ["polar.py on disk", "-    result[..., 1] = -r * sin_beta", "+    result[..., 1] = r * sin_beta"],
     edit_docstring: ['-    """Bias of', '+    """Exact bias of'],
-    edit_accuracy: ["-    Accuracy: at most 1 ulp", "+    Accuracy: at most 0.5 ulp"],
-    drop_measurement: ["+    Accuracy: not measured."],
+    edit_accuracy: ["written.json on disk"],
+    drop_measurement: ["accuracy.json on disk"],
     leave_only_what_the_package_has_too: ["written.json: missing", "polar.py: missing"],
     remove_module: ["polar.py: missing"],
     remove_marker: ["py.typed: missing"],
