@@ -2962,8 +2962,7 @@ def degree3_range_rate_information(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [1/m, s/m, s^2/m, s^3/m] × [1/m, s/m, s^2/m, s^3/m].
 
-    Accuracy: at most 90.7 ulp anywhere in this domain, proved for elementary functions within 1 ulp
-    (float64).
+    Accuracy: at most 57 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
     """
     arguments = _floats(k, T, sigma_r, C)
     k, T, sigma_r, C = arguments
