@@ -191,8 +191,9 @@ def _draw(chosen: Sequence[str], path: Path) -> None:
         typer.BadParameter: for several functions, one without arguments, or another kind of file.
     """
     _refuse_without("matplotlib", "--plot needs the extra: pip install radartrack[plots]")
+    from radartrack._reports.error_plot import error_plot
     from radartrack.derive.catalogue import catalogue
-    from radartrack.verification.error_plot import error_plot, errors_over_domain
+    from radartrack.verification.errors_over_domain import errors_over_domain
     from radartrack.verification.rounding.certificates import kept, proved_bounds
 
     kind = path.suffix.lower().removeprefix(".")
@@ -203,7 +204,7 @@ def _draw(chosen: Sequence[str], path: Path) -> None:
     quantity = catalogue()[chosen[0]]
     if not quantity.symbols:
         raise typer.BadParameter(f"{quantity.name} has no arguments to draw its errors over")
-    picture = error_plot(quantity, errors_over_domain(quantity), proved_bounds(kept().get(quantity.name, {})))
+    picture = error_plot(errors_over_domain(quantity), proved_bounds(kept().get(quantity.name, {})))
     path.write_bytes(picture.svg() if kind == "svg" else picture.png())
     terminal.say(picture.caption)
 
