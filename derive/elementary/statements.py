@@ -1,0 +1,151 @@
+"""Sine, cosine, e^x and e^x − 1 as statements without a branch, so that compilers compute several at once.
+
+An argument is reduced to a small one by a multiple of π/2 or ln 2 (Cody & Waite, Software Manual for the Elementary
+Functions, 1980), whose last bits are kept beside it; then come polynomials. Nothing is assumed of the order in which a
+processor rounds but IEEE 754 in the type's own precision, without products and sums in one rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from radartrack.derive.elementary import coefficients
+from radartrack.derive.elementary.precision import Precision
+
+SATURATED = 64.0  # binary logarithm of e^x above which 1 less is nothing, and below minus which e^x is
+ARGUMENT = "x"
+
+
+class Dialect(Protocol):
+    """How a language writes what languages write differently."""
+
+    def number(self, value: float) -> str:
+        """A number of the precision."""
+
+    def absolute(self, value: str) -> str:
+        """The size of a number."""
+
+    def chosen(self, condition: str, first: str, second: str) -> str:
+        """The first where the condition holds, else the second; both are computed."""
+
+    def power_of_two(self, exponent: str) -> str:
+        """2 to a whole power."""
+
+
+@dataclass(frozen=True)
+class Steps:
+    """What is computed of `x`.
+
+    Attributes:
+        assignments: names and expressions of + − × and what a dialect has, in order.
+        results: expressions.
+    """
+
+    assignments: tuple[tuple[str, str], ...]
+    results: tuple[str, ...]
+
+
+def angle_less_quarters(precision: Precision, say: Dialect) -> Steps:
+    """x less its nearest multiple of π/2, up to the largest angle: `quarters`, the rest `y` and what `y` lacks, `y_low`.
+
+    What a difference loses is kept, and the last part of π/2 is taken from that.
+    """
+    first, *others, last = (say.number(part) for part in coefficients.right_angle(precision))
+    whole = say.number(precision.to_whole)
+    steps = [
+        ("quarters", f"({ARGUMENT} * {say.number(coefficients.inverses(precision)[0])} + {whole}) - {whole}"),
+        ("rest", f"{ARGUMENT} - quarters * {first}"),
+    ]
+    rest, low = "rest", ""
+    for n, part in enumerate(others, start=2):
+        steps += [
+            (f"part_{n}", f"quarters * {part}"),
+            (f"rest_{n}", f"{rest} - part_{n}"),
+            (f"low_{n}", f"{low}(({rest} - rest_{n}) - part_{n})" if low else f"({rest} - rest_{n}) - part_{n}"),
+        ]
+        rest, low = f"rest_{n}", f"low_{n} + "
+    steps += [
+        ("low", f"{low.removesuffix(' + ')} - quarters * {last}"),
+        ("y", f"{rest} + low"),
+        ("y_low", f"({rest} - y) + low"),
+    ]
+    return Steps(tuple(steps), ("quarters", "y", "y_low"))
+
+
+def sine_and_cosine(precision: Precision, say: Dialect) -> Steps:
+    """Of `quarters` π/2 + `y` + `y_low`."""
+    one, whole = say.number(1.0), say.number(precision.to_whole)
+    steps = [
+        ("square", "y * y"),
+        ("half_square", f"{say.number(0.5)} * square"),
+        ("sine_series", _horner(coefficients.sine(precision), "square", say)),
+        ("sine", "y + (square * y * sine_series + (y_low - half_square * y_low))"),
+        ("head", f"{one} - half_square"),
+        ("cosine_series", _horner(coefficients.cosine(precision), "square", say)),
+        ("cosine", f"head + ((({one} - head) - half_square) + (square * square * cosine_series - y * y_low))"),
+        ("quadrant", f"quarters - {say.number(4.0)} * ((quarters * {say.number(0.25)} + {whole}) - {whole})"),
+        ("even", f"{one} - {say.absolute('quadrant')}"),
+    ]
+    odd = f"quadrant * quadrant == {one}"
+    results = (say.chosen(odd, "quadrant * cosine", "even * sine"), say.chosen(odd, "-quadrant * sine", "even * cosine"))
+    return Steps(tuple(steps), results)
+
+
+def exponential(precision: Precision, say: Dialect) -> Steps:
+    """e^x for every number: zero and infinite where it is too small and too large."""
+    reduced, result = _exponential(precision, say)
+    return Steps(tuple(reduced), (result,))
+
+
+def exponential_less_one(precision: Precision, say: Dialect) -> Steps:
+    """e^x − 1 for every number."""
+    n = say.number
+    reduced, whole_result = _exponential(precision, say)
+    saturated = n(SATURATED)
+    steps = [
+        *reduced,
+        ("not_many", say.chosen(f"doublings > {saturated}", saturated, "doublings")),
+        ("few", say.chosen(f"not_many < -{saturated}", f"-{saturated}", "not_many")),
+        ("scale", say.power_of_two("few")),
+        ("shifted", f"scale - {n(1.0)}"),
+        ("unshifted", f"(scale - shifted) - {n(1.0)}"),
+        ("scaled", "scale * rest"),
+        ("total", "shifted + scaled"),
+        ("back", "total - shifted"),
+        ("lost_again", "(shifted - (total - back)) + (scaled - back)"),
+        ("near", "total + (lost_again + (unshifted + scale * tail))"),
+    ]
+    return Steps(tuple(steps), (say.chosen(f"doublings > {saturated}", whole_result, "near"),))
+
+
+def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, str]], str]:
+    """What e^x and e^x − 1 share, and e^x: 2^doublings (1 + rest + tail), in two factors, as it may be subnormal."""
+    n = say.number
+    whole = n(precision.to_whole)
+    (lowest, highest), (first, second) = precision.exponents, coefficients.doubling(precision)
+    steps = [
+        ("not_huge", say.chosen(f"{ARGUMENT} > {n(highest)}", n(highest), ARGUMENT)),
+        ("given", say.chosen(f"not_huge < {n(lowest)}", n(lowest), "not_huge")),
+        ("doublings", f"(given * {n(coefficients.inverses(precision)[1])} + {whole}) - {whole}"),
+        ("high", f"given - doublings * {n(first)}"),
+        ("low", f"doublings * {n(second)}"),
+        ("rest", "high - low"),
+        ("lost", "(high - rest) - low"),
+        ("square", "rest * rest"),
+        ("series", _horner(coefficients.exponential(precision), "rest", say)),
+        ("tail", f"{n(0.5)} * square + (lost + rest * (lost + square * series))"),
+        ("half", f"(doublings * {n(0.5)} + {whole}) - {whole}"),
+    ]
+    powers = f"{say.power_of_two('half')} * {say.power_of_two('doublings - half')}"
+    return steps, f"({n(1.0)} + (rest + tail)) * {powers}"
+
+
+def _horner(values: Sequence[float], variable: str, say: Dialect) -> str:
+    """A polynomial from the inside outward."""
+    *others, last = values
+    text = say.number(last)
+    for value in reversed(others):
+        text = f"{say.number(value)} + {variable} * {text if text == say.number(last) else f'({text})'}"
+    return text
