@@ -3,7 +3,7 @@
 Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle, beyond which
 they are NaN. The bits are the same on every processor. A zero has no sign.
 
-Written by radartrack regenerate, generator 1, derivation 50af73a2eb22e785; not to be edited.
+Written by radartrack regenerate, generator 1, derivation a0e1558286aa3d9a; not to be edited.
 """
 
 import math
@@ -66,9 +66,10 @@ def exp(x: float) -> float:
     lost = (high - rest) - low
     square = rest * rest
     series = 0.16666666666666677 + rest * (0.04166666666666669 + rest * (0.008333333333321776 + rest * (0.0013888888888887085 + rest * (0.0001984126988534903 + rest * (2.480158729409885e-05 + rest * (2.7557245196161155e-06 + rest * (2.755731641442066e-07 + rest * (2.510865616449033e-08 + rest * 2.0897835056122505e-09))))))))
-    tail = 0.5 * square + (lost + rest * (lost + square * series))
+    half_square = 0.5 * square
+    tail = lost + rest * (lost + square * series)
     half = (doublings * 0.5 + 6755399441055744.0) - 6755399441055744.0
-    return (1.0 + (rest + tail)) * power_of_two(half) * power_of_two(doublings - half)
+    return (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)
 
 
 def expm1(x: float) -> float:
@@ -82,19 +83,19 @@ def expm1(x: float) -> float:
     lost = (high - rest) - low
     square = rest * rest
     series = 0.16666666666666677 + rest * (0.04166666666666669 + rest * (0.008333333333321776 + rest * (0.0013888888888887085 + rest * (0.0001984126988534903 + rest * (2.480158729409885e-05 + rest * (2.7557245196161155e-06 + rest * (2.755731641442066e-07 + rest * (2.510865616449033e-08 + rest * 2.0897835056122505e-09))))))))
-    tail = 0.5 * square + (lost + rest * (lost + square * series))
+    half_square = 0.5 * square
+    tail = lost + rest * (lost + square * series)
     half = (doublings * 0.5 + 6755399441055744.0) - 6755399441055744.0
-    not_many = chosen(doublings > 64.0, 64.0, doublings)
-    few = chosen(not_many < -64.0, -64.0, not_many)
-    scale = power_of_two(few)
+    few = chosen(doublings > 64.0, 64.0, doublings)
+    scale = chosen(doublings < -53.0, 0.0, power_of_two(few))
     shifted = scale - 1.0
     unshifted = (scale - shifted) - 1.0
     scaled = scale * rest
     total = shifted + scaled
     back = total - shifted
     lost_again = (shifted - (total - back)) + (scaled - back)
-    near = total + (lost_again + (unshifted + scale * tail))
-    return chosen(doublings > 64.0, (1.0 + (rest + tail)) * power_of_two(half) * power_of_two(doublings - half), near)
+    near = total + (scale * half_square + (lost_again + (unshifted + scale * tail)))
+    return chosen(doublings > 64.0, (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half), near)
 
 
 def sin_and_cos_single(angle: float) -> tuple[float, float]:
@@ -144,9 +145,10 @@ def exp_single(x: float) -> float:
     lost = (high - rest) - low
     square = rest * rest
     series = 0.1666666567325592 + rest * (0.04166649281978607 + rest * (0.008333547040820122 + rest * (0.0013932316796854138 + rest * 0.00019760899886023253)))
-    tail = 0.5 * square + (lost + rest * (lost + square * series))
+    half_square = 0.5 * square
+    tail = lost + rest * (lost + square * series)
     half = (doublings * 0.5 + 12582912.0) - 12582912.0
-    return (1.0 + (rest + tail)) * power_of_two(half) * power_of_two(doublings - half)
+    return (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)
 
 
 def expm1_single(x: float) -> float:
@@ -160,16 +162,16 @@ def expm1_single(x: float) -> float:
     lost = (high - rest) - low
     square = rest * rest
     series = 0.1666666567325592 + rest * (0.04166649281978607 + rest * (0.008333547040820122 + rest * (0.0013932316796854138 + rest * 0.00019760899886023253)))
-    tail = 0.5 * square + (lost + rest * (lost + square * series))
+    half_square = 0.5 * square
+    tail = lost + rest * (lost + square * series)
     half = (doublings * 0.5 + 12582912.0) - 12582912.0
-    not_many = chosen(doublings > 64.0, 64.0, doublings)
-    few = chosen(not_many < -64.0, -64.0, not_many)
-    scale = power_of_two(few)
+    few = chosen(doublings > 64.0, 64.0, doublings)
+    scale = chosen(doublings < -24.0, 0.0, power_of_two(few))
     shifted = scale - 1.0
     unshifted = (scale - shifted) - 1.0
     scaled = scale * rest
     total = shifted + scaled
     back = total - shifted
     lost_again = (shifted - (total - back)) + (scaled - back)
-    near = total + (lost_again + (unshifted + scale * tail))
-    return chosen(doublings > 64.0, (1.0 + (rest + tail)) * power_of_two(half) * power_of_two(doublings - half), near)
+    near = total + (scale * half_square + (lost_again + (unshifted + scale * tail)))
+    return chosen(doublings > 64.0, (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half), near)

@@ -150,5 +150,5 @@ def _names(function: ast.FunctionDef) -> list[str]:
     """The plain numbers of a function: its arguments and intermediates."""
     given = [argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)]
     made = [n.id for n in inside(function) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
-    arrays = {"arguments", "result", "mean", "covariance", "i"}
-    return [name for name in dict.fromkeys([*given, *made]) if name not in arrays and not name.startswith("all_")]
+    arrays = {"arguments", "result", "given", "mean", "covariance", "i"}
+    return [name for name in dict.fromkeys([*given, *made]) if name not in arrays]

@@ -14,7 +14,7 @@ from typing import Protocol
 from radartrack.derive.elementary import coefficients
 from radartrack.derive.elementary.precision import Precision
 
-SATURATED = 64.0  # binary logarithm of e^x above which 1 less is nothing, and below minus which e^x is
+SATURATED = 64.0  # binary logarithm of e^x above which 1 less is nothing
 ARGUMENT = "x"
 
 
@@ -106,22 +106,22 @@ def exponential_less_one(precision: Precision, say: Dialect) -> Steps:
     saturated = n(SATURATED)
     steps = [
         *reduced,
-        ("not_many", say.chosen(f"doublings > {saturated}", saturated, "doublings")),
-        ("few", say.chosen(f"not_many < -{saturated}", f"-{saturated}", "not_many")),
-        ("scale", say.power_of_two("few")),
+        ("few", say.chosen(f"doublings > {saturated}", saturated, "doublings")),
+        ("scale", say.chosen(f"doublings < {n(-float(precision.bits))}", n(0.0), say.power_of_two("few"))),
         ("shifted", f"scale - {n(1.0)}"),
         ("unshifted", f"(scale - shifted) - {n(1.0)}"),
         ("scaled", "scale * rest"),
         ("total", "shifted + scaled"),
         ("back", "total - shifted"),
         ("lost_again", "(shifted - (total - back)) + (scaled - back)"),
-        ("near", "total + (lost_again + (unshifted + scale * tail))"),
+        ("near", "total + (scale * half_square + (lost_again + (unshifted + scale * tail)))"),
     ]
     return Steps(tuple(steps), (say.chosen(f"doublings > {saturated}", whole_result, "near"),))
 
 
 def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, str]], str]:
-    """What e^x and e^x − 1 share, and e^x: 2^doublings (1 + rest + tail), in two factors, as it may be subnormal."""
+    """What e^x and e^x − 1 share, and e^x: 2^doublings (1 + rest + ½ rest² + tail), its power in two factors, as it may be
+    subnormal."""
     n = say.number
     whole = n(precision.to_whole)
     (lowest, highest), (first, second) = precision.exponents, coefficients.doubling(precision)
@@ -135,11 +135,12 @@ def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, st
         ("lost", "(high - rest) - low"),
         ("square", "rest * rest"),
         ("series", _horner(coefficients.exponential(precision), "rest", say)),
-        ("tail", f"{n(0.5)} * square + (lost + rest * (lost + square * series))"),
+        ("half_square", f"{n(0.5)} * square"),
+        ("tail", "lost + rest * (lost + square * series)"),
         ("half", f"(doublings * {n(0.5)} + {whole}) - {whole}"),
     ]
     powers = f"{say.power_of_two('half')} * {say.power_of_two('doublings - half')}"
-    return steps, f"({n(1.0)} + (rest + tail)) * {powers}"
+    return steps, f"({n(1.0)} + (rest + (half_square + tail))) * {powers}"
 
 
 def _horner(values: Sequence[float], variable: str, say: Dialect) -> str:

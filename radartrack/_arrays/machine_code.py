@@ -62,8 +62,8 @@ def conversion(name: str, coordinates: int) -> Callable[..., None] | None:
 
     def fill(*arrays: RealArray) -> None:
         *inputs, mean, covariance = arrays
-        spread = (array if array.ndim else np.ndarray(len(mean), array.dtype, array, strides=(0,)) for array in inputs)
-        if not compiled(tuple(spread), mean, covariance):
+        columns = (np.ascontiguousarray(array).reshape(-1) for array in inputs)  # one entry where all plots share it
+        if not compiled(tuple(columns), mean, covariance):
             over_arrays(*inputs, mean, covariance)
 
     return fill

@@ -71,7 +71,7 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     loop_inlined = numba.njit(**inlined)(_with(loop, {"math": functions}))
     filling = _with(_fill, {"LOOP": loop_inlined, "COORDINATES": coordinates})
     filling.__qualname__ = f"{loop.__name__}_{_digest(loop)}"  # by which Numba finds what it kept
-    readable = numba.types.Array(numba.float64, 1, "A", readonly=True)
+    readable = numba.types.Array(numba.float64, 1, "C", readonly=True)
     outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
     found: Any = numba.njit(**options)(filling)
     found.compile((numba.types.UniTuple(readable, inputs), *outputs))
@@ -96,20 +96,25 @@ COORDINATES = 0
 
 def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray) -> bool:
     """The columns have sizes that are known to the compiler, so it sees that they do not overlap."""
-    given = np.ones((len(inputs), PLOTS))
+    given = np.empty((len(inputs), PLOTS))
     means, covariances = np.empty((COORDINATES, PLOTS)), np.empty((COORDINATES, COORDINATES, PLOTS))
     strange = 0
+    for n in range(len(inputs) if len(mean) else 0):
+        given[n] = inputs[n][0]
     for start in range(0, len(mean), PLOTS):
         count = min(PLOTS, len(mean) - start)
         for n in range(len(inputs)):
             column = inputs[n]
-            for i in range(count):
-                given[n, i] = column[start + i]
+            if len(column) > 1:
+                for i in range(count):
+                    given[n, i] = column[start + i]
         LOOP(given, means.T, covariances.T)
         for i in range(count):
             for a in range(COORDINATES):
-                strange += means[a, i] != means[a, i]  # noqa: PLR0124 - NaN
                 mean[start + i, a] = means[a, i]
                 for b in range(COORDINATES):
                     covariance[start + i, a, b] = covariances[b, a, i]
+        for a in range(COORDINATES):
+            for i in range(count):
+                strange += means[a, i] != means[a, i]  # noqa: PLR0124 - NaN
     return strange == 0
