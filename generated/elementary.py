@@ -3,7 +3,7 @@
 Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle, beyond which
 they are NaN. The bits are the same on every processor. A zero has no sign.
 
-Written by radartrack regenerate, generator 1, derivation a0e1558286aa3d9a; not to be edited.
+Written by radartrack regenerate, generator 1, derivation df4eb903e51298bf; not to be edited.
 """
 
 import math
@@ -36,13 +36,13 @@ def sin_and_cos(angle: float) -> tuple[float, float]:
     square = y * y
     half_square = 0.5 * square
     sine_series = -0.1666666666666663 + square * (0.00833333333332184 + square * (-0.0001984126982935879 + square * (2.7557313538704223e-06 + square * (-2.5050734432917588e-08 + square * 1.5895436509772881e-10))))
-    sine = y + (square * y * sine_series + (y_low - half_square * y_low))
+    sine_of_y = y + (square * y * sine_series + (y_low - half_square * y_low))
     head = 1.0 - half_square
     cosine_series = 0.041666666666666595 + square * (-0.0013888888888873338 + square * (2.4801587288997356e-05 + square * (-2.755731421522648e-07 + square * (2.0875705101376363e-09 + square * -1.1358731946151996e-11))))
-    cosine = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
+    cosine_of_y = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
     quadrant = quarters - 4.0 * ((quarters * 0.25 + 6755399441055744.0) - 6755399441055744.0)
     even = 1.0 - abs(quadrant)
-    return chosen(quadrant * quadrant == 1.0, quadrant * cosine, even * sine), chosen(quadrant * quadrant == 1.0, -quadrant * sine, even * cosine)
+    return chosen(quadrant * quadrant == 1.0, quadrant * cosine_of_y, even * sine_of_y), chosen(quadrant * quadrant == 1.0, -quadrant * sine_of_y, even * cosine_of_y)
 
 
 def sin(angle: float) -> float:
@@ -115,13 +115,13 @@ def sin_and_cos_single(angle: float) -> tuple[float, float]:
     square = y * y
     half_square = 0.5 * square
     sine_series = -0.16666655242443085 + square * (0.008332189172506332 + square * -0.0001951828453456983)
-    sine = y + (square * y * sine_series + (y_low - half_square * y_low))
+    sine_of_y = y + (square * y * sine_series + (y_low - half_square * y_low))
     head = 1.0 - half_square
     cosine_series = 0.04166664555668831 + square * (-0.0013887309469282627 + square * 2.4432327336398885e-05)
-    cosine = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
+    cosine_of_y = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
     quadrant = quarters - 4.0 * ((quarters * 0.25 + 12582912.0) - 12582912.0)
     even = 1.0 - abs(quadrant)
-    return chosen(quadrant * quadrant == 1.0, quadrant * cosine, even * sine), chosen(quadrant * quadrant == 1.0, -quadrant * sine, even * cosine)
+    return chosen(quadrant * quadrant == 1.0, quadrant * cosine_of_y, even * sine_of_y), chosen(quadrant * quadrant == 1.0, -quadrant * sine_of_y, even * cosine_of_y)
 
 
 def sin_single(angle: float) -> float:

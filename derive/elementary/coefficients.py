@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 
 import mpmath
@@ -59,13 +60,23 @@ def exponential(precision: Precision) -> tuple[float, ...]:
 @cache
 def right_angle(precision: Precision) -> tuple[float, ...]:
     """π/2 in parts, all but the last so short that multiples of them are exact, and differences too."""
-    spare = precision.quarter_bits + 2
+    short = precision.bits - precision.quarter_bits - 2
+    return _in_parts([short] * precision.exact_parts + [precision.bits])
+
+
+@cache
+def pieces_of_right_angle(bits: int) -> tuple[float, ...]:
+    """π/2 in three parts of so many bits."""
+    return _in_parts([bits] * 3)
+
+
+def _in_parts(bits: Sequence[int]) -> tuple[float, ...]:
     with mpmath.workprec(BITS):
         rest, found = mpmath.pi / 2, list[float]()
-        for _ in range(precision.exact_parts):
-            found.append(rounded(rest, precision.bits - spare))
+        for each in bits:
+            found.append(rounded(rest, each))
             rest -= found[-1]
-        return (*found, rounded(rest, precision.bits))
+    return tuple(found)
 
 
 @cache

@@ -33,6 +33,9 @@ class Dialect(Protocol):
     def power_of_two(self, exponent: str) -> str:
         """2 to a whole power."""
 
+    def in_type(self, value: str) -> str:
+        """A value rounded to the precision, where a language may compute in a wider one."""
+
 
 @dataclass(frozen=True)
 class Steps:
@@ -53,9 +56,8 @@ def angle_less_quarters(precision: Precision, say: Dialect) -> Steps:
     What a difference loses is kept, and the last part of π/2 is taken from that.
     """
     first, *others, last = (say.number(part) for part in coefficients.right_angle(precision))
-    whole = say.number(precision.to_whole)
     steps = [
-        ("quarters", f"({ARGUMENT} * {say.number(coefficients.inverses(precision)[0])} + {whole}) - {whole}"),
+        ("quarters", _whole(f"{ARGUMENT} * {say.number(coefficients.inverses(precision)[0])}", precision, say)),
         ("rest", f"{ARGUMENT} - quarters * {first}"),
     ]
     rest, low = "rest", ""
@@ -76,20 +78,20 @@ def angle_less_quarters(precision: Precision, say: Dialect) -> Steps:
 
 def sine_and_cosine(precision: Precision, say: Dialect) -> Steps:
     """Of `quarters` π/2 + `y` + `y_low`."""
-    one, whole = say.number(1.0), say.number(precision.to_whole)
+    one, quarter = say.number(1.0), f"quarters * {say.number(0.25)}"
     steps = [
         ("square", "y * y"),
         ("half_square", f"{say.number(0.5)} * square"),
         ("sine_series", _horner(coefficients.sine(precision), "square", say)),
-        ("sine", "y + (square * y * sine_series + (y_low - half_square * y_low))"),
+        ("sine_of_y", "y + (square * y * sine_series + (y_low - half_square * y_low))"),
         ("head", f"{one} - half_square"),
         ("cosine_series", _horner(coefficients.cosine(precision), "square", say)),
-        ("cosine", f"head + ((({one} - head) - half_square) + (square * square * cosine_series - y * y_low))"),
-        ("quadrant", f"quarters - {say.number(4.0)} * ((quarters * {say.number(0.25)} + {whole}) - {whole})"),
+        ("cosine_of_y", f"head + ((({one} - head) - half_square) + (square * square * cosine_series - y * y_low))"),
+        ("quadrant", f"quarters - {say.number(4.0)} * ({_whole(quarter, precision, say)})"),
         ("even", f"{one} - {say.absolute('quadrant')}"),
     ]
     odd = f"quadrant * quadrant == {one}"
-    results = (say.chosen(odd, "quadrant * cosine", "even * sine"), say.chosen(odd, "-quadrant * sine", "even * cosine"))
+    results = (say.chosen(odd, "quadrant * cosine_of_y", "even * sine_of_y"), say.chosen(odd, "-quadrant * sine_of_y", "even * cosine_of_y"))
     return Steps(tuple(steps), results)
 
 
@@ -123,12 +125,11 @@ def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, st
     """What e^x and e^x − 1 share, and e^x: 2^doublings (1 + rest + ½ rest² + tail), its power in two factors, as it may be
     subnormal."""
     n = say.number
-    whole = n(precision.to_whole)
     (lowest, highest), (first, second) = precision.exponents, coefficients.doubling(precision)
     steps = [
         ("not_huge", say.chosen(f"{ARGUMENT} > {n(highest)}", n(highest), ARGUMENT)),
         ("given", say.chosen(f"not_huge < {n(lowest)}", n(lowest), "not_huge")),
-        ("doublings", f"(given * {n(coefficients.inverses(precision)[1])} + {whole}) - {whole}"),
+        ("doublings", _whole(f"given * {n(coefficients.inverses(precision)[1])}", precision, say)),
         ("high", f"given - doublings * {n(first)}"),
         ("low", f"doublings * {n(second)}"),
         ("rest", "high - low"),
@@ -137,10 +138,16 @@ def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, st
         ("series", _horner(coefficients.exponential(precision), "rest", say)),
         ("half_square", f"{n(0.5)} * square"),
         ("tail", "lost + rest * (lost + square * series)"),
-        ("half", f"(doublings * {n(0.5)} + {whole}) - {whole}"),
+        ("half", _whole(f"doublings * {n(0.5)}", precision, say)),
     ]
     powers = f"{say.power_of_two('half')} * {say.power_of_two('doublings - half')}"
     return steps, f"({n(1.0)} + (rest + (half_square + tail))) * {powers}"
+
+
+def _whole(value: str, precision: Precision, say: Dialect) -> str:
+    """The nearest whole number: what is added leaves no place for more, and is taken off again."""
+    more = say.number(precision.to_whole)
+    return f"{say.in_type(f'{value} + {more}')} - {more}"
 
 
 def _horner(values: Sequence[float], variable: str, say: Dialect) -> str:

@@ -54,6 +54,10 @@ class Python:
         """The function of the module."""
         return f"power_of_two({exponent})"
 
+    def in_type(self, value: str) -> str:
+        """As it is: Python computes in no wider one."""
+        return f"({value})"
+
 
 def module_text() -> str:
     """The module."""

@@ -40,7 +40,7 @@ SHAPES = {
     ],
 }
 FUNCTIONS = ("sin", "cos", "exp", "expm1")
-PARTS_OF_BOTH = {"sin": ("sine", "sine_series"), "cos": ("cosine", "cosine_series")}
+PARTS_OF_BOTH = {"sin": ("sine_of_y", "sine_series"), "cos": ("cosine_of_y", "cosine_series")}
 
 
 class Refused(ValueError):
@@ -511,13 +511,13 @@ def _require_quadrants(text: Text) -> None:
     rest by four, but for a tie, which is one at every fourth and rounds to an even quarter.
     """
     names = [name for name, _ in text.statements]
-    last = [*text.statements[names.index("cosine") + 1 :]]
+    last = [*text.statements[names.index("cosine_of_y") + 1 :]]
     expected = {0: (3, 5), 1: (5, -3), 2: (-3, -5), 3: (-5, 3)}
     if len(text.results) != 2:
         raise Refused("there are not two results")
     most = _most_quarters(text)
     for k in (*range(-16, 17), *range(most - 8, most + 1), *range(-most, 9 - most)):
-        values = {"quarters": Fraction(k), "sine": Fraction(3), "cosine": Fraction(5)}
+        values = {"quarters": Fraction(k), "sine_of_y": Fraction(3), "cosine_of_y": Fraction(5)}
         for name, value in last:
             values[name] = _evaluated(value, values, text.bits)
         if tuple(_evaluated(result, values, text.bits) for result in text.results) != expected[k % 4]:
