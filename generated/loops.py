@@ -1,6 +1,6 @@
-"""Conversions as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries.
+"""Conversions as loops over plots, given[quantity][plot]; mean[plot, n] and covariance[plot, n, n], in arrays or in dictionaries, are filled.
 
-Written by radartrack regenerate, generator 1, derivation 878d8e142499e25c; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 03cbbe67befe6568; not to be edited.
 """
 
 import math

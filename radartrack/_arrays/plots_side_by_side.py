@@ -23,6 +23,7 @@ from radartrack.generated import elementary
 
 PLOTS = 128  # at a time; the columns of the largest conversion take some 40 kB
 ELEMENTARY = ("sin_and_cos", "sin", "cos", "exp", "expm1")  # in the order in which they call each other
+INLINED = {"forceinline": True, "error_model": "numpy"}
 TO_WHOLE, MANTISSA, ONE = 1.5 * 2.0**52, 52, 0x3FF << 52
 Fill = Callable[[tuple[RealArray, ...], RealArray, RealArray], bool]
 
@@ -62,13 +63,9 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
         options: of Numba.
 
     """
-    inlined = options | {"forceinline": True, "cache": False}
-    ours: dict[str, Any] = {"chosen": _chosen, "power_of_two": _power_of_two}
-    for name in ELEMENTARY:
-        ours[name] = numba.njit(**inlined)(_with(getattr(elementary, name), ours))
     functions = ModuleType("math")
-    vars(functions).update(vars(math) | {name: ours[name] for name in ELEMENTARY})
-    loop_inlined = numba.njit(**inlined)(_with(loop, {"math": functions}))
+    vars(functions).update(vars(math) | elementary_functions())
+    loop_inlined = numba.njit(**INLINED)(_with(loop, {"math": functions}))
     filling = _with(_fill, {"LOOP": loop_inlined, "COORDINATES": coordinates})
     filling.__qualname__ = f"{loop.__name__}_{_digest(loop)}"  # by which Numba finds what it kept
     readable = numba.types.Array(numba.float64, 1, "C", readonly=True)
@@ -78,6 +75,14 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     found.disable_compile()
     fill: Fill = found
     return fill
+
+
+def elementary_functions() -> dict[str, Any]:
+    """Those of the generated module, for code that Numba compiles."""
+    ours: dict[str, Any] = {"chosen": _chosen, "power_of_two": _power_of_two}
+    for name in ELEMENTARY:
+        ours[name] = numba.njit(**INLINED)(_with(getattr(elementary, name), ours))
+    return {name: ours[name] for name in ELEMENTARY}
 
 
 def _with(function: Callable[..., Any], names: dict[str, Any]) -> FunctionType:

@@ -40,6 +40,7 @@ from radartrack.derive.writing.conversion_functions import (
     conversions_of,
     covariance_of,
 )
+from radartrack.derive.writing import elementary_functions
 from radartrack.derive.writing.conversion_functions import module_text as conversion_code_text
 from radartrack.derive.writing.formula_book import Page, book, formula
 from radartrack.derive.writing.numpy_writer import Function, body, module_text
@@ -358,6 +359,8 @@ def texts(derivation: Derivation, record: Record) -> Files:
     if derivation.conversions:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
+    if SCREENING in files:
+        files[elementary_functions.NAME] = elementary_functions.module_text()
     return files | {written_files.RECORD: written_files.record(files)}
 
 
@@ -407,8 +410,8 @@ def names(quantities: Mapping[str, Quantity]) -> set[str]:
     """Of the files that are written for quantities; as in `texts`, before anything is derived."""
     conversions = {"conversions.py", "loops.py"} if conversions_of(quantities) else set()
     modules = {f"{quantity.module}.py" for quantity in quantities.values()}
-    screening = {SCREENING} if quantities.keys() == catalogue().keys() else set()
-    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions | screening
+    of_catalogue = {SCREENING, elementary_functions.NAME} if quantities.keys() == catalogue().keys() else set()
+    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions | of_catalogue
 
 
 def in_the_way(directory: Path, wanted: Collection[str]) -> list[str]:

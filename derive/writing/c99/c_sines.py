@@ -114,9 +114,9 @@ static inline {real} {prefix}far_angle{f}({real} x, {real} *y, {real} *y_low)
     number.bits &= (({bits})1 << {mantissa}) - 1u;
     quarters = {prefix}far_quarters(
         (uint64_t)number.bits | ((uint64_t)1 << {mantissa}), exponent - {bias} - {mantissa}, &high, &low, &scale, &is_negative);
-    a = ({real})(high >> {shift_a});
-    b = ({real})((high >> {shift_b}) & {mask}u);
-    c = ({real})({third} & {mask}u);
+    a = ({real})(uint32_t)(high >> {shift_a});
+    b = ({real})(uint32_t)((high >> {shift_b}) & {mask}u);
+    c = ({real})(uint32_t)({third} & {mask}u);
     unit = {prefix}power_of_two{f}(({real})(scale - {piece}));
     b *= {finer};
     c *= {finest};

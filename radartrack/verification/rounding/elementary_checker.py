@@ -40,6 +40,13 @@ SHAPES = {
     ],
 }
 FUNCTIONS = ("sin", "cos", "exp", "expm1")
+EXACTLY = {  # what the statements behind the reduction say, before anything is rounded
+    "sin": "y + y * y * y * sine_series + y_low - 0.5 * y * y * y_low",
+    "cos": "1.0 - 0.5 * y * y + y * y * y * y * cosine_series - y * y_low",
+    "exp": "1.0 + rest + 0.5 * rest * rest + lost + rest * lost + rest * rest * rest * series",
+}
+EXACTLY["expm1"] = f"scale * ({EXACTLY['exp']}) - 1.0"
+LEAVES = frozenset("y y_low sine_series cosine_series rest lost series scale".split())  # noqa: SIM905 - names
 PARTS_OF_BOTH = {"sin": ("sine_of_y", "sine_series"), "cos": ("cosine_of_y", "cosine_series")}
 
 
@@ -267,12 +274,11 @@ class Cell:
                 return self._times(Form(_exact(-1.0), {}, Fraction(-1)), self.of(operand))
         raise Refused(f"{self.text.name}: {ast.unparse(node)} cannot be followed")
 
-    def before_rounding(self, node: ast.expr) -> tuple[Ball, Ball]:
-        """Value and largest error of a sum whose last rounding is not yet done."""
+    def before_rounding(self, node: ast.expr) -> Ball:
+        """The largest error of a sum whose last rounding is not yet done."""
         if not (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add)):
             raise Refused(f"{self.text.name}: a result that is no sum: {ast.unparse(node)}")
-        found = _sum(self.of(node.left), self.of(node.right), 1)
-        return found.ideal, _size(found)
+        return _size(_sum(self.of(node.left), self.of(node.right), 1))
 
     def _rounded(self, operation: ast.operator, a: Form, b: Form) -> Form:
         if isinstance(operation, ast.Mult):
@@ -362,6 +368,39 @@ def _is_power_of_two(value: Fraction) -> bool:
 # Polynomials
 
 
+Powers = dict[tuple[str, ...], Fraction]  # by the factors of a product, in order
+
+
+def _expanded(node: ast.expr, text: Text | None) -> Powers:
+    """An expression multiplied out, its names replaced by what they stand for, down to the leaves."""
+    match node:
+        case ast.Constant(value=float(value)):
+            return {(): Fraction(value)}
+        case ast.Name(id=name):
+            return {(name,): Fraction(1)} if text is None or name in LEAVES else _expanded(text.value(name), text)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return {key: -value for key, value in _expanded(operand, text).items()}
+        case ast.BinOp(left, operation, right) if isinstance(operation, ast.Add | ast.Sub | ast.Mult):
+            first, second = _expanded(left, text), _expanded(right, text)
+            if isinstance(operation, ast.Mult):
+                terms = [(tuple(sorted(a + b)), u * v) for a, u in first.items() for b, v in second.items()]
+            else:
+                sign = 1 if isinstance(operation, ast.Add) else -1
+                terms = [*first.items(), *((key, sign * value) for key, value in second.items())]
+            found: Powers = {}
+            for key, value in terms:
+                found[key] = found.get(key, Fraction(0)) + value
+            return {key: value for key, value in found.items() if value}
+    raise Refused(f"{ast.unparse(node)} is no sum of products")
+
+
+def _require_exactly(text: Text, node: ast.expr, name: str) -> None:
+    """In exact arithmetic an expression is what the bound of its error speaks of."""
+    wanted = ast.parse(EXACTLY[name], mode="eval").body
+    if _expanded(node, text) != _expanded(wanted, None):
+        raise Refused(f"{text.name}: without rounding, {ast.unparse(node)} is not what it should be")
+
+
 def _polynomial(node: ast.expr, variable: str) -> Any:
     """An expression as a polynomial with exact coefficients."""
     match node:
@@ -411,8 +450,7 @@ def _of_angle(text: Text, low: float, high: float) -> Ball:
     cell = Cell(text, {"y": Form(y), "y_low": Form(_around(half_last))})
     names = [name for name, _ in text.statements]
     cell.follow("square", names[names.index(result) - 1])
-    ideal, error = cell.before_rounding(text.value(result))
-    del ideal
+    error = cell.before_rounding(text.value(result))
     square = y * y
     rest = abs(y) ** (2 * TERMS) / _factorial(2 * TERMS + 3)  # the first term that is left out
     if text.name == "sin":
@@ -502,6 +540,16 @@ def _require_angle(text: Text) -> None:
         if not (grid >= Fraction(1, 2**bits) if n == 0 else 2 * largest <= grid * 2**bits):
             raise Refused("a difference of multiples of parts of π/2 that is not kept")
     _require_quadrants(text)
+    _require_exactly(text, text.value(PARTS_OF_BOTH[text.name][0]), text.name)
+
+
+def _mantissa(text: Text) -> ast.expr:
+    """What is multiplied by powers of two to give e^x."""
+    result = text.results[-1]
+    match result.args[1] if isinstance(result, ast.Call) else result:
+        case ast.BinOp(ast.BinOp(mantissa, ast.Mult(), ast.Call()), ast.Mult(), ast.Call()):
+            return mantissa
+    raise Refused("e^x is no number times two powers of two")
 
 
 def _require_quadrants(text: Text) -> None:
@@ -558,12 +606,7 @@ def _of_exponential(text: Text, low: float, high: float) -> Ball:
     y, half_last = _between(low, high), _half_ulp(_exact(max(-low, high)), text.bits)
     cell = Cell(text, {"rest": Form(y), "lost": Form(_around(half_last))})
     cell.follow("square", "tail")
-    result = text.results[-1]
-    match result.args[1] if isinstance(result, ast.Call) else result:
-        case ast.BinOp(ast.BinOp(mantissa, ast.Mult(), ast.Call()), ast.Mult(), ast.Call()):
-            error = cell.before_rounding(mantissa)[1]
-        case _:
-            raise Refused("e^x is no number times two powers of two")
+    error = cell.before_rounding(_mantissa(text))
     error = error + _exponential_is_off(text, y, half_last) + _reduction_of_exponents(text) * 3 / 2
     found = _exact(0.5) + error / _ulp_at_least(y.exp() + _around(half_last * 2), text.bits)
     if not found < 1:
@@ -586,7 +629,7 @@ def _of_exponential_less_one(text: Text, case: str, low: float, high: float) -> 
     cell = Cell(text, {"rest": Form(y), "lost": lost, "scale": Form(_exact(scale), {}, scale)})
     cell.follow("square", "tail")
     cell.follow("shifted", "lost_again")
-    error = cell.before_rounding(text.value("near"))[1]
+    error = cell.before_rounding(text.value("near"))
     error = error + _exact(scale) * _exponential_is_off(text, y, half_last)
     if k:
         error = error + _exact(scale) * _reduction_of_exponents(text) * 3 / 2
@@ -665,7 +708,9 @@ def _require_exponent(text: Text) -> None:
     }[text.name]
     if [ast.unparse(result) for result in text.results] != expected:
         raise Refused(f"{text.name} returns something else")
+    _require_exactly(text, _mantissa(text), "exp")
     if text.name == "expm1":
+        _require_exactly(text, text.value("near"), "expm1")
         shapes = {
             "few": f"chosen(doublings > {limit}, {limit}, doublings)",
             "scale": f"chosen(doublings < -{float(text.bits)}, 0.0, power_of_two(few))",

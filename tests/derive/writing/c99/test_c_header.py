@@ -85,7 +85,7 @@ def test_own_elementary_functions_take_the_place_of_those_of_math_h(headers: Pat
     inside = (
         (headers / "radartrack_elementary.h").read_text().partition("#include <math.h>\n")[2].partition("#endif")[0]
     )
-    own = "#include <math.h>\n" + inside.replace("return sin(x);", "return 7.0;")
+    own = "#include <math.h>\n" + inside.replace("return hypot(x, y);", "return 7.0;")
     (tmp_path / "own.h").write_text(own)
     source = """#include <stdio.h>
 #define RADARTRACK_ELEMENTARY "own.h"
