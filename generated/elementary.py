@@ -1,7 +1,7 @@
-"""Elementary functions without a branch, in double and, for numbers of NumPy's float32, single precision.
+"""Elementary functions without a branch, in double and, for NumPy's float32, single precision.
 
-Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle, beyond which
-they are NaN. The bits are the same on every processor. A zero has no sign.
+Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle,
+beyond which they are NaN. The bits are the same on every processor. A zero has no sign.
 
 Written by radartrack regenerate, generator 1, derivation df4eb903e51298bf; not to be edited.
 """
@@ -12,14 +12,14 @@ LARGEST_ANGLE, LARGEST_ANGLE_SINGLE = 32768.0, 256.0
 NAN = math.nan
 
 
-def chosen(condition: bool, first: float, second: float) -> float:
+def chosen(condition: bool, first: float, second: float) -> float:  # noqa: FBT001 - as a selection has it
     """The first where the condition holds, else the second; a compiler puts a selection in place of this."""
     return first if condition else second
 
 
 def power_of_two(exponent: float) -> float:
     """2 to a whole power, from -1074 to 1023; a compiler puts its bits in place of this."""
-    return math.ldexp(1.0, int(exponent)) if exponent == exponent else exponent
+    return math.ldexp(1.0, int(exponent)) if abs(exponent) < math.inf else exponent
 
 
 def sin_and_cos(angle: float) -> tuple[float, float]:

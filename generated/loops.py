@@ -1,4 +1,4 @@
-"""Conversions as loops over plots, given[quantity][plot]; mean[plot, n] and covariance[plot, n, n], in arrays or in dictionaries, are filled.
+"""Conversions as loops over given[symbol][plot]; mean[plot, n] and covariance[plot, n, n] are filled, arrays or dictionaries.
 
 Written by radartrack regenerate, generator 1, derivation 03cbbe67befe6568; not to be edited.
 """

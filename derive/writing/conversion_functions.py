@@ -45,7 +45,7 @@ METHODS = {
 RELEASED_AT_ONCE = 4
 ARRAYS = "over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled"
 ARRAYS_HEAD = "import numpy as np\nimport numpy.typing as npt\n\nFloats = npt.NDArray[np.floating]\nFilled = Floats\n"
-LOOPS = "as loops over plots, given[quantity][plot]; mean[plot, n] and covariance[plot, n, n], in arrays or in dictionaries, are filled"
+LOOPS = "as loops over given[symbol][plot]; mean[plot, n] and covariance[plot, n, n] are filled, arrays or dictionaries"
 LOOPS_HEAD = """\
 import math
 from collections.abc import MutableMapping, Sequence

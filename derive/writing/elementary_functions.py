@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from hashlib import sha256
 
 from radartrack.derive.elementary.precision import DOUBLE, SINGLE, Precision
-from radartrack.derive.elementary.statements import (
+from radartrack.derive.elementary.straight_line import (
     Steps,
     angle_less_quarters,
     exponential,
@@ -24,14 +24,14 @@ LARGEST_ANGLE, LARGEST_ANGLE_SINGLE = {double}, {single}
 NAN = math.nan
 
 
-def chosen(condition: bool, first: float, second: float) -> float:
+def chosen(condition: bool, first: float, second: float) -> float:  # noqa: FBT001 - as a selection has it
     """The first where the condition holds, else the second; a compiler puts a selection in place of this."""
     return first if condition else second
 
 
 def power_of_two(exponent: float) -> float:
     """2 to a whole power, from -1074 to 1023; a compiler puts its bits in place of this."""
-    return math.ldexp(1.0, int(exponent)) if exponent == exponent else exponent
+    return math.ldexp(1.0, int(exponent)) if abs(exponent) < math.inf else exponent
 '''
 
 
@@ -64,9 +64,9 @@ def module_text() -> str:
     functions = [text for precision in (DOUBLE, SINGLE) for text in _functions(precision)]
     digest = sha256("".join(functions).encode()).hexdigest()[:16]
     header = (
-        '"""Elementary functions without a branch, in double and, for numbers of NumPy\'s float32, single precision.\n\n'
-        "Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle, beyond which\n"
-        "they are NaN. The bits are the same on every processor. A zero has no sign.\n\n"
+        '"""Elementary functions without a branch, in double and, for NumPy\'s float32, single precision.\n\n'
+        "Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle,\n"
+        "beyond which they are NaN. The bits are the same on every processor. A zero has no sign.\n\n"
         f'Written by radartrack regenerate, generator {VERSION}, derivation {digest}; not to be edited.\n"""\n'
     )
     primitives = PRIMITIVES.format(double=DOUBLE.largest_angle, single=SINGLE.largest_angle)

@@ -41,7 +41,7 @@ def _chosen(_context: Any, condition: Any, first: Any, second: Any) -> Any:
 
 @intrinsic
 def _power_of_two(_context: Any, exponent: Any) -> Any:
-    """`elementary.power_of_two` from -1022 to 1023 by its bits: the exponent is read off a sum whose last digit is one."""
+    """`elementary.power_of_two` from -1022 to 1023, by its bits: they are read off a sum whose last digit is one."""
     del exponent
 
     def generate(_: Any, builder: Any, __: Any, values: Sequence[Any]) -> Any:
@@ -99,7 +99,7 @@ LOOP: Any = None  # of one conversion, as is the number of coordinates
 COORDINATES = 0
 
 
-def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray) -> bool:
+def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray) -> bool:  # noqa: C901 - one loop
     """The columns have sizes that are known to the compiler, so it sees that they do not overlap."""
     given = np.empty((len(inputs), PLOTS))
     means, covariances = np.empty((COORDINATES, PLOTS)), np.empty((COORDINATES, COORDINATES, PLOTS))
@@ -121,5 +121,5 @@ def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray)
                     covariance[start + i, a, b] = covariances[b, a, i]
         for a in range(COORDINATES):
             for i in range(count):
-                strange += means[a, i] != means[a, i]  # noqa: PLR0124 - NaN
+                strange += means[a, i] != means[a, i]
     return strange == 0

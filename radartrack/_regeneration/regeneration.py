@@ -32,6 +32,7 @@ from radartrack.derive.finding import screening_values
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.stable.quantity_form import form_of
+from radartrack.derive.writing import elementary_functions
 from radartrack.derive.writing.conversion_functions import (
     ARRAYS,
     LOOPS,
@@ -40,7 +41,6 @@ from radartrack.derive.writing.conversion_functions import (
     conversions_of,
     covariance_of,
 )
-from radartrack.derive.writing import elementary_functions
 from radartrack.derive.writing.conversion_functions import module_text as conversion_code_text
 from radartrack.derive.writing.formula_book import Page, book, formula
 from radartrack.derive.writing.numpy_writer import Function, body, module_text

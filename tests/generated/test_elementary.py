@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from radartrack.generated import elementary
-from radartrack.verification.rounding.elementary_campaign import REACH, TYPES, drawn, largest, over_arrays
-from radartrack.verification.rounding.elementary_certificates import kept
-from radartrack.verification.rounding.elementary_checker import FUNCTIONS
+from radartrack.verification.elementary.elementary_campaign import REACH, TYPES, drawn, largest, over_arrays
+from radartrack.verification.elementary.elementary_certificates import kept
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS
 
 ARGUMENTS = int(os.environ.get("RADARTRACK_ARGUMENTS", "3000"))  # of each function in each precision
 EACH = pytest.mark.parametrize(("name", "precision"), [(name, kind) for kind in TYPES for name in FUNCTIONS])

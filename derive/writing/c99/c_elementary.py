@@ -1,6 +1,6 @@
 """The functions that generated C calls: sine, cosine and exponential of our own, others of math.h under names of ours.
 
-All stand in one header. Whoever has other functions in place of those of math.h says so by a macro, and the rest follows.
+All stand in one header. Whoever has others in place of those of math.h says so by a macro, and the rest follows.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ HEAD = f"""\
 /*
  * The elementary functions that generated code calls, in double and, with f behind the name, single precision.
  *
- * Sine, cosine, exponential and exponential less one need no library: each is within one unit in the last place of the
- * exact value, and the same bits everywhere, where arithmetic is IEEE 754 in the type itself (FLT_EVAL_METHOD is 0) and a
- * product and a sum are not fused to one operation. A zero has no sign.
+ * Sine, cosine, exponential and exponential less one need no library: each is within one unit in the last place of
+ * the exact value, and the same bits everywhere, where arithmetic is IEEE 754 in the type itself (FLT_EVAL_METHOD is
+ * 0) and a product and a sum are not fused to one operation. A zero has no sign.
  *
- * The others are those of math.h. To take others, define RADARTRACK_ELEMENTARY as the name of a header of yours, such as
- * "my_functions.h": it is included in place of math.h, and defines what is defined from there up to the first helper.
+ * The others are those of math.h. To take others, define RADARTRACK_ELEMENTARY as the name of a header of yours, such
+ * as "my_functions.h": it is included in place of math.h, and defines what stands there up to the first helper.
  *
  * Written by radartrack regenerate, generator {VERSION}; not to be edited.
  */

@@ -10,7 +10,7 @@ import mpmath
 
 from radartrack.derive.elementary.coefficients import pieces_of_right_angle
 from radartrack.derive.elementary.precision import DOUBLE, SINGLE, Precision
-from radartrack.derive.elementary.statements import (
+from radartrack.derive.elementary.straight_line import (
     ARGUMENT,
     Steps,
     angle_less_quarters,
@@ -39,11 +39,12 @@ static inline {real} {prefix}power_of_two{f}({real} exponent)
 """
 FAR = """\
 /*
- * Quarters of a turn, modulo four, in m 2^exponent radians, m of at most 53 bits, exponent from -60 to 971; what is left is
- * (high 2^64 + low) 2^(scale - 128) of a quarter, or that less than nothing, and high is at least 2^63 unless it is zero
+ * Quarters of a turn, modulo four, in m 2^exponent radians, m of at most 53 bits, exponent from -60 to 971. What is
+ * left is (high 2^64 + low) 2^(scale - 128) of a quarter, or minus that; high is at least 2^63 unless it is zero
  * (Payne & Hanek 1983): of m 2/pi, 192 bits that are neither multiples of four quarters nor too small to matter.
  */
-static inline int {prefix}far_quarters(uint64_t m, int exponent, uint64_t *high, uint64_t *low, int *scale, int *is_negative)
+static inline int {prefix}far_quarters(
+    uint64_t m, int exponent, uint64_t *high, uint64_t *low, int *scale, int *is_negative)
 {{
     static const uint32_t digits[{words}] = {{
 {digits}
@@ -113,7 +114,8 @@ static inline {real} {prefix}far_angle{f}({real} x, {real} *y, {real} *y_low)
     }}
     number.bits &= (({bits})1 << {mantissa}) - 1u;
     quarters = {prefix}far_quarters(
-        (uint64_t)number.bits | ((uint64_t)1 << {mantissa}), exponent - {bias} - {mantissa}, &high, &low, &scale, &is_negative);
+        (uint64_t)number.bits | ((uint64_t)1 << {mantissa}), exponent - {bias} - {mantissa},
+        &high, &low, &scale, &is_negative);
     a = ({real})(uint32_t)(high >> {shift_a});
     b = ({real})(uint32_t)((high >> {shift_b}) & {mask}u);
     c = ({real})(uint32_t)({third} & {mask}u);

@@ -1,17 +1,18 @@
-"""Several plots at once in machine code: the bits of the generated functions, on every processor, far angles included."""
+"""Several plots at once in machine code: the bits of the generated functions, on every processor; far angles."""
 
 import os
 import subprocess
 import sys
 from hashlib import sha256
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from radartrack import convert
 from radartrack._arrays import machine_code
-from radartrack.generated import elementary
-from radartrack.verification.rounding.elementary_campaign import over_arrays
+from radartrack.generated import elementary, loops
+from radartrack.verification.elementary.elementary_campaign import over_arrays
 
 numba = pytest.importorskip("numba")
 side_by_side = pytest.importorskip("radartrack._arrays.plots_side_by_side")
@@ -43,8 +44,9 @@ def test_results_have_the_same_bits_on_every_processor(sensor: str):
 
 @pytest.mark.parametrize("processor", PROCESSORS)
 def test_results_have_the_same_bits_compiled_for_another_processor(processor: str):
-    program = f"from {__name__} import DIGESTS, digest; assert all(digest(s) == d for s, d in DIGESTS.items())"
-    environment = os.environ | {"NUMBA_CPU_NAME": processor, "NUMBA_CPU_FEATURES": "", "PYTHONPATH": os.getcwd()}
+    module = "tests.radartrack._arrays.test_plots_side_by_side"
+    program = f"from {module} import DIGESTS, digest; assert all(digest(s) == d for s, d in DIGESTS.items())"
+    environment = os.environ | {"NUMBA_CPU_NAME": processor, "NUMBA_CPU_FEATURES": "", "PYTHONPATH": str(Path.cwd())}
     subprocess.run([sys.executable, "-c", program], check=True, env=environment)
 
 
@@ -75,8 +77,6 @@ def test_plots_at_angles_beyond_the_largest_are_converted_by_numpy(monkeypatch: 
 
 
 def test_code_that_changed_is_not_taken_from_what_was_kept(monkeypatch: pytest.MonkeyPatch):
-    from radartrack.generated import loops
-
     before = side_by_side._digest(loops.polar_linear)
     monkeypatch.setattr(side_by_side, "PLOTS", 64)
     assert side_by_side._digest(loops.polar_linear) != before != side_by_side._digest(loops.polar_averaged)

@@ -2,15 +2,14 @@
 
 import ctypes
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from radartrack.derive.writing.c99 import c_elementary
 from radartrack.verification.compiled_c import FLAGS, compiler
-from radartrack.verification.rounding.elementary_campaign import TYPES, drawn, in_ulp, over_arrays
-from radartrack.verification.rounding.elementary_checker import FUNCTIONS
+from radartrack.verification.elementary.elementary_campaign import TYPES, drawn, in_ulp, over_arrays
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS
 from tests.c_programs import needs_compiler
 
 pytestmark = needs_compiler
@@ -35,11 +34,8 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
         ENTRANCE.format(name=name, f=f, real="float" if f else "double") for name in FUNCTIONS for f in ("", "f")
     ]
     (folder / "sines.c").write_text(c_elementary.header() + "".join(entrances))
-    command = [*(compiler() or ["cc"]), *FLAGS, "-nostdlib", "-fno-math-errno", "sines.c", "-o", "sines.so"]
+    command = [*(compiler() or ["cc"]), *FLAGS, "-Wl,--no-undefined", "-nostdlib", "sines.c", "-o", "sines.so"]
     subprocess.run(command, cwd=folder, check=True)
-    listed = subprocess.run(["nm", "-D", "-u", "sines.so"], cwd=folder, capture_output=True, text=True, check=False)
-    if listed.returncode == 0:
-        assert not {"sin", "cos", "exp", "expm1", "sinf", "cosf", "expf", "expm1f"} & set(listed.stdout.split())
     return ctypes.CDLL(str(folder / "sines.so"))
 
 

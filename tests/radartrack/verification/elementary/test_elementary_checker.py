@@ -7,8 +7,8 @@ from collections.abc import Callable
 import pytest
 
 pytest.importorskip("flint")
-from radartrack.verification.rounding import elementary_checker
-from radartrack.verification.rounding.elementary_certificates import (
+from radartrack.verification.elementary import elementary_checker
+from radartrack.verification.elementary.elementary_certificates import (
     PRECISIONS,
     certificate,
     code_of,
@@ -16,7 +16,7 @@ from radartrack.verification.rounding.elementary_certificates import (
     kept,
     source,
 )
-from radartrack.verification.rounding.elementary_checker import FUNCTIONS, Refused, cases, confirmed, read
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS, Refused, cases, confirmed, read
 
 KEPT, SOURCE = kept(), source()
 EACH = [(precision, name) for precision in PRECISIONS for name in FUNCTIONS]

@@ -51,7 +51,7 @@ class Steps:
 
 
 def angle_less_quarters(precision: Precision, say: Dialect) -> Steps:
-    """x less its nearest multiple of π/2, up to the largest angle: `quarters`, the rest `y` and what `y` lacks, `y_low`.
+    """x less its nearest multiple of π/2, up to the largest angle: `quarters`, the rest `y`, and what `y` lacks.
 
     What a difference loses is kept, and the last part of π/2 is taken from that.
     """
@@ -91,7 +91,10 @@ def sine_and_cosine(precision: Precision, say: Dialect) -> Steps:
         ("even", f"{one} - {say.absolute('quadrant')}"),
     ]
     odd = f"quadrant * quadrant == {one}"
-    results = (say.chosen(odd, "quadrant * cosine_of_y", "even * sine_of_y"), say.chosen(odd, "-quadrant * sine_of_y", "even * cosine_of_y"))
+    results = (
+        say.chosen(odd, "quadrant * cosine_of_y", "even * sine_of_y"),
+        say.chosen(odd, "-quadrant * sine_of_y", "even * cosine_of_y"),
+    )
     return Steps(tuple(steps), results)
 
 
@@ -122,8 +125,7 @@ def exponential_less_one(precision: Precision, say: Dialect) -> Steps:
 
 
 def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, str]], str]:
-    """What e^x and e^x − 1 share, and e^x: 2^doublings (1 + rest + ½ rest² + tail), its power in two factors, as it may be
-    subnormal."""
+    """What e^x and e^x − 1 share, and e^x; its power of two is two factors, so that the result may be subnormal."""
     n = say.number
     (lowest, highest), (first, second) = precision.exponents, coefficients.doubling(precision)
     steps = [

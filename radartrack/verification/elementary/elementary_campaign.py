@@ -1,7 +1,7 @@
 """The elementary functions beside correctly rounded values of python-flint, at arguments of every kind.
 
-`python -m radartrack.verification.rounding.elementary_campaign 100000000` takes so many arguments, shared among functions
-and precisions, and prints the largest errors.
+`python -m radartrack.verification.elementary.elementary_campaign 100000000` takes so many arguments, shared among
+functions and precisions, and prints the largest errors.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.generated import elementary
-from radartrack.verification.rounding.elementary_checker import FUNCTIONS, flint
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS, flint
 
 Floats = npt.NDArray[np.floating[Any]]
 TYPES = {"double": np.float64, "single": np.float32}
@@ -75,7 +75,7 @@ def largest(name: str, precision: str, count: int, seed: int) -> Largest:
 
 
 def drawn(name: str, precision: str, count: int, generator: np.random.Generator) -> Floats:
-    """Over the range, over the reduced interval, over magnitudes, beside the multiples that are taken off and halfway."""
+    """Over the range, over the reduced interval, over magnitudes, and beside the multiples that are taken off."""
     reach, step = REACH[precision][name], STEP[name]
     near = 3e-16 if precision == "double" else 2e-7
     halves = np.rint(generator.uniform(-1.9, 1.9, count) * reach / step) * step / 2

@@ -1,6 +1,6 @@
 """Certificates of the elementary functions: found by halving, kept in the package, confirmed by the checker.
 
-`python -m radartrack.verification.rounding.elementary_certificates FILE` finds them anew.
+`python -m radartrack.verification.elementary.elementary_certificates FILE` finds them anew.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from radartrack.generated import elementary
-from radartrack.verification.rounding.elementary_checker import (
+from radartrack.verification.elementary.elementary_checker import (
     FUNCTIONS,
     Refused,
     Text,
@@ -94,9 +94,7 @@ def _halved(text: Text, case: str, low: float, high: float, deepest: int) -> str
 
 def write(path: Path) -> None:
     """All certificates, a line each."""
-    rows = {
-        precision: {name: certificate(precision, name, source()) for name in FUNCTIONS} for precision in PRECISIONS
-    }
+    rows = {precision: {name: certificate(precision, name, source()) for name in FUNCTIONS} for precision in PRECISIONS}
     groups = []
     for precision, found in rows.items():
         lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(row)}" for name, row in found.items())
