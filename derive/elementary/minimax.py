@@ -65,7 +65,8 @@ def rounded(value: Real, bits: int) -> float:
 
 def _fraction(value: Real) -> Fraction:
     significand, exponent = mpmath.mpf(abs(value)).man_exp
-    return int(mpmath.sign(value)) * int(significand) * Fraction(2) ** exponent
+    size: Fraction = int(significand) * Fraction(2) ** int(exponent)
+    return -size if value < 0 else size
 
 
 def _levelled(points: Sequence[Real], values: Sequence[Real], weights: Sequence[Real], degree: int) -> list[Real]:
@@ -83,7 +84,7 @@ def _levelled(points: Sequence[Real], values: Sequence[Real], weights: Sequence[
             for x, value, weight in zip(points, values, weights, strict=True)
         ]
         if max(map(abs, errors)) <= abs(level) * (1 + SETTLED):
-            return coefficients
+            return list(coefficients)
         places = _exchanged(errors, count)
     raise ArithmeticError(f"no best polynomial of degree {degree} was found")
 

@@ -23,6 +23,8 @@ from radartrack.generated import elementary
 
 PLOTS = 128  # at a time; the columns of the largest conversion take some 40 kB
 ELEMENTARY = ("sin_and_cos", "sin", "cos", "exp", "expm1")  # in the order in which they call each other
+_NJIT: Any = numba.njit
+_TYPES: Any = numba.types
 INLINED = {"forceinline": True, "error_model": "numpy"}
 TO_WHOLE, MANTISSA, ONE = 1.5 * 2.0**52, 52, 0x3FF << 52
 Fill = Callable[[tuple[RealArray, ...], RealArray, RealArray], bool]
@@ -65,13 +67,13 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     """
     functions = ModuleType("math")
     vars(functions).update(vars(math) | elementary_functions())
-    loop_inlined = numba.njit(**INLINED)(_with(loop, {"math": functions}))
+    loop_inlined = _NJIT(**INLINED)(_with(loop, {"math": functions}))
     filling = _with(_fill, {"LOOP": loop_inlined, "COORDINATES": coordinates})
     filling.__qualname__ = f"{loop.__name__}_{_digest(loop)}"  # by which Numba finds what it kept
-    readable = numba.types.Array(numba.float64, 1, "C", readonly=True)
+    readable = _TYPES.Array(numba.float64, 1, "C", readonly=True)
     outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
-    found: Any = numba.njit(**options)(filling)
-    found.compile((numba.types.UniTuple(readable, inputs), *outputs))
+    found: Any = _NJIT(**options)(filling)
+    found.compile((_TYPES.UniTuple(readable, inputs), *outputs))
     found.disable_compile()
     fill: Fill = found
     return fill
@@ -81,7 +83,7 @@ def elementary_functions() -> dict[str, Any]:
     """Those of the generated module, for code that Numba compiles."""
     ours: dict[str, Any] = {"chosen": _chosen, "power_of_two": _power_of_two}
     for name in ELEMENTARY:
-        ours[name] = numba.njit(**INLINED)(_with(getattr(elementary, name), ours))
+        ours[name] = _NJIT(**INLINED)(_with(getattr(elementary, name), ours))
     return {name: ours[name] for name in ELEMENTARY}
 
 

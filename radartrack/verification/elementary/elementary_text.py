@@ -68,9 +68,9 @@ def _expanded(node: ast.expr, text: Text | None) -> Powers:
                 sign = 1 if isinstance(operation, ast.Add) else -1
                 terms = [*first.items(), *((key, sign * value) for key, value in second.items())]
             found: Powers = {}
-            for key, value in terms:
-                found[key] = found.get(key, Fraction(0)) + value
-            return {key: value for key, value in found.items() if value}
+            for key, part in terms:
+                found[key] = found.get(key, Fraction(0)) + part
+            return {key: part for key, part in found.items() if part}
     raise Refused(f"{ast.unparse(node)} is no sum of products")
 
 

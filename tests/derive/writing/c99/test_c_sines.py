@@ -2,12 +2,16 @@
 
 import ctypes
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from radartrack.derive.writing.c99 import c_elementary
+from radartrack._arrays import machine_code
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.writing.c99 import c_elementary, c_header
 from radartrack.verification.compiled_c import FLAGS, compiler
+from radartrack.verification.domain_points import sample
 from radartrack.verification.elementary.elementary_campaign import TYPES, drawn, in_ulp, over_arrays
 from radartrack.verification.elementary.elementary_checker import FUNCTIONS
 from tests.c_programs import needs_compiler
@@ -74,3 +78,26 @@ def test_what_has_no_value_is_nan(library: ctypes.CDLL, name: str, precision: st
     found = called(library, name, precision, arguments)
     ends = {"exp": [np.inf, 0.0], "expm1": [np.inf, -1.0]}.get(name, [np.nan, np.nan])
     np.testing.assert_array_equal(found, [np.nan, *ends])
+
+
+@pytest.mark.parametrize("model", ["polar", "spherical"])
+def test_a_conversion_has_the_bits_of_machine_code(model: str, tmp_path: Path):
+    if not machine_code.is_available():
+        pytest.skip("Numba is not installed")
+    written = c_header.conversion_in_c(catalogue(), model, "unbiased").written
+    names, size = written.arguments, written.outputs[0].size
+    taken = "".join(f"const double *{name}, " for name in names)
+    entrance = f"void run(size_t n, {taken}double *mean, double *covariance)"
+    called = f"{written.name}_n(n, {', '.join(names)}, mean, covariance);"
+    (tmp_path / "code.c").write_text(f"{c_elementary.header()}\n{written.text('')}\n{entrance} {{ {called} }}\n")
+    subprocess.run([*(compiler() or ["cc"]), *FLAGS, "code.c", "-o", "code.so", "-lm"], cwd=tmp_path, check=True)
+    points = sample(catalogue()[f"{model}.unbiased.covariance"], 2000, seed=4, correlated=True)
+    columns = [np.ascontiguousarray(points[name]) for name in names]
+    (mean, covariance), (others, more) = ((np.empty((2000, size)), np.empty((2000, size, size))) for _ in range(2))
+    pointers = [array.ctypes.data_as(ctypes.c_void_p) for array in (*columns, mean, covariance)]
+    ctypes.CDLL(str(tmp_path / "code.so")).run(ctypes.c_size_t(2000), *pointers)
+    compiled = machine_code.conversion(f"{model}_unbiased", size)
+    assert compiled is not None
+    compiled(*columns, others, more)
+    np.testing.assert_array_equal(mean, others)
+    np.testing.assert_array_equal(covariance, more)
