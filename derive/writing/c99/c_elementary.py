@@ -42,6 +42,12 @@ HEAD = f"""\
 #define RADARTRACK_RESTRICT restrict
 #endif
 
+#ifdef __GNUC__
+#define RADARTRACK_INLINE static inline __attribute__((always_inline))
+#else
+#define RADARTRACK_INLINE static inline
+#endif
+
 """
 TAIL = "#endif\n"
 OWN = "#ifdef RADARTRACK_ELEMENTARY\n#include RADARTRACK_ELEMENTARY\n#else\n#include <math.h>\n\n"

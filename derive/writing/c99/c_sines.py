@@ -26,7 +26,7 @@ ZEROS, WORDS = 2, 37  # of 2/π, each of 32 bits: enough for the largest exponen
 
 POWER = """\
 /* 2 to a whole power, read off a sum whose last digit is one */
-static inline {real} {prefix}power_of_two{f}({real} exponent)
+RADARTRACK_INLINE {real} {prefix}power_of_two{f}({real} exponent)
 {{
     union {{
         {real} value;
@@ -135,6 +135,20 @@ static inline {real} {prefix}far_angle{f}({real} x, {real} *y, {real} *y_low)
 }}
 """
 
+MANY = """\
+/* of n angles; those that are far come last, one by one */
+static inline void {prefix}sin_and_cos_n{f}(
+    size_t n, const {real} *x, {real} *RADARTRACK_RESTRICT sine, {real} *RADARTRACK_RESTRICT cosine)
+{{
+    size_t i;
+    for (i = 0; i < n; ++i)
+        {prefix}near_sin_and_cos{f}(x[i] >= -{largest} && x[i] <= {largest} ? x[i] : {zero}, sine + i, cosine + i);
+    for (i = 0; i < n; ++i)
+        if (!(x[i] >= -{largest} && x[i] <= {largest}))
+            {prefix}sin_and_cos{f}(x[i], sine + i, cosine + i);
+}}
+"""
+
 
 @dataclass(frozen=True)
 class C:
@@ -181,7 +195,7 @@ def functions() -> str:
 def _functions(precision: Precision) -> Iterator[str]:
     say = C(precision)
     yield _far_angle(precision)
-    yield _both(precision)
+    yield from _both(precision)
     for name in ("sin", "cos"):
         lines = [f"{say.real} sine, cosine;", f"{PREFIX}sin_and_cos{say.suffix}({ARGUMENT}, &sine, &cosine);"]
         yield _one(say, name, [*lines, f"return {'sine' if name == 'sin' else 'cosine'};"])
@@ -189,26 +203,35 @@ def _functions(precision: Precision) -> Iterator[str]:
         yield _one(say, name, [*_constants(say, steps), f"return {steps.results[0]};"])
 
 
-def _both(precision: Precision) -> str:
+def _both(precision: Precision) -> Iterator[str]:
+    """Of a reduced angle, of one in range, of any, and of many; the loop over many has no branch."""
     say = C(precision)
     near, both = angle_less_quarters(precision, say), sine_and_cosine(precision, say)
-    set_before = set(near.results)
-    lines = [
-        f"{say.real} {', '.join(near.results)};",
-        f"if ({say.absolute(ARGUMENT)} <= {say.number(precision.largest_angle)}) {{",
-        *(
-            f"{INDENT}{name} = {value};" if name in set_before else f"{INDENT}const {say.real} {name} = {value};"
-            for name, value in near.assignments
-        ),
-        "} else {",
-        f"{INDENT}quarters = {PREFIX}far_angle{say.suffix}({ARGUMENT}, &y, &y_low);",
-        "}",
-        *_constants(say, both),
-        f"*sine = {both.results[0]};",
-        f"*cosine = {both.results[1]};",
-    ]
-    taken = f"{say.real} {ARGUMENT}, {say.real} *sine, {say.real} *cosine"
-    return _function(f"static inline void {PREFIX}sin_and_cos{say.suffix}({taken})", lines)
+    real, f, within = say.real, say.suffix, f"{say.absolute(ARGUMENT)} <= {say.number(precision.largest_angle)}"
+    returned = f"{real} *sine, {real} *cosine"
+    results = [f"*{name} = {value};" for name, value in zip(("sine", "cosine"), both.results, strict=True)]
+    reduced = ", ".join(near.results)
+    yield _function(
+        f"RADARTRACK_INLINE void {PREFIX}of_quarters{f}({real} quarters, {real} y, {real} y_low, {returned})",
+        [*_constants(say, both), *results],
+    )
+    yield _function(
+        f"RADARTRACK_INLINE void {PREFIX}near_sin_and_cos{f}({real} {ARGUMENT}, {returned})",
+        [*_constants(say, near), f"{PREFIX}of_quarters{f}({reduced}, sine, cosine);"],
+    )
+    yield _function(
+        f"static inline void {PREFIX}sin_and_cos{f}({real} {ARGUMENT}, {returned})",
+        [
+            f"if ({within}) {{",
+            f"{INDENT}{PREFIX}near_sin_and_cos{f}({ARGUMENT}, sine, cosine);",
+            "} else {",
+            f"{INDENT}{real} y, y_low;",
+            f"{INDENT}const {real} quarters = {PREFIX}far_angle{f}({ARGUMENT}, &y, &y_low);",
+            f"{INDENT}{PREFIX}of_quarters{f}({reduced}, sine, cosine);",
+            "}",
+        ],
+    )
+    yield MANY.format(real=real, f=f, prefix=PREFIX, zero=say.number(0.0), largest=say.number(precision.largest_angle))
 
 
 def _constants(say: C, steps: Steps) -> Iterator[str]:
@@ -217,7 +240,7 @@ def _constants(say: C, steps: Steps) -> Iterator[str]:
 
 
 def _one(say: C, name: str, lines: list[str]) -> str:
-    return _function(f"static inline {say.real} {PREFIX}{name}{say.suffix}({say.real} {ARGUMENT})", lines)
+    return _function(f"RADARTRACK_INLINE {say.real} {PREFIX}{name}{say.suffix}({say.real} {ARGUMENT})", lines)
 
 
 def _function(signature: str, lines: Iterable[str]) -> str:

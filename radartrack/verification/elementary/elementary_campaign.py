@@ -17,10 +17,11 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.generated import elementary
-from radartrack.verification.elementary.elementary_checker import FUNCTIONS, flint
+from radartrack.verification.elementary.ball_arithmetic import flint
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS
 
 Floats = npt.NDArray[np.floating[Any]]
-TYPES = {"double": np.float64, "single": np.float32}
+TYPES: dict[str, type[np.floating[Any]]] = {"double": np.float64, "single": np.float32}
 BLOCK = 50_000
 STEP = {"sin": math.pi / 2, "cos": math.pi / 2, "exp": math.log(2), "expm1": math.log(2)}
 REACH = {
@@ -86,7 +87,7 @@ def drawn(name: str, precision: str, count: int, generator: np.random.Generator)
         halves * (1 + generator.normal(0, near, count)),
     ]
     found = np.choose(generator.integers(len(kinds), size=count), kinds)
-    return np.clip(found, -reach, reach).astype(TYPES[precision])
+    return np.asarray(np.clip(found, -reach, reach), TYPES[precision])
 
 
 def in_ulp(name: str, arguments: Floats, results: Floats) -> npt.NDArray[np.float64]:

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import math
 import sys
@@ -16,15 +17,9 @@ from pathlib import Path
 from typing import Any
 
 from radartrack.generated import elementary
-from radartrack.verification.elementary.elementary_checker import (
-    FUNCTIONS,
-    Refused,
-    Text,
-    bound,
-    cases,
-    confirmed,
-    read,
-)
+from radartrack.verification.elementary.ball_arithmetic import Refused
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS, bound, cases, confirmed, read
+from radartrack.verification.elementary.elementary_text import Text
 
 RECORD = "elementary_certificates.json"
 PRECISIONS = {"double": 53, "single": 24}
@@ -46,8 +41,6 @@ def source() -> str:
 
 def code_of(text: Text) -> str:
     """A digest of what a certificate speaks of."""
-    import ast  # noqa: PLC0415 - for this alone
-
     lines = [f"{name} = {ast.unparse(value)}" for name, value in text.statements]
     return sha256("\n".join([*lines, *map(ast.unparse, text.results)]).encode()).hexdigest()[:16]
 

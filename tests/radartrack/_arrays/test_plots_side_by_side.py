@@ -54,14 +54,13 @@ def test_results_have_the_same_bits_compiled_for_another_processor(processor: st
 def test_compiled_functions_have_the_bits_of_the_generated_ones(name: str):
     function = side_by_side.elementary_functions()[name]
 
-    @numba.njit(error_model="numpy")
     def loop(arguments: np.ndarray, results: np.ndarray) -> None:
         for i in range(len(arguments)):
             results[i] = function(arguments[i])
 
     arguments = np.append(2000.0 * share(0.618) - 1000.0, [0.0, 1e-300, -1e-9, 1e5, np.inf, -np.inf, np.nan])
     results = np.empty_like(arguments)
-    loop(arguments, results)
+    numba.njit(error_model="numpy")(loop)(arguments, results)
     with np.errstate(all="ignore"):
         np.testing.assert_array_equal(results, over_arrays(name)(arguments))
 

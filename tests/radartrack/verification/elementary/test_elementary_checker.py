@@ -3,11 +3,13 @@
 import os
 import re
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 pytest.importorskip("flint")
 from radartrack.verification.elementary import elementary_checker
+from radartrack.verification.elementary.ball_arithmetic import Refused
 from radartrack.verification.elementary.elementary_certificates import (
     PRECISIONS,
     certificate,
@@ -16,7 +18,7 @@ from radartrack.verification.elementary.elementary_certificates import (
     kept,
     source,
 )
-from radartrack.verification.elementary.elementary_checker import FUNCTIONS, Refused, cases, confirmed, read
+from radartrack.verification.elementary.elementary_checker import FUNCTIONS, cases, confirmed, read
 
 KEPT, SOURCE = kept(), source()
 EACH = [(precision, name) for precision in PRECISIONS for name in FUNCTIONS]
@@ -58,7 +60,7 @@ def test_a_certificate_is_found_again():
     ],
     ids=["bound", "code", "no case", "not covered", "too many cells", "one cell", "letters"],
 )
-def test_forged_certificates_are_refused(forge: Callable[[dict], dict]):
+def test_forged_certificates_are_refused(forge: Callable[[dict[str, Any]], dict[str, Any]]):
     with pytest.raises(Refused):
         confirmed_bound("single", "sin", forge(KEPT["single"]["sin"]), SOURCE)
 
