@@ -3,7 +3,7 @@
 Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle,
 beyond which they are NaN. The bits are the same on every processor. A zero has no sign.
 
-Written by radartrack regenerate, generator 1, derivation df4eb903e51298bf; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 9471740c3f815b73; not to be edited.
 """
 
 import math
@@ -42,7 +42,11 @@ def sin_and_cos(angle: float) -> tuple[float, float]:
     cosine_of_y = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
     quadrant = quarters - 4.0 * ((quarters * 0.25 + 6755399441055744.0) - 6755399441055744.0)
     even = 1.0 - abs(quadrant)
-    return chosen(quadrant * quadrant == 1.0, quadrant * cosine_of_y, even * sine_of_y), chosen(quadrant * quadrant == 1.0, -quadrant * sine_of_y, even * cosine_of_y)
+    odd_sine = quadrant * cosine_of_y
+    even_sine = even * sine_of_y
+    odd_cosine = -quadrant * sine_of_y
+    even_cosine = even * cosine_of_y
+    return chosen(quadrant * quadrant == 1.0, odd_sine, even_sine), chosen(quadrant * quadrant == 1.0, odd_cosine, even_cosine)
 
 
 def sin(angle: float) -> float:
@@ -86,8 +90,10 @@ def expm1(x: float) -> float:
     half_square = 0.5 * square
     tail = lost + rest * (lost + square * series)
     half = (doublings * 0.5 + 6755399441055744.0) - 6755399441055744.0
+    whole = (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)
     few = chosen(doublings > 64.0, 64.0, doublings)
-    scale = chosen(doublings < -53.0, 0.0, power_of_two(few))
+    few_doubled = power_of_two(few)
+    scale = chosen(doublings < -53.0, 0.0, few_doubled)
     shifted = scale - 1.0
     unshifted = (scale - shifted) - 1.0
     scaled = scale * rest
@@ -95,7 +101,7 @@ def expm1(x: float) -> float:
     back = total - shifted
     lost_again = (shifted - (total - back)) + (scaled - back)
     near = total + (scale * half_square + (lost_again + (unshifted + scale * tail)))
-    return chosen(doublings > 64.0, (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half), near)
+    return chosen(doublings > 64.0, whole, near)
 
 
 def sin_and_cos_single(angle: float) -> tuple[float, float]:
@@ -121,7 +127,11 @@ def sin_and_cos_single(angle: float) -> tuple[float, float]:
     cosine_of_y = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
     quadrant = quarters - 4.0 * ((quarters * 0.25 + 12582912.0) - 12582912.0)
     even = 1.0 - abs(quadrant)
-    return chosen(quadrant * quadrant == 1.0, quadrant * cosine_of_y, even * sine_of_y), chosen(quadrant * quadrant == 1.0, -quadrant * sine_of_y, even * cosine_of_y)
+    odd_sine = quadrant * cosine_of_y
+    even_sine = even * sine_of_y
+    odd_cosine = -quadrant * sine_of_y
+    even_cosine = even * cosine_of_y
+    return chosen(quadrant * quadrant == 1.0, odd_sine, even_sine), chosen(quadrant * quadrant == 1.0, odd_cosine, even_cosine)
 
 
 def sin_single(angle: float) -> float:
@@ -165,8 +175,10 @@ def expm1_single(x: float) -> float:
     half_square = 0.5 * square
     tail = lost + rest * (lost + square * series)
     half = (doublings * 0.5 + 12582912.0) - 12582912.0
+    whole = (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)
     few = chosen(doublings > 64.0, 64.0, doublings)
-    scale = chosen(doublings < -24.0, 0.0, power_of_two(few))
+    few_doubled = power_of_two(few)
+    scale = chosen(doublings < -24.0, 0.0, few_doubled)
     shifted = scale - 1.0
     unshifted = (scale - shifted) - 1.0
     scaled = scale * rest
@@ -174,4 +186,4 @@ def expm1_single(x: float) -> float:
     back = total - shifted
     lost_again = (shifted - (total - back)) + (scaled - back)
     near = total + (scale * half_square + (lost_again + (unshifted + scale * tail)))
-    return chosen(doublings > 64.0, (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half), near)
+    return chosen(doublings > 64.0, whole, near)

@@ -28,7 +28,7 @@ class Dialect(Protocol):
         """The size of a number."""
 
     def chosen(self, condition: str, first: str, second: str) -> str:
-        """The first where the condition holds, else the second; both are computed."""
+        """The first where the condition holds, else the second: names or numbers, as compilers branch to compute."""
 
     def power_of_two(self, exponent: str) -> str:
         """2 to a whole power."""
@@ -89,12 +89,13 @@ def sine_and_cosine(precision: Precision, say: Dialect) -> Steps:
         ("cosine_of_y", f"head + ((({one} - head) - half_square) + (square * square * cosine_series - y * y_low))"),
         ("quadrant", f"quarters - {say.number(4.0)} * ({_whole(quarter, precision, say)})"),
         ("even", f"{one} - {say.absolute('quadrant')}"),
+        ("odd_sine", "quadrant * cosine_of_y"),
+        ("even_sine", "even * sine_of_y"),
+        ("odd_cosine", "-quadrant * sine_of_y"),
+        ("even_cosine", "even * cosine_of_y"),
     ]
     odd = f"quadrant * quadrant == {one}"
-    results = (
-        say.chosen(odd, "quadrant * cosine_of_y", "even * sine_of_y"),
-        say.chosen(odd, "-quadrant * sine_of_y", "even * cosine_of_y"),
-    )
+    results = (say.chosen(odd, "odd_sine", "even_sine"), say.chosen(odd, "odd_cosine", "even_cosine"))
     return Steps(tuple(steps), results)
 
 
@@ -107,12 +108,14 @@ def exponential(precision: Precision, say: Dialect) -> Steps:
 def exponential_less_one(precision: Precision, say: Dialect) -> Steps:
     """e^x − 1 for every number."""
     n = say.number
-    reduced, whole_result = _exponential(precision, say)
+    reduced, whole = _exponential(precision, say)
     saturated = n(SATURATED)
     steps = [
         *reduced,
+        ("whole", whole),
         ("few", say.chosen(f"doublings > {saturated}", saturated, "doublings")),
-        ("scale", say.chosen(f"doublings < {n(-float(precision.bits))}", n(0.0), say.power_of_two("few"))),
+        ("few_doubled", say.power_of_two("few")),
+        ("scale", say.chosen(f"doublings < {n(-float(precision.bits))}", n(0.0), "few_doubled")),
         ("shifted", f"scale - {n(1.0)}"),
         ("unshifted", f"(scale - shifted) - {n(1.0)}"),
         ("scaled", "scale * rest"),
@@ -121,7 +124,7 @@ def exponential_less_one(precision: Precision, say: Dialect) -> Steps:
         ("lost_again", "(shifted - (total - back)) + (scaled - back)"),
         ("near", "total + (scale * half_square + (lost_again + (unshifted + scale * tail)))"),
     ]
-    return Steps(tuple(steps), (say.chosen(f"doublings > {saturated}", whole_result, "near"),))
+    return Steps(tuple(steps), (say.chosen(f"doublings > {saturated}", "whole", "near"),))
 
 
 def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, str]], str]:

@@ -130,7 +130,7 @@ def require_exponent(text: Text) -> None:
     limit = float(SATURATED)
     expected = {
         "exp": [direct],
-        "expm1": [f"chosen(doublings > {limit}, {direct}, near)"],
+        "expm1": [f"chosen(doublings > {limit}, whole, near)"],
     }[text.name]
     if [ast.unparse(result) for result in text.results] != expected:
         raise Refused(f"{text.name} returns something else")
@@ -139,7 +139,9 @@ def require_exponent(text: Text) -> None:
         require_exactly(text, text.value("near"), "expm1")
         shapes = {
             "few": f"chosen(doublings > {limit}, {limit}, doublings)",
-            "scale": f"chosen(doublings < -{float(text.bits)}, 0.0, power_of_two(few))",
+            "few_doubled": "power_of_two(few)",
+            "scale": f"chosen(doublings < -{float(text.bits)}, 0.0, few_doubled)",
+            "whole": direct,
             "shifted": "scale - 1.0",
         }
         if any(ast.unparse(text.value(name)) != shape for name, shape in shapes.items()):
@@ -256,7 +258,7 @@ def _most_doublings(text: Text) -> int:
 def mantissa_of(text: Text) -> ast.expr:
     """What is multiplied by powers of two to give e^x."""
     result = text.results[-1]
-    match result.args[1] if isinstance(result, ast.Call) else result:
+    match text.value("whole") if text.name == "expm1" else result:
         case ast.BinOp(ast.BinOp(mantissa, ast.Mult(), ast.Call()), ast.Mult(), ast.Call()):
             return mantissa
     raise Refused("e^x is no number times two powers of two")

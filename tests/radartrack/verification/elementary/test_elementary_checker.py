@@ -96,7 +96,7 @@ def test_a_change_of_any_number_is_refused_or_proves_less(function: str, name: s
         ("y_low = (rest_2 - y) + low", "y_low = (y - rest_2) + low"),
         ("half_square = 0.5 * square", "half_square = 0.25 * square"),
         ("(y_low - half_square * y_low)", "(y_low + half_square * y_low)"),
-        ("even * sine_of_y), chosen", "even * cosine_of_y), chosen"),
+        ("even_sine = even * sine_of_y", "even_sine = even * cosine_of_y"),
         ("-quadrant * sine_of_y", "quadrant * sine_of_y"),
         ("abs(angle) <= LARGEST_ANGLE, angle", "abs(angle) >= LARGEST_ANGLE, angle"),
         ("return sin_and_cos(angle)[0]", "return sin_and_cos(angle)[1]"),
