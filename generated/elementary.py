@@ -3,7 +3,7 @@
 Each is within one unit in the last place of the exact value; sine and cosine up to a largest angle,
 beyond which they are NaN. The bits are the same on every processor. A zero has no sign.
 
-Written by radartrack regenerate, generator 1, derivation 9471740c3f815b73; not to be edited.
+Written by radartrack regenerate, generator 1, derivation e83b77c4efdaf362; not to be edited.
 """
 
 import math
@@ -41,12 +41,10 @@ def sin_and_cos(angle: float) -> tuple[float, float]:
     cosine_series = 0.041666666666666595 + square * (-0.0013888888888873338 + square * (2.4801587288997356e-05 + square * (-2.755731421522648e-07 + square * (2.0875705101376363e-09 + square * -1.1358731946151996e-11))))
     cosine_of_y = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
     quadrant = quarters - 4.0 * ((quarters * 0.25 + 6755399441055744.0) - 6755399441055744.0)
-    even = 1.0 - abs(quadrant)
-    odd_sine = quadrant * cosine_of_y
-    even_sine = even * sine_of_y
-    odd_cosine = -quadrant * sine_of_y
-    even_cosine = even * cosine_of_y
-    return chosen(quadrant * quadrant == 1.0, odd_sine, even_sine), chosen(quadrant * quadrant == 1.0, odd_cosine, even_cosine)
+    turned = abs(quadrant)
+    even = 1.0 - turned
+    odd = quadrant * (2.0 - turned)
+    return odd * cosine_of_y + even * sine_of_y, even * cosine_of_y - odd * sine_of_y
 
 
 def sin(angle: float) -> float:
@@ -89,19 +87,18 @@ def expm1(x: float) -> float:
     series = 0.16666666666666677 + rest * (0.04166666666666669 + rest * (0.008333333333321776 + rest * (0.0013888888888887085 + rest * (0.0001984126988534903 + rest * (2.480158729409885e-05 + rest * (2.7557245196161155e-06 + rest * (2.755731641442066e-07 + rest * (2.510865616449033e-08 + rest * 2.0897835056122505e-09))))))))
     half_square = 0.5 * square
     tail = lost + rest * (lost + square * series)
-    half = (doublings * 0.5 + 6755399441055744.0) - 6755399441055744.0
-    whole = (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)
-    few = chosen(doublings > 64.0, 64.0, doublings)
-    few_doubled = power_of_two(few)
-    scale = chosen(doublings < -53.0, 0.0, few_doubled)
+    not_many = chosen(doublings > 64.0, 64.0, doublings)
+    few = chosen(not_many < -64.0, -64.0, not_many)
+    scale = power_of_two(few)
     shifted = scale - 1.0
-    unshifted = (scale - shifted) - 1.0
+    kept = shifted + 1.0
+    unshifted = (scale - kept) + ((kept - shifted) - 1.0)
     scaled = scale * rest
     total = shifted + scaled
     back = total - shifted
     lost_again = (shifted - (total - back)) + (scaled - back)
     near = total + (scale * half_square + (lost_again + (unshifted + scale * tail)))
-    return chosen(doublings > 64.0, whole, near)
+    return near * power_of_two(doublings - not_many)
 
 
 def sin_and_cos_single(angle: float) -> tuple[float, float]:
@@ -126,12 +123,10 @@ def sin_and_cos_single(angle: float) -> tuple[float, float]:
     cosine_series = 0.04166664555668831 + square * (-0.0013887309469282627 + square * 2.4432327336398885e-05)
     cosine_of_y = head + (((1.0 - head) - half_square) + (square * square * cosine_series - y * y_low))
     quadrant = quarters - 4.0 * ((quarters * 0.25 + 12582912.0) - 12582912.0)
-    even = 1.0 - abs(quadrant)
-    odd_sine = quadrant * cosine_of_y
-    even_sine = even * sine_of_y
-    odd_cosine = -quadrant * sine_of_y
-    even_cosine = even * cosine_of_y
-    return chosen(quadrant * quadrant == 1.0, odd_sine, even_sine), chosen(quadrant * quadrant == 1.0, odd_cosine, even_cosine)
+    turned = abs(quadrant)
+    even = 1.0 - turned
+    odd = quadrant * (2.0 - turned)
+    return odd * cosine_of_y + even * sine_of_y, even * cosine_of_y - odd * sine_of_y
 
 
 def sin_single(angle: float) -> float:
@@ -174,16 +169,15 @@ def expm1_single(x: float) -> float:
     series = 0.1666666567325592 + rest * (0.04166649281978607 + rest * (0.008333547040820122 + rest * (0.0013932316796854138 + rest * 0.00019760899886023253)))
     half_square = 0.5 * square
     tail = lost + rest * (lost + square * series)
-    half = (doublings * 0.5 + 12582912.0) - 12582912.0
-    whole = (1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)
-    few = chosen(doublings > 64.0, 64.0, doublings)
-    few_doubled = power_of_two(few)
-    scale = chosen(doublings < -24.0, 0.0, few_doubled)
+    not_many = chosen(doublings > 64.0, 64.0, doublings)
+    few = chosen(not_many < -64.0, -64.0, not_many)
+    scale = power_of_two(few)
     shifted = scale - 1.0
-    unshifted = (scale - shifted) - 1.0
+    kept = shifted + 1.0
+    unshifted = (scale - kept) + ((kept - shifted) - 1.0)
     scaled = scale * rest
     total = shifted + scaled
     back = total - shifted
     lost_again = (shifted - (total - back)) + (scaled - back)
     near = total + (scale * half_square + (lost_again + (unshifted + scale * tail)))
-    return chosen(doublings > 64.0, whole, near)
+    return near * power_of_two(doublings - not_many)

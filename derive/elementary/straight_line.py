@@ -14,7 +14,7 @@ from typing import Protocol
 from radartrack.derive.elementary import coefficients
 from radartrack.derive.elementary.precision import Precision
 
-SATURATED = 64.0  # binary logarithm of e^x above which 1 less is nothing
+SATURATED = 64.0  # binary logarithm of e^x above which 1 less is nothing, and below minus which e^x is
 ARGUMENT = "x"
 
 
@@ -88,50 +88,50 @@ def sine_and_cosine(precision: Precision, say: Dialect) -> Steps:
         ("cosine_series", _horner(coefficients.cosine(precision), "square", say)),
         ("cosine_of_y", f"head + ((({one} - head) - half_square) + (square * square * cosine_series - y * y_low))"),
         ("quadrant", f"quarters - {say.number(4.0)} * ({_whole(quarter, precision, say)})"),
-        ("even", f"{one} - {say.absolute('quadrant')}"),
-        ("odd_sine", "quadrant * cosine_of_y"),
-        ("even_sine", "even * sine_of_y"),
-        ("odd_cosine", "-quadrant * sine_of_y"),
-        ("even_cosine", "even * cosine_of_y"),
-    ]
-    odd = f"quadrant * quadrant == {one}"
-    results = (say.chosen(odd, "odd_sine", "even_sine"), say.chosen(odd, "odd_cosine", "even_cosine"))
+        ("turned", say.absolute("quadrant")),
+        ("even", f"{one} - turned"),
+        ("odd", f"quadrant * ({say.number(2.0)} - turned)"),
+    ]  # one of the two is zero, the other one or minus one
+    results = ("odd * cosine_of_y + even * sine_of_y", "even * cosine_of_y - odd * sine_of_y")
     return Steps(tuple(steps), results)
 
 
 def exponential(precision: Precision, say: Dialect) -> Steps:
     """e^x for every number: zero and infinite where it is too small and too large."""
-    reduced, result = _exponential(precision, say)
-    return Steps(tuple(reduced), (result,))
+    half = _whole(
+        f"doublings * {say.number(0.5)}", precision, say
+    )  # one factor may be out of range
+    powers = f"{say.power_of_two('half')} * {say.power_of_two('doublings - half')}"
+    mantissa = f"({say.number(1.0)} + (rest + (half_square + tail)))"
+    return Steps((*_reduced_exponent(precision, say), ("half", half)), (f"{mantissa} * {powers}",))
 
 
 def exponential_less_one(precision: Precision, say: Dialect) -> Steps:
     """e^x − 1 for every number."""
     n = say.number
-    reduced, whole = _exponential(precision, say)
-    saturated = n(SATURATED)
+    one, most = n(1.0), n(SATURATED)
     steps = [
-        *reduced,
-        ("whole", whole),
-        ("few", say.chosen(f"doublings > {saturated}", saturated, "doublings")),
-        ("few_doubled", say.power_of_two("few")),
-        ("scale", say.chosen(f"doublings < {n(-float(precision.bits))}", n(0.0), "few_doubled")),
-        ("shifted", f"scale - {n(1.0)}"),
-        ("unshifted", f"(scale - shifted) - {n(1.0)}"),
+        *_reduced_exponent(precision, say),
+        ("not_many", say.chosen(f"doublings > {most}", most, "doublings")),
+        ("few", say.chosen(f"not_many < -{most}", f"-{most}", "not_many")),
+        ("scale", say.power_of_two("few")),
+        ("shifted", f"scale - {one}"),
+        ("kept", f"shifted + {one}"),
+        ("unshifted", f"(scale - kept) + ((kept - shifted) - {one})"),
         ("scaled", "scale * rest"),
         ("total", "shifted + scaled"),
         ("back", "total - shifted"),
         ("lost_again", "(shifted - (total - back)) + (scaled - back)"),
         ("near", "total + (scale * half_square + (lost_again + (unshifted + scale * tail)))"),
     ]
-    return Steps(tuple(steps), (say.chosen(f"doublings > {saturated}", "whole", "near"),))
+    return Steps(tuple(steps), (f"near * {say.power_of_two('doublings - not_many')}",))
 
 
-def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, str]], str]:
-    """What e^x and e^x − 1 share, and e^x; its power of two is two factors, so that the result may be subnormal."""
+def _reduced_exponent(precision: Precision, say: Dialect) -> list[tuple[str, str]]:
+    """What e^x and e^x − 1 share: e^x = 2^doublings (1 + rest + half_square + tail)."""
     n = say.number
     (lowest, highest), (first, second) = precision.exponents, coefficients.doubling(precision)
-    steps = [
+    return [
         ("not_huge", say.chosen(f"{ARGUMENT} > {n(highest)}", n(highest), ARGUMENT)),
         ("given", say.chosen(f"not_huge < {n(lowest)}", n(lowest), "not_huge")),
         ("doublings", _whole(f"given * {n(coefficients.inverses(precision)[1])}", precision, say)),
@@ -143,10 +143,7 @@ def _exponential(precision: Precision, say: Dialect) -> tuple[list[tuple[str, st
         ("series", _horner(coefficients.exponential(precision), "rest", say)),
         ("half_square", f"{n(0.5)} * square"),
         ("tail", "lost + rest * (lost + square * series)"),
-        ("half", _whole(f"doublings * {n(0.5)}", precision, say)),
     ]
-    powers = f"{say.power_of_two('half')} * {say.power_of_two('doublings - half')}"
-    return steps, f"({n(1.0)} + (rest + (half_square + tail))) * {powers}"
 
 
 def _whole(value: str, precision: Precision, say: Dialect) -> str:

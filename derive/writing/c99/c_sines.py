@@ -141,8 +141,10 @@ static inline void {prefix}sin_and_cos_n{f}(
     size_t n, const {real} *x, {real} *RADARTRACK_RESTRICT sine, {real} *RADARTRACK_RESTRICT cosine)
 {{
     size_t i;
-    for (i = 0; i < n; ++i)
-        {prefix}near_sin_and_cos{f}(x[i] >= -{largest} && x[i] <= {largest} ? x[i] : {zero}, sine + i, cosine + i);
+    for (i = 0; i < n; ++i) {{
+        const {real} size = x[i] < {zero} ? -x[i] : x[i];
+        {prefix}near_sin_and_cos{f}(size <= {largest} ? x[i] : {zero}, sine + i, cosine + i);
+    }}
     for (i = 0; i < n; ++i)
         if (!(x[i] >= -{largest} && x[i] <= {largest}))
             {prefix}sin_and_cos{f}(x[i], sine + i, cosine + i);

@@ -122,30 +122,25 @@ def require_exponent(text: Text) -> None:
     grid, most = grid_of(first), _most_doublings(text)
     if not (most * first <= grid * 2**text.bits and grid >= Fraction(1, 2 ** (text.bits + 1))):
         raise Refused("a multiple of ln 2 that is rounded")
-    whole = whole_of(text, "doublings")
-    powers = "power_of_two(half) * power_of_two(doublings - half)"
-    direct = f"(1.0 + (rest + (half_square + tail))) * {powers}"
-    if ast.unparse(text.value("half")) != f"doublings * 0.5 + {whole!r} - {whole!r}":
-        raise Refused("doublings are not halved")
-    limit = float(SATURATED)
-    expected = {
-        "exp": [direct],
-        "expm1": [f"chosen(doublings > {limit}, whole, near)"],
-    }[text.name]
-    if [ast.unparse(result) for result in text.results] != expected:
-        raise Refused(f"{text.name} returns something else")
-    require_exactly(text, mantissa_of(text), "exp")
-    if text.name == "expm1":
-        require_exactly(text, text.value("near"), "expm1")
-        shapes = {
-            "few": f"chosen(doublings > {limit}, {limit}, doublings)",
-            "few_doubled": "power_of_two(few)",
-            "scale": f"chosen(doublings < -{float(text.bits)}, 0.0, few_doubled)",
-            "whole": direct,
+    whole, limit = whole_of(text, "doublings"), float(SATURATED)
+    shapes = {
+        "exp": {"half": f"doublings * 0.5 + {whole!r} - {whole!r}"},
+        "expm1": {
+            "not_many": f"chosen(doublings > {limit}, {limit}, doublings)",
+            "few": f"chosen(not_many < -{limit}, -{limit}, not_many)",
+            "scale": "power_of_two(few)",
             "shifted": "scale - 1.0",
-        }
-        if any(ast.unparse(text.value(name)) != shape for name, shape in shapes.items()):
-            raise Refused("doublings are not limited")
+        },
+    }[text.name]
+    result = {
+        "exp": "(1.0 + (rest + (half_square + tail))) * power_of_two(half) * power_of_two(doublings - half)",
+        "expm1": "near * power_of_two(doublings - not_many)",
+    }[text.name]
+    if any(ast.unparse(text.value(name)) != shape for name, shape in shapes.items()):
+        raise Refused(f"{text.name}: doublings are not counted as they should be")
+    if [ast.unparse(one) for one in text.results] != [result]:
+        raise Refused(f"{text.name} returns something else")
+    require_exactly(text, mantissa_of(text) if text.name == "exp" else text.value("near"), text.name)
 
 
 def _require_whole(text: Text, name: str, largest: float) -> None:
@@ -257,8 +252,7 @@ def _most_doublings(text: Text) -> int:
 
 def mantissa_of(text: Text) -> ast.expr:
     """What is multiplied by powers of two to give e^x."""
-    result = text.results[-1]
-    match text.value("whole") if text.name == "expm1" else result:
+    match text.results[-1]:
         case ast.BinOp(ast.BinOp(mantissa, ast.Mult(), ast.Call()), ast.Mult(), ast.Call()):
             return mantissa
     raise Refused("e^x is no number times two powers of two")

@@ -132,8 +132,8 @@ def cases(text: Text) -> dict[str, tuple[float, float]]:
         return {"": (0.0, reach)}
     if text.name == "exp":
         return {"": (-reach, reach)}
-    whole = {str(k): (-reach, reach) for k in range(-text.bits, SATURATED + 1) if k}
-    return {"few": (-reach, reach), "0-": (-reach, 0.0), "0+": (0.0, reach), **whole, "many": (-reach, reach)}
+    whole = {str(k): (-reach, reach) for k in range(-SATURATED, SATURATED + 1) if k}
+    return {"0-": (-reach, 0.0), "0+": (0.0, reach), **whole}
 
 
 def _largest_angle(tree: ast.Module, bits: int) -> float:
@@ -193,10 +193,6 @@ def _of_exponential(text: Text, low: float, high: float) -> Ball:
 
 
 def _of_exponential_less_one(text: Text, case: str, low: float, high: float) -> Ball:
-    if case == "many":
-        return _of_many_doublings(text, low, high)
-    if case == "few":  # the result is -1, which lacks e^x
-        return (point(high).exp() + reduction_of_exponents(text) * 2) / 2
     k = int(case.rstrip("+-"))
     if k == 0 and max(-low, high) <= TINY:
         return point(OF_TINY)
@@ -211,13 +207,12 @@ def _of_exponential_less_one(text: Text, case: str, low: float, high: float) -> 
     error = error + point(scale) * _exponential_is_off(text, y, half_last)
     if k:
         error = error + point(scale) * reduction_of_exponents(text) * 3 / 2
+    if k == SATURATED:  # more doublings come last, when one is off already
+        error = error + 1
+    if k == -SATURATED:  # and fewer are taken for these
+        error = error + 2 * point(scale)
     exact = point(scale) * (y.exp() + around(2 * half_last)) - 1 if k else y.expm1()
     return point(0.5) + error / ulp_at_least(exact, text.bits)
-
-
-def _of_many_doublings(text: Text, low: float, high: float) -> Ball:
-    """Above 64 doublings e^x is taken, from which one is less than 2^-63 of it."""
-    return _of_exponential(text, low, high) + point(Fraction(2) ** (text.bits - SATURATED + 2))
 
 
 def _exponential_is_off(text: Text, y: Ball, half_last: Ball) -> Ball:

@@ -38,7 +38,7 @@ def test_of_the_longest_proof_a_share_is_checked(precision: str):
     bits, row = PRECISIONS[precision], KEPT[precision]["expm1"]
     text = read(SOURCE, "expm1", bits)
     assert row["trees"].keys() == cases(text).keys()
-    for case in ("0+", "0-", "1", "-1", "few", "many", "64", str(-bits)):
+    for case in ("0+", "0-", "1", "-1", "64", "-64", str(-bits)):
         for low, high in elementary_checker.cells(cases(text)[case], row["trees"][case]):
             assert elementary_checker.bound(text, case, low, high) <= row["bound"]
 
@@ -96,13 +96,13 @@ def test_a_change_of_any_number_is_refused_or_proves_less(function: str, name: s
         ("y_low = (rest_2 - y) + low", "y_low = (y - rest_2) + low"),
         ("half_square = 0.5 * square", "half_square = 0.25 * square"),
         ("(y_low - half_square * y_low)", "(y_low + half_square * y_low)"),
-        ("even_sine = even * sine_of_y", "even_sine = even * cosine_of_y"),
-        ("-quadrant * sine_of_y", "quadrant * sine_of_y"),
+        ("odd = quadrant * (2.0 - turned)", "odd = quadrant * (1.0 - turned)"),
+        ("cosine_of_y - odd * sine_of_y", "cosine_of_y + odd * sine_of_y"),
         ("abs(angle) <= LARGEST_ANGLE, angle", "abs(angle) >= LARGEST_ANGLE, angle"),
         ("return sin_and_cos(angle)[0]", "return sin_and_cos(angle)[1]"),
         ("lost = (high - rest) - low", "lost = (high - rest) + low"),
         ("power_of_two(doublings - half)", "power_of_two(doublings + half)"),
-        ("unshifted = (scale - shifted) - 1.0", "unshifted = (shifted - scale) - 1.0"),
+        ("unshifted = (scale - kept) +", "unshifted = (scale - kept) -"),
         ("chosen(doublings > 64.0, 64.0, doublings)", "chosen(doublings < 64.0, 64.0, doublings)"),
         ("lost_again = (shifted - (total - back)) + (scaled - back)", "lost_again = (shifted - (total - back))"),
         ("tail = lost + rest", "tail = lost - rest"),
@@ -117,7 +117,7 @@ def test_faulty_statements_are_refused_or_prove_less(before: str, after: str):
             text = read(faulty, name, 53)
             if code_of(text) == row["code"]:
                 continue
-            for case in cases(text).keys() & {"", "0+", "1", "few"}:
+            for case in cases(text).keys() & {"", "0+", "1", "54"}:
                 *_, widest = elementary_checker.cells(cases(text)[case], row["trees"][case])
                 if elementary_checker.bound(text, case, *widest) > row["bound"]:
                     return
