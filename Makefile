@@ -80,6 +80,22 @@ seeds: $(VENV)/.group-test
 	@for seed in $(SEEDS); do echo "seed $$seed"; \
 		RADARTRACK_HYPOTHESIS=dev $(BIN)/python -m pytest -n auto --dist worksteal -q -m hypothesis --hypothesis-seed $$seed || exit 1; done
 
+# Tests that may be made as long as one likes, each with a size of its own: `make campaign-formulas SIZE=1000`.
+TESTS_OF_faults := tests/radartrack/verification/test_generated_code.py
+SIZE_OF_faults := 200
+TESTS_OF_formulas := tests/derive/checking/test_verdicts.py
+SIZE_OF_formulas := 100000
+TESTS_OF_functions := tests/radartrack/testing/test_diagnosing.py
+SIZE_OF_functions := 20
+TESTS_OF_mutants := tests/derive/checking
+SIZE_OF_mutants := 100
+TESTS_OF_strangers := tests/derive/checking/test_strangers.py
+SIZE_OF_strangers := 1000
+campaign-%: $(VENV)/.group-test
+	$(if $(TESTS_OF_$*),,$(error there is no campaign of $*))
+	RADARTRACK_$(shell echo $* | tr a-z A-Z)=$(or $(SIZE),$(SIZE_OF_$*)) \
+		$(BIN)/python -m pytest -n auto --dist worksteal -q --override-ini faulthandler_timeout=0 $(TESTS_OF_$*)
+
 # The documents and the checker's page, which runs the library in the browser: build/site. Needs Node 20 or newer and npm.
 SITE := build/site-source
 CHECKER := $(SITE)/docs/check

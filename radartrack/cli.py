@@ -13,7 +13,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from radartrack._system import terminal
+from radartrack._system import terminal, termination
 from radartrack.commands.audit import audit
 from radartrack.commands.check import check
 from radartrack.commands.diagnose import diagnose, points
@@ -27,7 +27,6 @@ from radartrack.commands.tables.convert_plots import convert
 from radartrack.commands.verify import verify
 
 CANNOT = 2  # read, write, or go on; 1 says that something was found to be wrong
-INTERRUPTED = 130
 
 
 class Commands(TyperGroup):
@@ -37,7 +36,8 @@ class Commands(TyperGroup):
         """Run a command line."""
         terminal.prepare()
         try:
-            return super().main(*args, **kwargs)
+            with termination.obeyed():
+                return super().main(*args, **kwargs)
         except OSError as error:  # where the usage or an error was to be shown
             terminal.report_lost_output(error)
             raise SystemExit(CANNOT) from None
@@ -61,8 +61,8 @@ def _failing_in_one_line() -> Iterator[None]:
         terminal.report_lost_output(error)
     except SystemExit:  # Rich, where a reader of the help went away
         pass
-    except KeyboardInterrupt:
-        raise typer.Exit(INTERRUPTED) from None
+    except KeyboardInterrupt as interrupt:
+        raise typer.Exit(termination.exit_code(interrupt)) from None
     except BrokenExecutor:
         terminal.complain("A process that did a part of the work has ended before its time; is there enough memory?")
     except Exception as error:

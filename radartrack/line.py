@@ -27,6 +27,7 @@ from radartrack._arrays.validation import (
     real_arrays,
     require_trailing_shape,
     require_within,
+    whole_number,
 )
 from radartrack.generated import line as formulas
 from radartrack.generated import spherical
@@ -167,7 +168,7 @@ def fit(
     chosen: Method = one_of("method", method, get_args(Method))
     if chosen == "reweighted" and weights is not None:
         raise ValueError("weights must be None for method 'reweighted', which computes them; got an array")
-    require_count("max_iterations", max_iterations)
+    max_iterations = whole_number("max_iterations", max_iterations, 1)
     given = {"t": t, "x": x, "weights": 1.0 if weights is None else weights}
     arrays = _plots(given, {"t": TIME, "x": COORDINATE, "weights": WEIGHT}, least=2)
     if not np.all(arrays["weights"].sum(axis=-1) > 0):
@@ -316,19 +317,6 @@ def bounded_product(mixed: Floats, first: Floats, second: Floats) -> Floats:
     """A mixed moment, which rounding and underflow do not lift above the geometric mean of the two variances."""
     most = np.sqrt(first) * np.sqrt(second)
     return np.clip(mixed, -most, most)
-
-
-def require_count(name: str, given: object, least: int = 1) -> None:
-    """Check that an argument is a whole number.
-
-    Raises:
-        TypeError: it is not.
-        ValueError: it is less than allowed.
-    """
-    if isinstance(given, (bool, np.bool_)) or not isinstance(given, (int, np.integer)):
-        raise TypeError(f"{name} must be a whole number; got {given!r}")
-    if given < least:
-        raise ValueError(f"{name} must be at least {least}; got {given}")
 
 
 def _plots(given: Mapping[str, ArrayLike], domains: Mapping[str, Domain], least: int) -> dict[str, Floats]:

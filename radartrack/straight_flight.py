@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from radartrack import fusion, line
 from radartrack._arrays import repeated_trials
 from radartrack._arrays.repeated_trials import Estimate
-from radartrack._arrays.validation import RealArray
+from radartrack._arrays.validation import RealArray, whole_number
 from radartrack.simulate import Radar, Seed, Straight, plots
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -152,7 +152,7 @@ def compare(
         TypeError: the number of runs is not whole.
         ValueError: an argument is out of place.
     """
-    line.require_count("runs", runs, least=2)
+    runs = whole_number("runs", runs, 2)
     if not 0 < confidence < 1:
         raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
     if not stations or any(_scans(station.radar) < 3 for station in stations):

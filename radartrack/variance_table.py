@@ -29,6 +29,7 @@ from radartrack._arrays.validation import (
     require_covariance,
     require_trailing_shape,
     require_within,
+    whole_number,
 )
 from radartrack._system.directory_swap import replace_file
 from radartrack.generated import line as formulas
@@ -132,10 +133,10 @@ class VarianceTable:
 
     def __post_init__(self) -> None:
         ranges = _require_edges(self.range_edges)
-        line.require_count("sectors", self.sectors)
-        object.__setattr__(self, "sectors", int(self.sectors))  # a narrow integer of NumPy would overflow
-        if ranges * self.sectors > MOST_CELLS:
-            given = f"{ranges} range bins by {self.sectors} sectors"
+        sectors = whole_number("sectors", self.sectors, 1)  # a narrow integer of NumPy would overflow
+        object.__setattr__(self, "sectors", sectors)
+        if ranges * sectors > MOST_CELLS:
+            given = f"{ranges} range bins by {sectors} sectors"
             raise ValueError(f"range_edges and sectors must make at most {MOST_CELLS} cells; got {given}")
         _require_sound(self.contributions, ranges, self.sectors)
 

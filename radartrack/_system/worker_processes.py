@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import signal
 import threading
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
@@ -23,9 +24,21 @@ class Workers(ProcessPoolExecutor):
     def end(self) -> None:
         """End the processes, whatever they do; what waits is not done."""
         processes = list((self._processes or {}).values())
+        manager = self._executor_manager_thread
         self.shutdown(wait=False, cancel_futures=True)
+        if manager is not None:
+            _wait_until_forgotten(manager)
         for process in processes:
             process.terminate()
+
+
+def _wait_until_forgotten(manager: Any) -> None:
+    """Wait for a pool's thread to drop what is cancelled; it stumbles over that where its processes end before."""
+    for _ in range(1_000):
+        waiting = [work.future for work in [*manager.pending_work_items.values()]]
+        if not manager.is_alive() or not any(future.cancelled() for future in waiting):
+            return
+        time.sleep(1e-3)
 
 
 @contextmanager
@@ -42,6 +55,7 @@ def ended_on_failure(workers: Workers) -> Iterator[Workers]:
 def serve() -> None:
     """Tell a process that it works for its parent: the parent decides what Ctrl-C means, and dies with its workers."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # where it is a fork of a command
     threading.Thread(target=_end_with_the_parent, daemon=True).start()
 
 

@@ -21,6 +21,7 @@ from rich.progress import (
 )
 
 from radartrack._system import output_files, terminal
+from radartrack._system.termination import exit_code
 from radartrack.commands.model_file import ModelFile, NoModel, load_models
 
 if TYPE_CHECKING:
@@ -39,7 +40,6 @@ PATHS = {
     "C": "c",
     "C single": "s",
 }  # in the table
-INTERRUPTED = 130
 
 
 class Language(StrEnum):
@@ -114,10 +114,10 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
         work.own = _written(declared, chosen, where)
         with _progress() as step:
             records = work.run(where, step)
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interrupt:
         if work.kept.path is not None:
             terminal.complain(f"Interrupted; what was done stands in {work.kept.path}, and the same command goes on.")
-        raise typer.Exit(INTERRUPTED) from None
+        raise typer.Exit(exit_code(interrupt)) from None
     except Unreachable as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None

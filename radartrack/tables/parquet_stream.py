@@ -59,6 +59,9 @@ def rows_of(source: Path) -> int:
         return int(file.metadata.num_rows)
 
 
+_NAMES = {"UNCOMPRESSED": "NONE"}  # what pyarrow reads of a file and how it wants to be told, where they differ
+
+
 def convert_file(
     source: Path, target: Path, chosen: PlotColumns, step: Callable[[int], None] = lambda _: None
 ) -> Outcome:
@@ -102,7 +105,7 @@ def convert_file(
 def _opened(source: Path) -> Any:
     pa, pq = import_module("pyarrow"), import_module("pyarrow.parquet")
     try:
-        return pq.ParquetFile(source, buffer_size=BUFFER)
+        return pq.ParquetFile(source, buffer_size=BUFFER, pre_buffer=False)  # what is read ahead is never let go
     except pa.ArrowInvalid as error:
         raise NoPlots(f"{source} is no Parquet file: {error}") from None
 
@@ -132,7 +135,7 @@ def _options(file: Any, chosen: PlotColumns) -> dict[str, Any]:
     """How columns are written: those that are kept as they were."""
     group = file.metadata.row_group(0) if file.metadata.num_row_groups else None
     kept = [group.column(i) for i in range(group.num_columns)] if group is not None else []
-    compression = {column.path_in_schema: column.compression for column in kept}
+    compression = {column.path_in_schema: _NAMES.get(column.compression, column.compression) for column in kept}
     # What was measured seldom repeats: a dictionary of it takes half of all the time, and is given up in the end.
     words = [column.path_in_schema for column in kept if _has_words(column)]
     new = dict.fromkeys(chosen.outputs, "NONE")

@@ -379,10 +379,3 @@ def test_what_has_no_answer_is_refused_by_name(case: str) -> None:
     call, words = REFUSED[case]
     with pytest.raises((ValueError, TypeError), match=words):
         call()
-
-
-@pytest.mark.parametrize("count", [np.int64(3), np.int8(3)])
-def test_integers_of_numpy_are_whole_numbers(count: Any) -> None:
-    assert line.fit(TWO, TWO, method="reweighted", max_iterations=count).converged
-    with pytest.raises(TypeError, match="whole number"):
-        line.require_count("runs", np.bool_(True))

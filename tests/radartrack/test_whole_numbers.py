@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from radartrack import FiniteSampleFilter, consistency, kalman, simulate
+from radartrack import FiniteSampleFilter, VarianceTable, consistency, kalman, line, simulate
 from radartrack._arrays.validation import whole_number
 from radartrack.finite_sample_experiment import compare, radial_radar
 from radartrack.simulate import Radar, Straight
@@ -33,6 +33,8 @@ WANTED: dict[str, Callable[[Any], Any]] = {
     "scans of times": RADAR.times,
     "trials": lambda given: measured(trials=given),
     "seed": lambda given: measured(seed=given),
+    "iterations": lambda given: line.fit(RANGES, RATES, method="reweighted", max_iterations=given).slope,
+    "sectors": lambda given: VarianceTable.empty([0.0, 1e5], given).range_edges,
     "seed of a pair": lambda given: measured(seed=(1, given)),
     "draws": lambda given: consistency.experiment("polar", PLOT, draws=given).bias,
     "seed of draws": lambda given: consistency.experiment("polar", PLOT, draws=9, seed=given).bias,

@@ -90,12 +90,38 @@ def test_an_interrupt_of_all_ends_all_at_once_and_only_the_parent_speaks(program
         assert process.returncode == -signal.SIGINT
 
 
+COMMAND = CHECKER.partition("decide_all([")[0] + (
+    "import radartrack.derive.checking.papers.claims_file as claims; claims.Claim = lambda *_, **__: SLOW\n"
+    'from radartrack.cli import app; app(["check", "polar.map[0]", "r"])\n'
+)
+REGENERATION = """
+import sys, time
+from concurrent.futures import Future
+from radartrack._regeneration import regeneration
+
+def begun(*_):
+    print("busy", flush=True)
+    return original(*_)
+
+original = Future.result
+Future.result = begun
+if __name__ == "__main__":
+    from radartrack.cli import app
+    app(["regenerate", "--out", sys.argv[1]])
+"""
+
+
 def test_an_interrupted_command_says_nothing_of_it(tmp_path: Path) -> None:
-    program = CHECKER.partition("decide_all([")[0] + (
-        "import radartrack.derive.checking.papers.claims_file as claims; claims.Claim = lambda *_, **__: SLOW\n"
-        'from radartrack.cli import app; app(["check", "polar.map[0]", "r"])\n'
-    )
-    with busy([program], tmp_path) as process:
+    with busy([COMMAND], tmp_path) as process:
         os.killpg(process.pid, signal.SIGINT)
         _, said = process.communicate(timeout=PATIENCE)
         assert (process.returncode, said) == (130, "")
+
+
+@pytest.mark.parametrize("code", [COMMAND, REGENERATION], ids=["check", "regenerate"])
+def test_a_command_that_is_asked_to_end_says_and_leaves_nothing(code: str, tmp_path: Path) -> None:
+    with busy([code, str(tmp_path / "out")], tmp_path) as process:
+        process.send_signal(signal.SIGTERM)
+        _, said = process.communicate(timeout=PATIENCE)
+        assert (process.returncode, said) == (143, "")
+    assert [path.name for path in tmp_path.iterdir()] == ["program.py"]

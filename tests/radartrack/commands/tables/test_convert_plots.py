@@ -78,6 +78,29 @@ def test_batches_that_fit_no_row_group_give_what_one_conversion_of_all_gives(
     requires_same(pq.read_table(tmp_path / "out.parquet"), table())
 
 
+@pytest.mark.parametrize("compression", ["none", "snappy", "gzip", "brotli", "lz4", "zstd"])
+def test_columns_that_are_kept_are_compressed_as_they_were(compression: str, tmp_path: Path) -> None:
+    pq.write_table(table(), tmp_path / "plots.parquet", compression=compression)
+    result = converted(tmp_path / "plots.parquet", "--out", tmp_path / "new.parquet")
+    assert result.exit_code == 0, result.output
+    old, new = (pq.ParquetFile(tmp_path / name).metadata.row_group(0) for name in ("plots.parquet", "new.parquet"))
+    kept = range(old.num_columns)
+    assert [new.column(i).compression for i in kept] == [old.column(i).compression for i in kept]
+
+
+def test_a_long_file_is_never_in_memory_as_a_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(parquet_stream, "BATCH", 1 << 12)
+    pq.write_table(table(100 << 12), tmp_path / "plots.parquet", row_group_size=1 << 12, compression="none")
+    before, allocated = pa.total_allocated_bytes(), []
+    parquet_stream.convert_file(
+        tmp_path / "plots.parquet",
+        tmp_path / "new.parquet",
+        chosen(),
+        lambda _: allocated.append(pa.total_allocated_bytes() - before),
+    )
+    assert max(allocated) < (tmp_path / "plots.parquet").stat().st_size / 4
+
+
 def test_without_out_the_new_file_is_beside_the_old_one(plots: Path) -> None:
     assert converted(plots).exit_code == 0
     assert sorted(path.name for path in plots.parent.iterdir()) == ["plots-converted.parquet", "plots.parquet"]
