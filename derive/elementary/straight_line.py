@@ -98,9 +98,7 @@ def sine_and_cosine(precision: Precision, say: Dialect) -> Steps:
 
 def exponential(precision: Precision, say: Dialect) -> Steps:
     """e^x for every number: zero and infinite where it is too small and too large."""
-    half = _whole(
-        f"doublings * {say.number(0.5)}", precision, say
-    )  # one factor may be out of range
+    half = _whole(f"doublings * {say.number(0.5)}", precision, say)  # one factor may be out of range
     powers = f"{say.power_of_two('half')} * {say.power_of_two('doublings - half')}"
     mantissa = f"({say.number(1.0)} + (rest + (half_square + tail)))"
     return Steps((*_reduced_exponent(precision, say), ("half", half)), (f"{mantissa} * {powers}",))
