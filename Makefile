@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-bu
 VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: all test lint format types layers drift notebooks bench scoreboard verify mutants matrix seeds site site-test dist installed clean
+.PHONY: all test lint format types layers drift notebooks bench scoreboard verify mutants matrix seeds site site-release site-test dist installed clean
 .NOTPARALLEL:
 
 all: $(VENV)/.package
@@ -111,6 +111,15 @@ site: $(VENV)/.group-site web/node_modules/.installed
 	node web/build/checker.mjs $(CHECKER)
 	$(BIN)/python web/build/documents.py $(SITE)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --quiet --strict --config-file $(SITE)/mkdocs.yml --site-dir $(CURDIR)/build/site
+
+# The site of a release beside those of earlier ones, as a commit in the branch `site`, which is for a host of files. The
+# address without a release leads to the latest.
+site-release: export PATH := $(CURDIR)/$(BIN):$(PATH)
+site-release: export NO_MKDOCS_2_WARNING := 1
+site-release: site
+	mike --quiet deploy --config-file $(SITE)/release.yml --branch site --update-aliases --alias-type copy \
+		$$(python -c 'from importlib.metadata import version; print(version("radartrack"))') latest
+	mike --quiet set-default --config-file $(SITE)/release.yml --branch site latest
 
 # The site in Chromium; what is missing for that is said, and skipped. CHROMIUM=… names another browser.
 site-test: web/node_modules/.installed

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import traceback
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor
@@ -92,7 +91,9 @@ app = typer.Typer(
 
 def _tell_version(asked: bool) -> None:
     if asked:
-        terminal.say(f"radartrack {importlib.metadata.version('radartrack')}")
+        from importlib.metadata import version
+
+        terminal.say(f"radartrack {version('radartrack')}")
         raise typer.Exit
 
 

@@ -25,7 +25,7 @@ from radartrack.derive.checking.comparing.counterexample import (
 from radartrack.derive.checking.comparing.difference_scale import squared_floor
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Here, Imaginary, Values
 from radartrack.derive.checking.comparing.order_of_difference import orders
-from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
 from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
@@ -38,6 +38,7 @@ from radartrack.derive.checking.question.letters.letter_readings import (
     Typed,
     ambiguous,
     as_typed,
+    unreadable,
 )
 from radartrack.derive.checking.question.letters.undeclared_letters import undeclared_letters
 from radartrack.derive.checking.question.letters.undeclared_letters import words as assumed
@@ -57,6 +58,7 @@ from radartrack.derive.checking.repairing.slips_inside import Repair, Slip, has_
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
+from radartrack.derive.evaluation.points import Point
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
@@ -65,7 +67,7 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.any_letters import plain_formulas, read_loosely
 from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
@@ -135,15 +137,21 @@ def ask(
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
-    paper = Paper(formula, code or (LATEX if latex else TEXT), function, given or {}, let or {}, world, sense)
+    conditions, definitions = plain_formulas(given or {}), plain_formulas(let or {})
+    paper = Paper(formula, code or (LATEX if latex else TEXT), function, conditions, definitions, world, sense)
     try:
         question = paper.ask(quantity)
-    except FormulaError:
-        other = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
-        if other is None:
-            raise
-        question = other
+    except FormulaError as error:
+        question = _of_another_model(paper, quantity, error)
     return replace(question, paper=paper)
+
+
+def _of_another_model(paper: Paper, quantity: str | Quantity, error: FormulaError) -> Question:
+    """The question of a formula in letters that the quantity does not have, where it is one of another model."""
+    found = attempted(lambda: paper.ask_although_unreadable(quantity), lambda _: None)
+    if found is None:
+        raise attempted(lambda: paper.refusal(quantity, error), lambda _: error) from None
+    return found
 
 
 @dataclass(frozen=True)
@@ -170,6 +178,25 @@ class Paper:
         if typed is None or self.other_model(reference) is None:
             return None
         return next((self._question(reference, reading) for reading in typed.forced()), None)
+
+    def refusal(self, quantity: str | Quantity, error: FormulaError) -> FormulaError:
+        """What to say instead of an error: why the formula cannot be read at all, or whose letters it has."""
+        reference, typed = self._typed(quantity)
+        why = unreadable(partial(self._read_loosely, wanted=1), reference, {**self.world.let, **self.let})
+        if why is not None:
+            return why.within(self.formula)
+        has_letters = typed is None or typed.readings()
+        likely = None if has_letters else next((one for one in rivals(reference) if self._has_units_of(one)), None)
+        words = f"{error.message}. With its letters and units it may be meant for {likely}"
+        return FormulaError(words, error.source, error.span) if likely else error
+
+    def _has_units_of(self, name: str) -> bool:
+        """Whether the formula can be read as this quantity, with the units of it."""
+        try:
+            _, typed = self._typed(name)
+            return typed is not None and any(reading.fits for reading in typed.readings())
+        except (FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+            return False
 
     def other_model(self, reference: Reference) -> Question | None:
         """The question whether it is the same thing in another model, if it is."""
@@ -268,8 +295,9 @@ def ask_identity(
         FormulaError, UnknownQuantity: when something cannot be read.
         NoClosedForm: when something cannot be worked out.
     """
-    definitions = {**world.let, **(let or {})}
-    texts = [left, right, *(given or {}).values(), *(let or {}).values()]
+    given, let = plain_formulas(given or {}), plain_formulas(let or {})
+    definitions = {**world.let, **let}
+    texts = [left, right, *given.values(), *let.values()]
     symbols = {**letters_of_catalogue(texts, definitions), **symbols_for(texts, definitions, world, of_models=True)}
     names = Names(symbols, definitions, world)
     letters = undeclared_letters(alike or [left, right], names, world.letters)
@@ -277,7 +305,7 @@ def ask_identity(
     reference = of_formula(left, names).with_symbols(names.symbols.values())
     printed = read_printed(right, names.fixing(names.tree(left)), reference.shape)
     remarks = (*printed.remarks, *([assumed(letters)] if letters else []))
-    return asked(reference, replace(printed, remarks=remarks), given or {}, world, sense)
+    return asked(reference, replace(printed, remarks=remarks), given, world, sense)
 
 
 @dataclass(frozen=True)
@@ -300,7 +328,7 @@ class Rounding:
 
 @dataclass(frozen=True)
 class Question:
-    """A printed formula, what it is compared with, under which conditions, and in which sense, in words."""
+    """A printed formula, what it is compared with, under which conditions, where, and in which sense, in words."""
 
     reference: Reference
     printed: Printed
@@ -309,6 +337,7 @@ class Question:
     rounding: Rounding | None = None
     reading: Reading = AS_TYPED
     paper: Paper | None = None
+    where: Callable[[Point], bool] = everywhere
 
     @cached_property
     def symbols(self) -> tuple[Variable, ...]:
@@ -327,7 +356,7 @@ class Question:
     @cached_property
     def domain(self) -> Domain:
         """Where the formulas are compared."""
-        return Domain(self.symbols, self.conditions)
+        return Domain(self.symbols, self.conditions, where=self.where)
 
     def answers(self) -> Iterator[Verdict]:
         """The verdict on all entries together, the gravest of them; then again and again, each with more beside it.

@@ -11,7 +11,13 @@ from itertools import chain, combinations, islice
 from typing import Any, TypeAlias
 
 from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
-from radartrack.derive.checking.question.letters.letter_meanings import is_angle_word, is_known_word, means
+from radartrack.derive.checking.question.letters.letter_meanings import (
+    is_angle_word,
+    is_known_word,
+    is_word,
+    meanings,
+    means,
+)
 from radartrack.derive.evaluation.tree_values import Program
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
@@ -204,12 +210,14 @@ class FormulaSearch:
         shape = tuple(row["shape"])
         zeros = dict.fromkeys(row.get("correlations", ()), "0")
         for values, words, given in (("values", "used", {}), ("uncorrelated", "used_uncorrelated", zeros)):
-            if values in row and None not in row[values]:
-                used = [_used(row, word) for word in row[words]]
-                if shape:
-                    whole = [symbol for symbol in row["symbols"] if any(symbol in one for one in used)]
-                    self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values]))))
-                for place, (own, worth) in enumerate(zip(used, row[values], strict=True)):
+            if values not in row:
+                continue
+            used = [_used(row, word) for word in row[words]]
+            if shape and None not in row[values]:
+                whole = [symbol for symbol in row["symbols"] if any(symbol in one for one in used)]
+                self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values]))))
+            for place, (own, worth) in enumerate(zip(used, row[values], strict=True)):
+                if worth is not None:
                     item = _Item(f"{name}{_index(place, shape)}", meaning, given, (tuple(worth),))
                     self._put(row, own, (), item)
 
@@ -233,13 +241,20 @@ class FormulaSearch:
         for (size, of_shape, _), family in self._families.items():
             if size != len(letters) or of_shape not in shapes:
                 continue
-            readings = list(islice(_assigned(letters, family, farther=farther), most and most + 1))
+            assigned = _assigned(letters, family, farther=farther, strict=most is not None)
+            readings = list(islice(assigned, most and most + 1))
             for reading in readings if most is None or len(readings) <= most else ():
                 angles = [letter for letter in letters if reading[letter].symbol.unit == "angle"]
                 for convention, turned in _in_conventions(angles, plain=plain):
                     values = _values(programs, reading, turned, convention, family)
                     if values is not None:
                         yield _Read(family, reading, convention, turned, values)
+
+
+def letters_of(tree: Tree) -> int | None:
+    """How many letters a formula has that is a number; None of an array."""
+    entries = _entries(tree)
+    return len(names(tree)) if entries is not None and not entries.shape else None
 
 
 def _plainest(found: Sequence[Candidate]) -> list[Candidate]:
@@ -257,12 +272,22 @@ def _first_of(rearranged: Mapping[str, tuple[int, Candidate]]) -> list[Candidate
     return [one for _, one in sorted(rearranged.values(), key=lambda pair: -pair[0])][:MOST_REARRANGED]
 
 
-def _assigned(letters: Sequence[str], family: _Family, *, farther: bool) -> Iterator[Reading]:
+def _assigned(letters: Sequence[str], family: _Family, *, farther: bool, strict: bool) -> Iterator[Reading]:
     """Ways to read letters as symbols, one to one, the likeliest first."""
-    known = {letter: _choices(letter, family.symbols) for letter in letters}
+    known = {}
+    for letter in letters:
+        free = [symbol for symbol in family.symbols if symbol.name == letter or symbol.name not in letters]
+        known[letter] = [] if strict and _means_another(letter, free) else _choices(letter, free)
     if farther:
         known = {letter: farther_choices(letter, known, family.symbols) for letter in letters}
     yield from islice(assignments(known), MOST_READINGS)
+
+
+def _means_another(letter: str, symbols: Sequence[Screened]) -> bool:
+    """Whether a name means something, but none of these symbols: T is no ratio, and a latitude no azimuth."""
+    if any(symbol.name == letter for symbol in symbols) or means(letter, symbols) or means(letter, symbols, weak=True):
+        return False
+    return is_word(letter) or bool(meanings(letter).strong)
 
 
 def _choices(letter: str, symbols: Sequence[Screened]) -> list[Choice[Screened]]:

@@ -44,6 +44,10 @@ _TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _COMMAND = re.compile(r"\\[a-zA-Z]+\*?|[{}~\\]")
 _SPACE = re.compile(r"\\(?:[,;:!]|quad|qquad|,)(?![a-zA-Z])|&|\\(?:left|right)(?=\.)")
 _ID = re.compile(r"[^A-Za-z0-9_]+")
+_SEPARATOR = re.compile(
+    r"\\[{}]|[{}()\[\]]|(?<!\\)[,;]|\\qquad|\\quad|\\(?:text|mbox|mathrm)\s*\{\s*(?:and|where|with|,)\s*\}"
+)
+_OPEN, _CLOSE = frozenset({"{", "(", "[", "\\{"}), frozenset({"}", ")", "]", "\\}"})
 _LINE, _HIDDEN = "\\\\", "\x00"
 
 
@@ -247,11 +251,35 @@ def _split(line: str, number: str) -> Iterator[Equation]:
     line = line if (opened := without_braces(line)) == line else f"\\begin{{split}}{opened}\\end{{split}}"
     inner = _INNER.search(line)
     label = _LABEL.search(line)
-    for one in _lines(inner[2]) if inner else [line]:
+    lines = _lines(inner[2]) if inner else [line]
+    for one in (part for line in lines for part in _apart(line)):
         text = _cleaned(one)
         left, sign, right = _at_equals(text)
         if sign and right:
             yield Equation(number, label[1].strip() if label else "", left, right)
+
+
+def _apart(line: str) -> list[str]:
+    r"""The equations of one line: `x = a, \quad y = b` are two; what is no equation belongs to the one before."""
+    hidden = _MATRIX.sub(lambda found: _HIDDEN * len(found[0]), line)
+    parts: list[str] = []
+    start = 0
+    for end in [*_separators(hidden), len(line)]:
+        if parts and "=" not in hidden[start:end]:
+            parts[-1] += line[start:end]
+        else:
+            parts.append(line[start:end])
+        start = end
+    return parts
+
+
+def _separators(line: str) -> Iterator[int]:
+    """Where a comma, a semicolon, a wide space or a word parts equations, in no brackets."""
+    depth = 0
+    for found in _SEPARATOR.finditer(line):
+        depth += (found[0] in _OPEN) - (found[0] in _CLOSE)
+        if depth == 0 and found[0] not in _OPEN | _CLOSE:
+            yield found.end()
 
 
 def _cleaned(line: str) -> str:

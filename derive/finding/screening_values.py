@@ -25,12 +25,18 @@ DIGITS = 14  # that are written: what floating point has, less its rounding
 POINTS = 3  # two generic ones and a round one
 
 
-def row(quantity: Quantity) -> dict[str, Any]:
-    """The values of a quantity as data: of its symbols, and of its entries with and without correlations."""
+def row(quantity: Quantity, letters: int | None = None) -> dict[str, Any]:
+    """The values of a quantity as data: of its symbols, and of its entries with and without correlations.
+
+    Args:
+        quantity: the quantity.
+        letters: where only a formula in so many letters is looked for: other entries have no values then.
+    """
     points = _points(quantity.symbols)
     names = [symbol.name for symbol in quantity.symbols]
     entries = quantity.expression
     correlations = [symbol.name for symbol in quantity.symbols if symbol.is_correlation]
+    used = _used(entries, quantity.symbols)
     data: dict[str, Any] = {
         "meaning": quantity.meaning,
         "source": quantity.source.reference,
@@ -38,23 +44,24 @@ def row(quantity: Quantity) -> dict[str, Any]:
         "symbols": {name: [_rounded(point[name]) for point in points] for name in names},
         "angles": [symbol.name for symbol in quantity.symbols if symbol.is_angle],
         "kinds": {symbol.name: _kind(symbol) for symbol in quantity.symbols},
-        "used": _used(entries, quantity.symbols),
-        "values": _values(entries, quantity.symbols, points),
+        "used": used,
+        "values": _values(entries, quantity.symbols, points, _wanted(used, letters)),
     }
     if correlations:
         vanishing = zero([symbol for symbol in quantity.symbols if symbol.is_correlation])
         uncorrelated = [point | dict.fromkeys(correlations, 0.0) for point in points]
+        used = _used(entries.map(lambda entry: entry.xreplace(vanishing)), quantity.symbols)
         data |= {
             "correlations": correlations,
-            "used_uncorrelated": _used(entries.map(lambda entry: entry.xreplace(vanishing)), quantity.symbols),
-            "uncorrelated": _values(entries, quantity.symbols, uncorrelated),
+            "used_uncorrelated": used,
+            "uncorrelated": _values(entries, quantity.symbols, uncorrelated, _wanted(used, letters)),
         }
     return data
 
 
 def _used(entries: Tensor[Expr], symbols: Sequence[Variable]) -> list[str]:
     """For each entry a word of 0 and 1: in which of the symbols it is."""
-    return ["".join("01"[symbol in entry.free_symbols] for symbol in symbols) for entry in entries]
+    return ["".join("01"[symbol in used] for symbol in symbols) for used in (entry.free_symbols for entry in entries)]
 
 
 def _points(symbols: Sequence[Variable]) -> list[Point]:
@@ -83,8 +90,16 @@ def _kind(symbol: Variable) -> str:
     return "angle" if symbol.is_angle else str(symbol.unit)
 
 
-def _values(entries: Tensor[Expr], symbols: Sequence[Variable], points: Sequence[Point]) -> list[list[float] | None]:
-    return [_at_all(entry, symbols, points) for entry in entries]
+def _wanted(used: Sequence[str], letters: int | None) -> list[bool]:
+    """The entries in so many symbols."""
+    return [letters in {None, word.count("1")} for word in used]
+
+
+def _values(
+    entries: Tensor[Expr], symbols: Sequence[Variable], points: Sequence[Point], wanted: Sequence[bool]
+) -> list[list[float] | None]:
+    pairs = zip(entries, wanted, strict=True)
+    return [_at_all(entry, symbols, points) if is_wanted else None for entry, is_wanted in pairs]
 
 
 def _at_all(entry: Expr, symbols: Sequence[Variable], points: Sequence[Point]) -> list[float] | None:

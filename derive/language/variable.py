@@ -30,6 +30,7 @@ class Variable(Symbol):
     whole: bool
     at_most: Variable | None
     is_correlation: bool
+    _kind: str  # the unit as text, which SymPy asks for whenever it compares
 
     def __new__(
         cls,
@@ -56,7 +57,7 @@ class Variable(Symbol):
             )
         sign = "positive" if low > 0 else "nonnegative" if low == 0 else "real"
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
-        variable.meaning, variable.unit = meaning, unit
+        variable.meaning, variable.unit, variable._kind = meaning, unit, str(unit)
         variable.low, variable.high = map(_plain_number, (low, high))
         variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
         return variable
@@ -76,7 +77,7 @@ class Variable(Symbol):
 
     def _hashable_content(self) -> tuple[Any, ...]:
         """Symbols of one name and different units are different, to SymPy's cache of results too."""
-        return (*super()._hashable_content(), str(self.unit))
+        return (*super()._hashable_content(), self._kind)
 
     @property
     def logarithmic(self) -> bool:

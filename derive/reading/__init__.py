@@ -7,6 +7,7 @@ loaded. What cannot be read, is ambiguous or too large raises `FormulaError`.
 
 from typing import TYPE_CHECKING, Any
 
+from radartrack.derive.code_languages import LANGUAGES
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_latex, to_text
@@ -30,7 +31,7 @@ from radartrack.derive.formula.tree import (
     walk,
     with_children,
 )
-from radartrack.derive.reading.code.source_code import LANGUAGES, read_code
+from radartrack.derive.reading.code.source_code import read_code
 from radartrack.derive.reading.notation import NOTATIONS, Reading, read_formula
 from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.text import read_text

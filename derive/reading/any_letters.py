@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
 from radartrack.derive.reading.notation import TEXT, read_formula
+from radartrack.derive.reading.printed_text import is_printed
 
 _EULER = Constant("e")
 
@@ -35,6 +38,20 @@ def read_loosely(
     """
     read = read_formula(formula, notation, names, shapes, strangers=True, function=function, wanted=wanted)
     return _with_letter_e(read.tree, formula)
+
+
+def plain_formulas(printed: Mapping[str, str]) -> dict[str, str]:
+    """Formulas by name, all as they are typed: λ is lambda, and σθ² is sigma_theta**2; what cannot be read stays."""
+    return {_plain(name): _plain(text) for name, text in printed.items()}
+
+
+def _plain(text: str) -> str:
+    if not is_printed(text):
+        return text
+    try:
+        return to_text(read_loosely(text))
+    except FormulaError:
+        return text
 
 
 def _with_letter_e(tree: Tree, source: str) -> Tree:

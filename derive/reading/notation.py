@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
+from radartrack.derive.code_languages import LANGUAGES
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, bound_names, names
-from radartrack.derive.reading.code.source_code import LANGUAGES, read_code
+from radartrack.derive.reading.code.source_code import read_code
 from radartrack.derive.reading.printed_text import is_printed, read_printed_text
 from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.text import read_text

@@ -13,6 +13,7 @@ from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 MOST_MINORS = 4_000  # that are not zero; a full matrix of order 10 has a thousand, of order 12 four thousand
+MOST_PARTS = 50_000  # of a minor written out, however much of it is shared: SymPy compares all of them, one by one
 
 
 def determinant(matrix: Matrix) -> Expr:
@@ -51,6 +52,7 @@ class _Minors:
         self._matrix = matrix
         self._count = 0
         self._known: dict[tuple[tuple[int, ...], tuple[int, ...]], Expr] = {}
+        self._parts: dict[Expr, int] = {}
 
     def of(self, rows: tuple[int, ...], columns: tuple[int, ...]) -> Expr:
         """The minor of some rows and columns."""
@@ -64,13 +66,27 @@ class _Minors:
             return ONE
         self._count += 1
         if self._count > MOST_MINORS:
-            raise NoClosedForm(f"a matrix of order {len(self._matrix)} with so few zeros is too large to invert")
+            raise self._too_large("minors", MOST_MINORS)
         terms = (
             (-1) ** place * self._matrix[rows[0]][column] * self.of(rows[1:], left)
             for place, (column, left) in enumerate(_left_out(columns))
             if self._matrix[rows[0]][column] != ZERO
         )
-        return sp.Add(*terms)
+        total = sp.Add(*terms)
+        if self._size(total) > MOST_PARTS:
+            raise self._too_large("parts", MOST_PARTS)
+        return total
+
+    def _size(self, expression: Expr) -> int:
+        """How many parts an expression has, those that are shared counted each time."""
+        if expression not in self._parts:
+            self._parts[expression] = 1 + sum(map(self._size, expression.args))
+        return self._parts[expression]
+
+    def _too_large(self, what: str, most: int) -> NoClosedForm:
+        return NoClosedForm(
+            f"the determinant of a matrix of order {len(self._matrix)} with so few zeros has more than {most} {what}"
+        )
 
 
 def _left_out(columns: tuple[int, ...]) -> list[tuple[int, tuple[int, ...]]]:

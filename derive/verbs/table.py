@@ -11,7 +11,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import Expression, Verb
 from radartrack.derive.language.matrix import Matrix, Vector, diagonal, identity, outer, trace
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian, taylor
+from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian
 from radartrack.derive.verbs.determinants import determinant, inverse
 from radartrack.derive.verbs.expectation import expectation
 from radartrack.derive.verbs.gates import probability, quantile
@@ -19,6 +19,7 @@ from radartrack.derive.verbs.integrals import integrated
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.matrix_exponential import exponential
 from radartrack.derive.verbs.sums import summed
+from radartrack.derive.verbs.taylor_polynomial import taylor
 
 HIGHEST_ORDER = 12  # of a Taylor polynomial
 

@@ -21,7 +21,8 @@ h3 span { min-width: 0; overflow-wrap: anywhere; }
 .counts { color: var(--dim); }
 article { border-top: 1px solid var(--line); padding: .9rem 0; }
 .verdict { font-weight: 600; } .equal .verdict, .equal_numerically .verdict { color: var(--good); }
-.differs .verdict, .wrong_dimensions .verdict { color: var(--bad); } .undecided .verdict { color: var(--open); }
+.differs .verdict, .wrong_dimensions .verdict { color: var(--bad); }
+.undecided .verdict, article .elsewhere.verdict { color: var(--open); }
 .where { color: var(--dim); font-weight: 400; font-size: .9rem; }
 .summary { font-size: 1.1rem; }
 .filter { display: flex; flex-wrap: wrap; gap: .35rem 1.2rem; margin: .75rem 0 0; padding: .35rem .8rem .5rem;
@@ -58,8 +59,10 @@ def page(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experiment] 
     sections += [_paper(audit, number) for number, audit in enumerate(audits)]
     style = look() + STYLE + (experiment_section.STYLE if experiments else "")
     contents = _contents(audits, experiments) if experiments else ""
-    contents += _summary([record for audit in audits for record in audit["claims"]])
-    if not experiments and len(audits) > 1:
+    is_scoreboard = not experiments and len(audits) > 1
+    records = [record for audit in audits for record in audit["claims"]]
+    contents += _summary(records, scoreboard.summary(audits) if is_scoreboard else audit_text.summary(records))
+    if is_scoreboard:
         style += scoreboard.STYLE
         sections.insert(0, scoreboard.scoreboard(audits))
     body = "\n".join(sections)
@@ -80,8 +83,8 @@ def _contents(audits: Sequence[Mapping[str, Any]], experiments: Sequence[Experim
     return f'<nav aria-label="Contents">\n<ul>\n{items}\n</ul>\n</nav>\n'
 
 
-def _summary(records: Sequence[Mapping[str, Any]]) -> str:
-    """How many claims there are of each verdict, and which of them are shown: a choice that needs no script."""
+def _summary(records: Sequence[Mapping[str, Any]], told: str) -> str:
+    """What is told of all claims, how many are of each kind, and which are shown: a choice that needs no script."""
     counts = {kind: sum(record["verdict"] in verdicts for record in records) for kind, verdicts in KINDS.items()}
     found = [(kind, f"{count} {SAID.get(kind, kind)}") for kind, count in counts.items() if count]
     choices = [("all", f"all {len(records)}"), *found]
@@ -90,7 +93,7 @@ def _summary(records: Sequence[Mapping[str, Any]]) -> str:
         for kind, words in choices
     )
     return (
-        f'<p class="summary">{escape(audit_text.summary(records))}</p>\n'
+        f'<p class="summary">{escape(told)}</p>\n'
         f'<fieldset class="filter">\n<legend>Claims shown</legend>\n{labels}\n</fieldset>\n'
     )
 
@@ -123,7 +126,7 @@ def _origin(audit: Mapping[str, Any]) -> Iterator[str]:
 def _claim(record: Mapping[str, Any]) -> str:
     verdict = record["verdict"]
     parts = [
-        _heading(record["id"], audit_text.WORDS[verdict], scoreboard.place(record)),
+        _heading(record, scoreboard.place(record)),
         f"<p><code>{escape(record['quantity'])}</code></p>" if record["quantity"] else "",
         _formula(record.get("printed_mathml", ""), record["printed"]),
         f"<p>{escape(record['reason'])}</p>",
@@ -135,9 +138,13 @@ def _claim(record: Mapping[str, Any]) -> str:
     return f'<article class="{verdict}" id="{identity}">{"".join(parts)}</article>'
 
 
-def _heading(identity: str, verdict: str, where: str) -> str:
-    said = f'<span class="verdict">{verdict}</span> <span class="where">{escape(where)}</span>'
-    return f"<h3><span>{escape(identity)}</span> {said}</h3>"
+def _heading(record: Mapping[str, Any], where: str) -> str:
+    """The verdict beside the name; that of what is right in a convention of its own does not look like a fault."""
+    verdict, kind = audit_text.WORDS[record["verdict"]], "verdict"
+    if record["verdict"] in audit_text.WRONG and scoreboard.rating(record) is scoreboard.Rating.ELSEWHERE:
+        verdict, kind = "right in another way", "verdict elsewhere"
+    said = f'<span class="{kind}">{verdict}</span> <span class="where">{escape(where)}</span>'
+    return f"<h3><span>{escape(record['id'])}</span> {said}</h3>"
 
 
 def _formula(mathml: str, text: str) -> str:

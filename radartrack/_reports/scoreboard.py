@@ -23,17 +23,27 @@ class Rating(StrEnum):
 
 
 SECTIONS = {"paper": "Papers and books", "library": "Libraries"}
+HEADS = {Rating.RIGHT: "right", Rating.ELSEWHERE: "right, if", Rating.WRONG: "wrong", Rating.OPEN: "open"}
 EXPLAINED = (
-    '<p class="where">Right is what is proved equal as it stands. Right under a condition: to an order, in a limit, or '
-    "with another axis, order of the state or unit. Wrong is what differs and is right in none of these.</p>"
+    '<p class="where">Right is what is equal as it stands. Right, if: to an order, in a limit, or with another axis, '
+    "order of the state or unit. Wrong is what differs and is right in none of these; open, what cannot be decided.</p>"
 )
 STYLE = """
 table { border-collapse: collapse; width: 100%; margin: .8rem 0 1.6rem; font-variant-numeric: tabular-nums; }
 th, td { border-top: 1px solid var(--line); padding: .35rem .6rem; text-align: right; vertical-align: top; }
-th:first-child, td:first-child { text-align: left; } th { color: var(--dim); font-weight: 600; font-size: .85rem; }
+th:first-child, td:first-child { text-align: left; padding-left: 0; }
+th { color: var(--dim); font-weight: 600; font-size: .85rem; white-space: nowrap; }
+td:last-child, th:last-child { padding-right: 0; }
+td a { display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; overflow: hidden; }
 td.wrong { color: var(--bad); font-weight: 600; } td a { color: inherit; }
-tfoot td { font-weight: 600; } .finding h3 { margin-bottom: .3rem; } .finding h3 a { color: inherit; }
+tfoot td { font-weight: 600; } .finding h3 { margin-bottom: .3rem; }
+.finding h3 a { color: inherit; min-width: 0; overflow-wrap: anywhere; }
 .finding p a { color: inherit; }
+@media (max-width: 40rem) {
+  tr { display: grid; grid-template-columns: repeat(5, 1fr); } tr > :first-child { grid-column: 1 / -1; }
+  td:not(:first-child) { border-top: 0; padding-top: 0; } th:first-child { display: none; }
+  td, th { padding-left: 0; padding-right: 0; text-align: left; } thead tr { border-top: 0; }
+}
 .finding { border-left: 3px solid var(--bad); padding: .2rem 0 .2rem .9rem; margin: 1.1rem 0; border-top: 0; }
 """
 
@@ -51,6 +61,13 @@ def rating(record: Record) -> Rating:
     return Rating.ELSEWHERE if record.get("sense") else Rating.RIGHT
 
 
+def summary(audits: Sequence[Mapping[str, Any]]) -> str:
+    """How many claims there are, and how many of each rating."""
+    ratings = [rating(record) for audit in audits for record in audit["claims"]]
+    counts = Counter(ratings)
+    return f"{len(ratings)} claims: " + ", ".join(f"{counts[one]} {one}" for one in Rating if counts[one])
+
+
 def scoreboard(audits: Sequence[Mapping[str, Any]]) -> str:
     """A table for papers, one for libraries, and what is wrong in words; links lead to the sections of the page."""
     numbered = list(enumerate(audits))
@@ -60,8 +77,9 @@ def scoreboard(audits: Sequence[Mapping[str, Any]]) -> str:
     ]
     wrong = [(audit, record) for audit in audits for record in audit["claims"] if rating(record) is Rating.WRONG]
     findings = "\n".join(_finding(audit, record) for audit, record in wrong)
-    told = f"<section>\n<h2>What is wrong</h2>\n{findings}\n</section>" if wrong else ""
-    return "\n".join([EXPLAINED, *parts, told])
+    told = f'<section id="wrong">\n<h2>What is wrong</h2>\n{findings}\n</section>' if wrong else ""
+    leads = '<p><a href="#wrong">What is wrong, and what a radar sees of it</a></p>' if wrong else ""
+    return "\n".join([EXPLAINED, leads, *parts, told])
 
 
 def _table(heading: str, audits: Sequence[tuple[int, Mapping[str, Any]]]) -> str:
@@ -72,7 +90,7 @@ def _table(heading: str, audits: Sequence[tuple[int, Mapping[str, Any]]]) -> str
         _row(f'<a href="#formulas-{number}">{escape(audit["paper"])}</a>', count)
         for (number, audit), count in zip(audits, counts, strict=True)
     ]
-    heads = "".join(f"<th>{escape(one)}</th>" for one in ["", "claims", *Rating])
+    heads = "".join(f"<th>{head}</th>" for head in ["", "claims", *HEADS.values()])
     total = _row("all", Counter(rating(record) for _, audit in audits for record in audit["claims"]))
     return (
         f"<section>\n<h2>{heading}</h2>\n<table>\n<thead><tr>{heads}</tr></thead>\n"
@@ -107,7 +125,7 @@ def _told(record: Record) -> Iterator[str]:
         yield f"Right would be <code>{escape(explained['perhaps meant'])}</code>"
     if record.get("repair"):
         yield f"Right would be <code>{escape(record['repair'])}</code>"
-    if "for example" in explained:
+    if "for example" in explained and record["derived"]:  # of equations it tells what they leave over
         yield f'<span class="where">For example {escape(explained["for example"])}.</span>'
     if record.get("finding"):
         name = escape(record["finding"], quote=True)

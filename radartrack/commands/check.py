@@ -44,6 +44,9 @@ def check(
 
     if latex and code:
         raise typer.BadParameter("a formula is LaTeX or code, not both", param_hint="--code")
+    if not formula.strip():
+        terminal.complain("the formula is empty")
+        raise typer.Exit(2)
     source, function = code_argument(formula) if code else ("", "")
     claim = Claim(
         id="formula",

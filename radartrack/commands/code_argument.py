@@ -1,4 +1,4 @@
-"""Code on the command line: itself, or a function or some lines of a file."""
+"""Code on the command line: itself, or a file, a function in it, or some of its lines."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import typer
 
 _IN_FILE = re.compile(
-    r"(?P<file>[^:\n]+(?::[^:\n]+)*):(?:(?P<function>[A-Za-z_]\w*)|(?P<first>\d{1,7})(?:-(?P<last>\d{1,7}))?)"
+    r"(?P<file>[^:\n]+(?::[^:\n]+)*?)(?::(?:(?P<function>[A-Za-z_]\w*)|(?P<first>\d{1,7})(?:-(?P<last>\d{1,7}))?))?"
 )
 _MOST_BYTES = 1_000_000
 
@@ -17,7 +17,7 @@ def code_argument(argument: str) -> tuple[str, str]:
     """The code, and the function that is meant; lines of a file keep their numbers.
 
     Args:
-        argument: code, `FILE:function`, `FILE:line` or `FILE:first-last`.
+        argument: code, `FILE`, `FILE:function`, `FILE:line` or `FILE:first-last`.
 
     Raises:
         typer.BadParameter: for a file that cannot be read, and for lines that it does not have.
@@ -34,8 +34,8 @@ def code_argument(argument: str) -> tuple[str, str]:
     if len(content) > _MOST_BYTES:
         raise typer.BadParameter(f"{path}: more than {_MOST_BYTES} bytes are not read", param_hint="FORMULA")
     text = text.replace("\r\n", "\n")
-    if found["function"]:
-        return text, found["function"]
+    if not found["first"]:
+        return text, found["function"] or ""
     lines = text.split("\n")
     first, last = int(found["first"]), int(found["last"] or found["first"])
     if not 1 <= first <= last <= len(lines):

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib.resources import files
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
@@ -18,6 +19,7 @@ from radartrack.commands.seconds import seconds
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
+    from radartrack.derive.formula.tree import Tree
     from radartrack.derive.language.quantity import Quantity
 
 PROVED = 6  # candidates that are proved, of those that are worth the same
@@ -55,7 +57,7 @@ def find(
         raise typer.Exit(UNREADABLE) from None
     with Decider(timeout) as decider:
         decider.start()
-        search = search_over(own_quantities(model).values())
+        search = search_over(rows_until_found(own_quantities(model).values(), tree))
         found = list(proved(search.candidates(tree), decider, declared(model)))
     for candidate, proof in found:
         _tell(candidate, proof)
@@ -69,17 +71,25 @@ def find(
     raise typer.Exit(ONLY_NEAR)
 
 
-def search_over(own: Collection[Quantity] = ()) -> FormulaSearch:
-    """The search over quantities of one's own, and the catalogue by the values that `radartrack regenerate` wrote."""
+def search_over(own: Mapping[str, Mapping[str, Any]] = MappingProxyType({})) -> FormulaSearch:
+    """The search over rows of one's own, and the catalogue by the values that `radartrack regenerate` wrote."""
     from radartrack.derive.finding.formula_search import FormulaSearch
 
-    rows = {}
-    if own:
-        from radartrack.derive.finding.screening_values import row
-
-        rows = {quantity.name: row(quantity) for quantity in own}
     text = files("radartrack.generated").joinpath("screening.json").read_text(encoding="utf-8")
-    return FormulaSearch({**rows, **json.loads(text)})
+    return FormulaSearch({**own, **json.loads(text)})
+
+
+def rows_until_found(own: Iterable[Quantity], tree: Tree) -> dict[str, Mapping[str, Any]]:
+    """The rows of quantities, up to the first that the formula may be: the later ones take the longest to derive."""
+    from radartrack.derive.finding.formula_search import FormulaSearch, letters_of
+    from radartrack.derive.finding.screening_values import row
+
+    found: dict[str, Mapping[str, Any]] = {}
+    for quantity in own:
+        found[quantity.name] = one = row(quantity, letters_of(tree))
+        if FormulaSearch({quantity.name: one}).candidates(tree):
+            break
+    return found
 
 
 def proved(

@@ -38,6 +38,20 @@ def test_every_quantity_has_a_page_with_formula_source_code_and_a_way_to_the_che
     assert "| `beta` |" in texts["polar.map"]
 
 
+def test_a_formula_that_is_too_long_for_the_book_stands_on_its_page_by_entries(modules: Any) -> None:
+    book, pages = modules
+    long = import_module("long_formulas").long_formula
+    sections = {section.name: section for section in book.sections()}
+    covariance = pages.quantity_page(sections["polar.unbiased.covariance"], long("polar.unbiased.covariance"))
+    assert "Without correlation" in covariance
+    assert "[0,1] = [1,0] &= " in covariance
+    assert "Too long" not in covariance
+    hessian = long("observe.spherical.hessian")
+    assert "Without correlation" not in hessian
+    assert "The other entries are 0." in hessian
+    assert long("bistatic.covariance.truth.fourth_order") == ""
+
+
 def test_the_book_is_taken_apart_without_a_rest(modules: Any) -> None:
     book, _ = modules
     text = book.BOOK.read_text(encoding="utf-8")

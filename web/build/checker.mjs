@@ -39,12 +39,21 @@ const bundle = (entries, define, extra = {}) =>
   });
 
 await bundle(["page.ts", "check.css"], {}, { splitting: true, chunkNames: "chunks/[name]-[hash]" });
-await bundle(["worker.ts"], { LOCK: JSON.stringify(JSON.stringify({ info, packages: {} })) });
+const runtime = everything(join(target, "python")).map((name) => join(target, "python", name));
+await bundle(["worker.ts"], {
+  LOCK: JSON.stringify(JSON.stringify({ info, packages: {} })),
+  MEMORY: JSON.stringify(named([join(source, "worker.ts"), join(source, "importer.py"), ...runtime])),
+});
 
 const files = everything(target).filter((name) => name !== "service_worker.js" && !/LICENSE/.test(name));
-const hash = createHash("sha256");
-for (const name of files) hash.update(name).update(readFileSync(join(target, name)));
-await bundle(["service_worker.ts"], { FILES: JSON.stringify(files), VERSION: JSON.stringify(hash.digest("hex").slice(0, 16)) }, { format: "iife" });
+await bundle(["service_worker.ts"], { FILES: JSON.stringify(files), VERSION: JSON.stringify(named(files.map((name) => join(target, name)))) }, { format: "iife" });
+
+/** A short name for what these files hold. */
+function named(paths) {
+  const hash = createHash("sha256");
+  for (const path of paths) hash.update(relative(target, path).replaceAll("\\", "/")).update(readFileSync(path));
+  return hash.digest("hex").slice(0, 16);
+}
 
 function everything(folder) {
   return readdirSync(folder, { withFileTypes: true, recursive: true })

@@ -18,6 +18,7 @@ from pathlib import Path
 import yaml
 from book_sections import bibliography, introduction, sections
 from command_line import command_line
+from long_formulas import long_formula
 from notebook_pages import notebook_page
 from quantity_pages import chapters, quantity_page
 from typeset_math import typeset
@@ -32,6 +33,7 @@ EXPLANATIONS = ("one_idea", "proved", "rounding", "way_of_a_formula", "reproduct
 BEFORE = ("tutorial", *GUIDES, *EXPLANATIONS)
 PUBLIC = ("convert", "observe", "kalman", "initiate", "finite_sample_filter", "line", "variance_table", "fusion",
           "simulate", "consistency", "validity", "testing")  # fmt: skip
+SCOREBOARD = "scoreboard.html"  # a page of its own look
 LINK = re.compile(
     r"(?<!!)\[(?P<words>(?:[^\[\]]|\[[^\]]*\])*)\]"
     r"\((?!https?:|mailto:)(?P<target>[^)#\s]*)(?P<anchor>#[^)\s]*)?\)"
@@ -42,7 +44,7 @@ Pages = dict[str, str]
 
 
 def main(target: Path) -> None:
-    """Write `mkdocs.yml` and the pages."""
+    """Write `mkdocs.yml`, the same with a choice of releases, and the pages."""
     pages = {**_documents(), **_notebooks(), **_quantities(), **_reference()}
     names = {one.name.replace(".", ""): one.name for one in sections()}
     pages = {place: _linked(text, place, pages, names) for place, text in pages.items()}
@@ -51,6 +53,7 @@ def main(target: Path) -> None:
     for place, text in pages.items():
         (folder / place).parent.mkdir(parents=True, exist_ok=True)
         (folder / place).write_text(text, encoding="utf-8")
+    (folder / SCOREBOARD).write_text(_scoreboard(), encoding="utf-8")
     for pictures in (ROOT / "docs" / "pictures", HERE / "static"):
         shutil.copytree(pictures, folder / pictures.name, dirs_exist_ok=True)
     look = (ROOT / "radartrack" / "_reports" / "look.css").read_text(encoding="utf-8")
@@ -58,9 +61,10 @@ def main(target: Path) -> None:
     (folder / "documents.css").write_text(_of_formulas(look) + extra, encoding="utf-8")
     settings = yaml.safe_load((HERE / "mkdocs.yml").read_text(encoding="utf-8"))
     settings |= {"nav": _navigation(pages), "docs_dir": str(folder), "copyright": f"radartrack {VERSION}"}
-    settings["theme"]["custom_dir"] = str(HERE / "theme")
     settings["plugins"][1]["mkdocstrings"]["handlers"]["python"]["paths"] = [str(ROOT)]
     (target / "mkdocs.yml").write_text(yaml.safe_dump(settings, sort_keys=False), encoding="utf-8")
+    released = {"INHERIT": "mkdocs.yml", "extra": {"version": {"provider": "mike", "default": "latest"}}}
+    (target / "release.yml").write_text(yaml.safe_dump(released), encoding="utf-8")
 
 
 def _documents() -> Pages:
@@ -80,7 +84,9 @@ def _notebooks() -> Pages:
 
 def _quantities() -> Pages:
     found = sections()
-    pages = {f"quantities/{one.name}.md": quantity_page(one) for one in found}
+    pages = {
+        f"quantities/{one.name}.md": quantity_page(one, "" if one.latex else long_formula(one.name)) for one in found
+    }
     text = [f"# Quantities\n\n{introduction()}\n"]
     for module, names in chapters(found):
         text += [f"\n## {module}\n", *(f"- [{name}]({name}.md): {meaning}" for name, meaning in names)]
@@ -92,6 +98,13 @@ def _quantities() -> Pages:
 def _reference() -> Pages:
     pages = {f"python/{name}.md": f"# radartrack.{name}\n\n::: radartrack.{name}\n" for name in PUBLIC}
     return pages | {"command_line.md": command_line()}
+
+
+def _scoreboard() -> str:
+    """The audit of literature and libraries, with a way back, and findings where the site has them."""
+    page = (ROOT / "docs" / SCOREBOARD).read_text(encoding="utf-8")
+    page = re.sub(r'href="findings/(\w+)\.md"', r'href="findings/\1/"', page)
+    return page.replace("<body>\n", '<body>\n<p><a href="./">radartrack</a></p>\n', 1)
 
 
 def _linked(text: str, place: str, pages: Pages, names: dict[str, str]) -> str:
@@ -121,6 +134,8 @@ def _page_of(path: str, anchor: str, pages: Pages, names: dict[str, str]) -> str
     if path == "docs/formulas.md":
         name = names.get(anchor.removeprefix("#"))
         return f"quantities/{name}.md" if name else "quantities/index.md"
+    if path == f"docs/{SCOREBOARD}":
+        return SCOREBOARD
     known = {
         "README.md": "index.md", "CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md",
         "notebooks": "notebooks/choose_a_conversion.md", "docs": "index.md",
@@ -150,6 +165,10 @@ def _navigation(pages: Pages) -> list[object]:
         {"Explanation": [
             *entries([f"{name}.md" for name in EXPLANATIONS]),
             {"Decisions": entries(sorted(place for place in pages if place.startswith("decisions/")))},
+        ]},
+        {"Audits": [
+            {"Scoreboard": SCOREBOARD},
+            {"Findings": entries(sorted(place for place in pages if place.startswith("findings/")))},
         ]},
         {"Notebooks": entries(sorted(place for place in pages if place.startswith("notebooks/")))},
         {"Changes": ["changelog.md", "contributing.md"]},

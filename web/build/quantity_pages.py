@@ -15,6 +15,7 @@ from book_sections import Section
 GENERATED = Path(__file__).parents[2] / "generated"
 MOST_LINES = 250  # of code on a page
 _RELATED = re.compile(r"\[(?P<name>[\w.]+)\]\(#\w+\)")
+_TOO_LONG = re.compile(r"^Too long to print here: .*$", re.MULTILINE)
 _USED = re.compile(r"^- symbols: (?P<names>.*?); ", re.MULTILINE)
 
 
@@ -26,9 +27,17 @@ def chapters(found: Iterable[Section]) -> list[tuple[str, list[tuple[str, str]]]
     ]
 
 
-def quantity_page(section: Section) -> str:
-    """All that is known of a quantity, in Markdown."""
+def quantity_page(section: Section, long_formula: str = "") -> str:
+    """All that is known of a quantity, in Markdown.
+
+    Args:
+        section: what the book says of it.
+        long_formula: what stands for a formula that is too long for the book.
+    """
     text = _RELATED.sub(lambda found: f"[{found['name']}]({found['name']}.md)", section.text)
+    if not section.latex:
+        told, rest = _TOO_LONG.split(text, maxsplit=1)
+        text = "\n".join([told, f"{long_formula}\n", f"Whole: `radartrack show {section.name}`.", rest])
     used = _USED.search(section.text)
     symbols = re.findall(r"`(\w+)`", used["names"]) if used else []
     rows = [section.symbols[name] for name in symbols if name in section.symbols]

@@ -1,4 +1,8 @@
-"""Imports the modules that the build compiled, from memory; files that they read lie beside where they were."""
+"""Imports the modules that the build compiled, from memory; files that they read lie beside where they were.
+
+What is loaded then may be kept by the browser and taken up again by another Python, in which there is all that is in
+memory, and no file.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +19,7 @@ from typing import Any
 
 ROOT = "/packages"
 MODULES: dict[str, tuple[bool, str, bytes]] = {}  # by name: whether it is a package, its place, its code
+FILES: dict[str, bytes] = {}  # by place
 
 
 class Folder:
@@ -68,22 +73,31 @@ def install(packed: Any) -> None:
     """Put the modules where `import` finds them, and the files that they read beside them."""
     modules, files = marshal.loads(packed.to_bytes())
     MODULES.update(modules)
-    for place, content in files.items():
-        path = Path(f"{ROOT}/{place}")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
+    FILES.update(files)
+    _write_files()
     sys.path_hooks.insert(0, Folder)
     sys.path.insert(0, ROOT)
     sys.path_importer_cache.clear()
 
 
-def start() -> Callable[[str, Callable[[str], None]], None]:
+def prepare() -> None:
     """Load what a first verdict needs; what is loaded is no garbage, and SymPy makes little."""
     gc.disable()
-    answering = import_module("radartrack._page.answering")
-    answering.prepare()
+    import_module("radartrack._page.answering").prepare()
     gc.freeze()
     gc.set_threshold(200_000, 50, 50)
     gc.enable()
-    answer: Callable[[str, Callable[[str], None]], None] = answering.answer
+
+
+def begin() -> Callable[[str, Callable[[str], None]], None]:
+    """What answers, in the Python that was prepared or in one that took up its memory."""
+    _write_files()
+    answer: Callable[[str, Callable[[str], None]], None] = import_module("radartrack._page.answering").answer
     return answer
+
+
+def _write_files() -> None:
+    for place, content in FILES.items():
+        path = Path(f"{ROOT}/{place}")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)

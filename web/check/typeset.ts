@@ -4,7 +4,7 @@ const SPACE = "http://www.w3.org/1998/Math/MathML";
 const ELEMENTS = new Set(
   "math mrow mi mn mo msup msub msubsup mfrac msqrt mtable mtr mtd mspace mtext mover munder munderover mstyle mpadded".split(" "),
 );
-const ATTRIBUTES = new Set(["class", "display", "mathvariant", "width"]);
+const ATTRIBUTES = new Set(["class", "display", "fence", "form", "mathvariant", "stretchy", "width"]);
 
 /** The formula, or null where there is none. */
 export function typeset(mathml: string | undefined): Element | null {

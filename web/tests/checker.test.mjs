@@ -26,6 +26,13 @@ after(async () => {
   await site?.close();
 });
 
+/** Asks until it is so; Playwright's own waiting takes a promise for an answer. */
+async function until(asked) {
+  for (let tries = 0; !(await asked()); tries++) {
+    assert.ok(tries < 1200, `never so: ${asked}`);
+    await new Promise((over) => setTimeout(over, 100));
+  }
+}
 const verdict = (at = one) => at.getByRole("status");
 async function settled(expected, at = one) {
   await at.waitForFunction((text) => document.querySelector("[role=status]").textContent.match(new RegExp(text)), expected);
@@ -204,10 +211,55 @@ test("the formula editor writes LaTeX into the field", { skip }, async () => {
   assert.match(await one.locator("#formula").inputValue(), /\\cos.*\+1/s);
 });
 
+/** What a first page told of a right formula, and whether the modules were loaded for it. */
+async function visited(context) {
+  const visit = await page(context, site.address);
+  let loaded = false;
+  visit.on("request", (request) => (loaded ||= request.url().endsWith("modules.bin")));
+  const told = await linked({ quantity: "polar.map[0]", formula: "r*cos(beta)" }, "^equal", visit);
+  return { visit, told, loaded };
+}
+/** Cuts the memory that is kept to half of it, or leaves it; whether there is one. */
+const kept = async (halve) => {
+  const name = (await caches.keys()).find((one) => one.startsWith("radartrack-memory-"));
+  const cache = name && (await caches.open(name));
+  const [request] = cache ? await cache.keys() : [];
+  if (!request) return false;
+  const whole = await (await cache.match(request)).blob();
+  if (halve) await cache.put(request, new Response(whole.slice(0, whole.size / 2)));
+  return true;
+};
+
+test("what was loaded once is kept for the next visit, and loaded anew where it is damaged", { skip }, async () => {
+  const own = await open();
+  try {
+    const first = await visited(own.context);
+    assert.ok(first.loaded);
+    await until(() => first.visit.evaluate(kept, false));
+    await first.visit.close();
+    const second = await visited(own.context);
+    assert.ok(!second.loaded);
+    assert.equal(second.told, first.told);
+    assert.ok(await second.visit.evaluate(kept, true));
+    await second.visit.close();
+    const third = await visited(own.context);
+    assert.ok(third.loaded);
+    assert.equal(third.told, first.told);
+    for (const { visit } of [first, second, third]) assert.deepEqual(visit.complaints, []);
+  } finally {
+    await own.close();
+  }
+});
+
 test("the page works without a network after one visit, and asks no other host", { skip }, async () => {
   await one.goto(`${site.address}/check/`);
   await one.waitForFunction(() => document.getElementById("offline").textContent);
-  await one.waitForFunction(async () => (await caches.keys()).length === 1 && (await (await caches.open((await caches.keys())[0])).keys()).length > 10);
+  await until(() =>
+    one.evaluate(async () => {
+      const name = (await caches.keys()).find((kept) => kept.startsWith("radartrack-check-"));
+      return name && (await (await caches.open(name)).keys()).length > 10;
+    }),
+  );
   await site.close();
   try {
     const two = await page(browser.context, site.address);

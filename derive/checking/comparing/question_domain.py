@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
@@ -21,6 +21,11 @@ DIGITS = 30
 ROUNDING = 1e-12
 
 
+def everywhere(_: Point) -> bool:
+    """That nothing restricts the points."""
+    return True
+
+
 @dataclass(frozen=True)
 class Domain:
     """Where a question asks.
@@ -30,15 +35,17 @@ class Domain:
         conditions: what others are replaced by. One that is set to a number is where it was put; one that is set to
             a formula has to be inside its limits.
         works_alone: whether only points count at which a radar works.
+        where: what else holds at the points that count.
     """
 
     symbols: Sequence[Variable]
     conditions: Mapping[Symbol, Expr] = field(default_factory=dict)
     works_alone: bool = False
+    where: Callable[[Point], bool] = everywhere
 
     def working(self) -> Domain:
         """The part of it where radars work."""
-        return Domain(working(self.symbols), self.conditions, works_alone=True)
+        return Domain(working(self.symbols), self.conditions, works_alone=True, where=self.where)
 
     def round(self) -> Iterator[Point]:
         """Round points, the plainest first."""
@@ -64,7 +71,7 @@ class Domain:
         limited = (*self.limited, *self._moving)
         if self.works_alone and values is not None and not works(self.symbols, values):
             return False
-        return values is not None and all(_is_inside(symbol, values) for symbol in limited)
+        return values is not None and all(_is_inside(symbol, values) for symbol in limited) and self.where(point)
 
     @cached_property
     def limited(self) -> list[Variable]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -80,7 +81,7 @@ class Explanation:
         printed, expected = self.printed(index), self.expected(index)
         if printed == expected or proved_equal(printed, expected):
             return True
-        return self._is_angle(index) and (equal_angles(printed, expected) or bool(self._turn(index)))
+        return self._is_angle(index) and (equal_angles(*self._in_radians(index)) or bool(self._turn(index)))
 
     @cached_property
     def _where(self) -> str:
@@ -93,9 +94,16 @@ class Explanation:
         if not self._is_angle(index):
             return ""
         printed, expected = self.printed(index), self.expected(index)
-        if printed == expected or proved_equal(printed, expected) or equal_angles(printed, expected):
+        angles = self._in_radians(index)
+        if printed == expected or proved_equal(printed, expected) or equal_angles(*angles):
             return ""
-        return _turn(printed, expected)
+        return _turn(*angles)
+
+    def _in_radians(self, index: Index) -> tuple[Expr, Expr]:
+        """The printed and the expected angle; in degrees they are the same up to another turn."""
+        size = sp.Abs(self.convention.factors.get(self._place(index), sp.Integer(1)))
+        printed, expected = self.printed(index), self.expected(index)
+        return (printed, expected) if size == 1 else (sp.expand(printed / size), sp.expand(expected / size))
 
     def _is_angle(self, index: Index) -> bool:
         return _is_angle(self.asked, self._place(index))
@@ -143,7 +151,9 @@ def explanations(asked: Asked) -> list[Explanation]:
     """The conventions in which the least is wrong, ours among them, the likeliest first."""
     found = sorted(_by_values(asked), key=lambda one: len(one.wrong) + one.cost)
     complete, partial = ([one for one in found if bool(one.wrong) is kind] for kind in (False, True))
-    proved = [_proved(one) for one in (*complete[:KEPT], *partial[:KEPT])]
+    fewest = sorted(partial, key=lambda one: (len(one.wrong), one.cost))[:1]
+    closely = (*complete[:KEPT], *partial[:KEPT], *(one for one in fewest if one not in partial[:KEPT]))
+    proved = [_proved(one) for one in closely]
     return [one for one in proved if one.words]
 
 
@@ -191,8 +201,12 @@ class _Values:
             place: None if value is None else _expected(convention, place, value)
             for place, value in zip(places, derived, strict=True)
         }
-        angles = frozenset(place for place in places if _is_angle(self._asked, place))
-        return _Same(printed, expected, angles)
+        turns = {
+            place: math.pi * abs(float(convention.factors.get(place, 1)))
+            for place in places
+            if _is_angle(self._asked, place)
+        }
+        return _Same(printed, expected, turns)
 
     def _at(self, kind: str, evaluators: Sequence[RoughEvaluator], point: Point) -> list[float | None]:
         key = (kind, *point.values())
@@ -213,17 +227,24 @@ class _Values:
 
 @dataclass(frozen=True)
 class _Same:
-    """Compares an entry of the print with one of what is expected, by their values."""
+    """Compares an entry of the print with one of what is expected, by their values.
+
+    Attributes:
+        printed: the values of the print.
+        expected: those of what is expected.
+        turns: of angles half a turn, by which they may differ; what of that is proved is told.
+    """
 
     printed: Sequence[float | None]
     expected: Mapping[Index, float | None]
-    angles: frozenset[Index]
+    turns: Mapping[Index, float]
 
     def __call__(self, place: int, index: Index) -> bool:
         first, second = self.printed[place], self.expected[index]
         if first is None or second is None:
             return False
-        return abs(first - second) <= ALIKE * max(abs(first), abs(second))
+        apart = first - second if index not in self.turns else math.remainder(first - second, self.turns[index])
+        return abs(apart) <= ALIKE * max(abs(first), abs(second))
 
 
 def _expected(convention: Convention, place: Index, value: float) -> float:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
-from radartrack.derive.reading.code.source_code import LANGUAGES
+from radartrack.derive.code_languages import LANGUAGES
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000

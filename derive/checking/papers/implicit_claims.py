@@ -1,15 +1,17 @@
 """Decides claims about quantities that equations define: a printed solution is right when it satisfies them.
 
 Nothing is solved. The solution is put into each equation, which is then proved to vanish; of several solutions the
-conditions tell the one that is meant, at points of the domain.
+conditions tell the one that is meant, at points of the domain. A condition in which no unknown occurs says where the
+solution is to hold.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import mpmath
 
@@ -19,13 +21,13 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.check import Finding, Question
 from radartrack.derive.checking.comparing.counterexample import counterexample, unreal_counterexample
 from radartrack.derive.checking.comparing.numerical_comparison import Imaginary, Values
-from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
 from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.formula_units import NOTHING
 from radartrack.derive.checking.question.meaning import Meaning, shape_of, tensor
-from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
+from radartrack.derive.checking.question.names import WORD, Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import conditions_for, printed
 from radartrack.derive.checking.question.world import ImplicitDefinition, World
 from radartrack.derive.checking.repairing.reworked_edits import edits_that
@@ -87,6 +89,7 @@ def _read(claim: Claim, definition: ImplicitDefinition, place: int | None, world
         **definition.symbols,
     }
     names = Names({name: one for name, one in symbols.items() if name not in definition.unknown}, let, world)
+    names = _narrowed(names, definition)
     tree = names.tree(claim.formula or claim.latex, latex=bool(claim.latex))
     chosen = definition.unknown if place is None else (definition.unknown[place],)
     missing = [name for name in definition.unknown if name not in {*chosen, *others}]
@@ -208,8 +211,10 @@ class _Solution:
     ) -> list[Question]:
         """For each equation whether it vanishes."""
         names = self.names.knowing(values)
-        under_these = self._conditions if conditions is None else conditions
-        return [_vanishing(text, tree, names, under_these) for text, tree in self._equations.items()]
+        if conditions is not None:
+            return [_vanishing(text, tree, names, conditions) for text, tree in self._equations.items()]
+        vanishing = (_vanishing(text, tree, names, self._conditions) for text, tree in self._equations.items())
+        return [replace(question, where=self._restriction(question.symbols)) for question in vanishing]
 
     @cached_property
     def _equations(self) -> dict[str, Tree]:
@@ -221,21 +226,41 @@ class _Solution:
         """The verdict where a condition does not hold; None where all do."""
         names = self.names.knowing(self._values(self.tree))
         for text in self.definition.where:
-            *sides, last = _COMPARED.split(text)
-            if not sides:
-                raise FormulaError(f"where: {text} compares nothing; a condition has < or >, such as 0 < alpha")
-            parts = [*sides, last]
-            formulas = [under(self._conditions, names.read(names.tree(part))) for part in parts[::2]]
-            symbols = _variables(formulas)
+            if text in self._restrictions:
+                continue
+            formulas, signs = _compared(text, names, self._conditions)
+            symbols = _variables([*formulas, *(one for own, _ in self._restrictions.values() for one in own)], names)
             tried = 0
-            for point in Domain(symbols, self._conditions).sample():
+            for point in Domain(symbols, self._conditions, where=self._restriction(symbols)).sample():
                 worth = _worth(formulas, symbols, point)
                 tried += worth is not None
-                if worth is not None and not _holds(worth, parts[1::2]):
+                if worth is not None and not _holds(worth, signs):
                     return self._not_meant(text, symbols, point)
             if not tried:
                 return self.verdict(Outcome.UNDECIDED, f"the condition {text} has a value at no point that was tried")
         return None
+
+    @cached_property
+    def _restrictions(self) -> dict[str, tuple[list[Expr], list[str]]]:
+        """The conditions in which no unknown occurs, by their texts: what is compared in them, and the signs."""
+        restrict = [
+            text for text in self.definition.where if not set(WORD.findall(text)) & set(self.definition.unknown)
+        ]
+        return {text: _compared(text, self.names, self._conditions) for text in restrict}
+
+    def _restriction(self, symbols: Sequence[Variable]) -> Callable[[Point], bool]:
+        """Whether those conditions hold at a point that have a value there."""
+        own = [
+            (formulas, signs)
+            for formulas, signs in self._restrictions.values()
+            if set(_variables(formulas, self.names)) <= set(symbols)
+        ]
+
+        def holds(point: Point) -> bool:
+            values = ((_worth(formulas, symbols, point), signs) for formulas, signs in own)
+            return all(worth is not None and _holds(worth, signs) for worth, signs in values)
+
+        return holds if own else everywhere
 
     def _not_meant(self, text: str, symbols: Sequence[Variable], point: Point) -> Verdict:
         where = ", ".join(f"{symbol} = {point[symbol.name]:.6g}" for symbol in symbols)
@@ -260,6 +285,38 @@ class _Solution:
             for entry in question.printed.expressions
         )
         return proved and changed.against_conditions() is None
+
+
+def _narrowed(names: Names, definition: ImplicitDefinition) -> Names:
+    """The names, with symbols that lie where a condition compares them with numbers: n > 0, 0 < alpha < 1."""
+    ends: dict[Variable, tuple[float, float]] = {}
+    for text in _restricting(definition):
+        formulas, signs = _compared(text, names, {})
+        for (first, second), sign in zip(pairwise(formulas), signs, strict=True):
+            small, large = (first, second) if "<" in sign else (second, first)
+            if isinstance(small, Variable) and large.is_number:
+                low, high = ends.get(small, (small.low, small.high))
+                ends[small] = low, min(high, float(large))
+            elif isinstance(large, Variable) and small.is_number:
+                low, high = ends.get(large, (large.low, large.high))
+                ends[large] = max(low, float(small)), high
+    for symbol, (low, high) in ends.items():
+        if not low < high:
+            raise FormulaError(f"where: {' and '.join(definition.where)} leaves {symbol} no value")
+    return names.with_symbols({symbol.name: symbol.on(low, high) for symbol, (low, high) in ends.items()})
+
+
+def _restricting(definition: ImplicitDefinition) -> list[str]:
+    """The conditions in which no unknown occurs."""
+    return [text for text in definition.where if not set(WORD.findall(text)) & set(definition.unknown)]
+
+
+def _compared(text: str, names: Names, conditions: Mapping[Symbol, Expr]) -> tuple[list[Expr], list[str]]:
+    """What a condition compares, and the signs between."""
+    parts = _COMPARED.split(text)
+    if len(parts) == 1:
+        raise FormulaError(f"where: {text} compares nothing; a condition has < or >, such as 0 < alpha")
+    return [under(conditions, names.read(names.tree(part))) for part in parts[::2]], parts[1::2]
 
 
 def _found(question: Question, entry: Index) -> Finding:
@@ -289,7 +346,7 @@ def _vanishing(text: str, tree: Tree, names: Names, conditions: Mapping[Symbol, 
     reference = Reference(
         shown,
         entries.shape,
-        tuple(_variables([*residual.expressions, *conditions.values(), *conditions])),
+        tuple(_variables([*residual.expressions, *conditions.values(), *conditions], names)),
         (),
         lambda _: sp.Integer(0),
         lambda _: NOTHING,
@@ -323,9 +380,11 @@ def _letters(name: str, value: Expression) -> Expression:
     return rows(())
 
 
-def _variables(formulas: Sequence[Expr]) -> list[Variable]:
+def _variables(formulas: Sequence[Expr], names: Names) -> list[Variable]:
+    """The symbols of formulas, with the domains that the names say: what SymPy keeps may hold another domain's."""
     found = {symbol for formula in formulas for symbol in formula.free_symbols if isinstance(symbol, Variable)}
-    return sorted(found, key=str)
+    known = {symbol: symbol for symbol in names.symbols.values()}
+    return sorted((known.get(symbol, symbol) for symbol in found), key=str)
 
 
 def _worth(formulas: Sequence[Expr], symbols: Sequence[Variable], point: Point) -> list[float] | None:

@@ -31,7 +31,7 @@ MAX_CHARACTERS = 2000
 _MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
 _WORD = re.compile(r"\w+")
 _WORKED_OUT = re.compile(rf"\.T\b|@|\[\s*\[|;|(?<![\w.])(?:{'|'.join(VERBS)})\s*\(")
-_POSITION = re.compile(r"\s*(\d{1,3}|:)\s*")
+_POSITION = re.compile(r"(?P<one>\d{1,3})|(?P<first>\d{1,3})?:(?P<end>\d{1,3})?")
 
 
 class UnknownEntry(ValueError):
@@ -231,23 +231,32 @@ def _unused(text: str) -> str:
 
 
 def _part(quantity: Quantity, index: str | None) -> Part:
-    positions = [":"] * len(quantity.shape) if index is None else _positions(quantity, index)
-    choices = [range(n) if p == ":" else [int(p)] for p, n in zip(positions, quantity.shape, strict=True)]
-    shape = tuple(n for p, n in zip(positions, quantity.shape, strict=True) if p == ":")
+    positions = list(map(range, quantity.shape)) if index is None else _positions(quantity, index)
+    shape = tuple(len(position) for position in positions if isinstance(position, range))
 
     def place(*free: int) -> Index:
         rest = iter(free)
-        return tuple(next(rest) if p == ":" else chosen[0] for p, chosen in zip(positions, choices, strict=True))
+        return tuple(position[next(rest)] if isinstance(position, range) else position for position in positions)
 
     return Part(quantity, shape, Tensor.build(shape, place))
 
 
-def _positions(quantity: Quantity, index: str) -> list[str]:
-    positions = [part.strip() for part in index.split(",")]
-    fits = len(positions) == len(quantity.shape) and all(
-        _POSITION.fullmatch(p) and (p == ":" or int(p) < n) for p, n in zip(positions, quantity.shape, strict=False)
-    )
-    if not fits:
-        shape = list(quantity.shape)
-        raise UnknownEntry(f"{quantity.name}[{index}]: the quantity has shape {shape}, indices count from 0")
-    return positions
+def _positions(quantity: Quantity, index: str) -> list[int | range]:
+    """A number along each axis, or those of a slice: `0`, `:`, `0:2`."""
+    found = [_POSITION.fullmatch(part.strip()) for part in index.split(",")]
+    if len(found) == len(quantity.shape):
+        positions = [_position(one, size) for one, size in zip(found, quantity.shape, strict=True) if one]
+        fits = len(positions) == len(found) and all(
+            bool(one) and one[-1] < size if isinstance(one, range) else one < size
+            for one, size in zip(positions, quantity.shape, strict=True)
+        )
+        if fits:
+            return positions
+    shape = list(quantity.shape)
+    raise UnknownEntry(f"{quantity.name}[{index}]: the quantity has shape {shape}, indices count from 0")
+
+
+def _position(found: re.Match[str], size: int) -> int | range:
+    if found["one"]:
+        return int(found["one"])
+    return range(int(found["first"] or 0), int(found["end"] or size))

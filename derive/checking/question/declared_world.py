@@ -10,6 +10,7 @@ from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments.conversion_quantities import quantities_of
+from radartrack.derive.reading.any_letters import plain_formulas
 from radartrack.derive.reading.model_table import model_tables, read_model, require_own_name
 from radartrack.derive.reading.symbol_table import TableError, read_symbol, shown, shown_name
 
@@ -72,7 +73,7 @@ def _formulas(files: Iterable[Mapping[str, Any]], field: str, spoiled: dict[str,
                 spoiled[name] = f"{field}.{shown_name(name)} must be a formula in quotes, given {shown(value)}"
             else:
                 found[name] = str(value)
-    return found
+    return plain_formulas(found)
 
 
 def _table(data: Mapping[str, Any], field: str) -> Mapping[str, Any]:

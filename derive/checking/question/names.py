@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
-from itertools import islice
+from itertools import count, islice
 from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
@@ -24,15 +24,15 @@ from radartrack.derive.checking.question.meaning import Meaning, number_of_parts
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.fold import Fold
+from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.from_expression import to_tree
-from radartrack.derive.formula.functions import SPELLINGS
+from radartrack.derive.formula.functions import BINDING, SPELLINGS
 from radartrack.derive.formula.limits import MAX_NODES
 from radartrack.derive.formula.magnitude import Measure, magnitudes
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import Expression, Reader
-from radartrack.derive.formula.tree import Array, Entries, Name, Tree, bound_names, has_verbs
+from radartrack.derive.formula.tree import Array, Call, Entries, Name, Tree, bound_names, has_verbs
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.tree import parts as tree_parts
 from radartrack.derive.formula.unknown_names import unknown_name, unusable
@@ -78,6 +78,7 @@ class Names(Mapping[str, Expression]):
         self.fixed = fixed
         self._known: dict[str, Meaning] = dict(known)
         self._mentioned: set[str] = set()  # quantities
+        self._being_defined: set[str] = set()
 
     def __getitem__(self, name: str) -> Expression:
         return self.meaning(name).value
@@ -158,14 +159,42 @@ class Names(Mapping[str, Expression]):
             FormulaError, UnknownQuantity: when it cannot be read, names what there is not, or becomes too large.
         """
         typed = notation == TEXT and not is_printed(text)
-        words = set(WORD.findall(text)) & self.let.keys() if typed else set(self.let)
+        words = set(WORD.findall(text)) & self.let.keys() if typed else set(self.let) - self._being_defined
         mentioned = set(QUANTITY.findall(text)) if typed else set()
         for word in mentioned:
             self.meaning(word)
         self._mentioned |= mentioned
         shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=not typed)
         found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function, wanted=wanted)
+        if bound_names(found.tree) & self.let.keys():
+            found = replace(found, tree=rebuild(found.tree, self._with_own_index))
         self.largeness(found.tree)
+        return found
+
+    def _with_own_index(self, node: Tree) -> Tree:
+        """A sum or the like whose index is called as a definition is: within the sum the index is meant.
+
+        Where another definition in it rests on that one, both may be meant, and nothing is changed.
+        """
+        if not isinstance(node, Call) or node.function not in BINDING:
+            return node
+        inside, index, *ends = node.arguments
+        if not isinstance(index, Name):
+            return node
+        name = index.name
+        if name not in self.let or any(name in self._rests_on(one) for one in names_of(inside) - {name}):
+            return node
+        own = replace(index, name=next(one for n in count(1) if (one := f"{name}_{n}") not in self))
+        return replace(node, arguments=(rebuild(inside, lambda part: own if part == index else part), own, *ends))
+
+    def _rests_on(self, name: str) -> set[str]:
+        """The definitions that one mentions, and those that these mention."""
+        found: set[str] = set()
+        waiting = [name]
+        while waiting:
+            words = set(WORD.findall(self.let.get(waiting.pop(), ""))) & self.let.keys() - found
+            found |= words
+            waiting += words
         return found
 
     def read(self, tree: Tree) -> Expr:
@@ -285,6 +314,7 @@ class Names(Mapping[str, Expression]):
         text = self.let[name]
         hides = name in self.symbols and name in WORD.findall(text)
         others = self._without(name) if hides else self
+        self._being_defined.add(name)
         try:
             tree = others.tree(text)
             value = others.worked_out(tree)
@@ -293,6 +323,8 @@ class Names(Mapping[str, Expression]):
             raise FormulaError(f"let {name}: {error.message}", error.source or text, error.span) from None
         except NoClosedForm as error:
             raise NoClosedForm(f"let {name}: {error}") from None
+        finally:
+            self._being_defined.discard(name)
         if value == 0:
             return Meaning(value, lambda _: NOTHING, measure, size, tree)
         return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size, tree)

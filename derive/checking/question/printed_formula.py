@@ -15,7 +15,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import alike, m
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
-from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
+from radartrack.derive.checking.question.printed_shape import is_transposed, reshaped, trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text
@@ -157,7 +157,7 @@ def read_printed(formula: str, names: Names, expected: Index, notation: str = TE
         source = formula if reading.notation in LANGUAGES else ""
         remarks = (*reading.remarks, *((padding,) if padding else ()))
         found = printed(inner, names, expected, row_by_row=bool(source))
-        return replace(found, tree=reading.tree, source=source, remarks=remarks)
+        return replace(found, tree=reading.tree, source=source, remarks=(*remarks, *found.remarks))
     except FormulaError as error:
         raise error.within(formula) from None
 
@@ -165,11 +165,13 @@ def read_printed(formula: str, names: Names, expected: Index, notation: str = TE
 def printed(tree: Tree, names: Names, expected: Index, *, row_by_row: bool = False) -> Printed:
     """A formula that was read; raises as `read_printed`."""
     entries, opened = names.entries(tree)
+    turned = is_transposed(entries.shape, expected)
+    remarks = (f"read transposed: it has shape {list(entries.shape)}, the quantity {list(expected)}",) if turned else ()
     entries = reshaped(entries, expected, row_by_row=row_by_row)
     if entries.shape != expected:
         raise FormulaError(f"the formula is {_spoken(entries.shape)}, the quantity is {_spoken(expected)}")
     parts = frozenset(opened) - frozenset(names)
-    return Printed(tree, entries, entries.map(opened.read), opened, parts)
+    return Printed(tree, entries, entries.map(opened.read), opened, parts, remarks=remarks)
 
 
 def symbol_called(name: str, names: Names, reference: Reference) -> Variable | None:

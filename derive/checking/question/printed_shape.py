@@ -1,6 +1,7 @@
 """What is printed in another shape than the quantity has and means the same.
 
-A matrix may have rows and columns of zeros for states that do not enter; a vector may be a matrix of one row or column.
+A matrix may have rows and columns of zeros for states that do not enter, and rows for columns where that can be seen; a
+vector may be a matrix of one row or column.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from math import prod
 from typing import TypeVar
 
 from radartrack.derive.formula.tree import Array, Number, Tree
-from radartrack.derive.language.tensor import Index, Tensor
+from radartrack.derive.language.tensor import Index, Tensor, indices
 
 Entry = TypeVar("Entry")
 
@@ -30,9 +31,16 @@ def reshaped(entries: Tensor[Entry], expected: Index, *, row_by_row: bool = Fals
         expected: the shape of the quantity.
         row_by_row: whether a list may be a matrix row by row, as code fills one.
     """
+    if is_transposed(entries.shape, expected):
+        return Tensor(expected, tuple(entries[index[::-1]] for index in indices(expected)))
     ours, theirs = ([size for size in one if size > 1] for one in (expected, entries.shape))
     filled = row_by_row and len(entries.shape) == 1 and prod(expected) == len(entries.entries)
     return Tensor(expected, entries.entries) if ours == theirs or filled else entries
+
+
+def is_transposed(shape: Index, expected: Index) -> bool:
+    """Whether a matrix has as many rows as the other has columns, and other numbers of both."""
+    return len(expected) == 2 and 1 not in expected and shape == expected[::-1] != expected
 
 
 def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:

@@ -14,8 +14,8 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.verbs.derivatives import taylor
 from radartrack.derive.verbs.limit import limit
+from radartrack.derive.verbs.taylor_polynomial import taylor
 
 DEVIATION = "sigma"
 
@@ -122,7 +122,9 @@ def _within(
         if any(value.free_symbols for value in values):
             raise FormulaError(f"within.{name}: from {low} to {high}: both must be numbers")
         first, last = map(float, values)
-        if not first < last or (symbol.is_positive and first <= 0):
-            raise FormulaError(f"within.{name}: from {low} to {high}: that is no domain of {name}")
+        if not first < last:
+            raise FormulaError(f"within.{name}: from {low} to {high}: the first must be less than the second")
+        if symbol.is_positive and first <= 0:
+            raise FormulaError(f"within.{name}: from {low} to {high}: {name} is above 0, so its domain begins there")
         found[symbol] = symbol.on(first, last)
     return tuple(found.values())

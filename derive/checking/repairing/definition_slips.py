@@ -14,7 +14,13 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Search
-from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
+from radartrack.derive.checking.repairing.print_slips import (
+    Alternative,
+    alternatives,
+    exchanged,
+    inside_function,
+    other_numbers,
+)
 from radartrack.derive.checking.repairing.smallest_edit import AT_ONE_PLACE, values_at
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Program, Screen, Values, close
@@ -78,6 +84,7 @@ def mended_definitions(
         return []
     trial = _Trial(formulas, names, symbols, conditions)
     found: list[Mended] = []
+    told: list[tuple[str, Expr | None]] = []  # what is the same in other words is told once
     most = 1
     candidates = list(trial.candidates()) or list(trial.wanted())
     for candidate in sorted(candidates, key=lambda one: (-len(one.mends), one.cost)):
@@ -85,8 +92,13 @@ def mended_definitions(
             break
         if any(one.name == candidate.name and candidate.cost >= one.cost + AT_ONE_PLACE for one in found):
             continue
-        if trial.is_proved(candidate) and candidate.mended.formula not in {one.formula for one in found}:
+        worth = candidate.name, trial.worth(candidate)
+        if worth in told:
+            place = told.index(worth)
+            found[place] = min(found[place], candidate.mended, key=lambda one: len(one.formula))
+        elif trial.is_proved(candidate):
             most = len(candidate.mends)
+            told.append(worth)
             found.append(candidate.mended)
     return found
 
@@ -194,6 +206,13 @@ class _Trial:
         }
         return Screen({name: value for name, value in values.items() if value is not None}, POINTS_OF_SEARCH)
 
+    def worth(self, candidate: _Candidate) -> Expr | None:
+        """What the definition stands for then."""
+        try:
+            return self._names.redefined(candidate.name, candidate.tree).numbers.get(candidate.name)
+        except FormulaError:
+            return None
+
     def is_proved(self, candidate: _Candidate) -> bool:
         """Whether the formulas are proved right with the definition changed."""
         try:
@@ -222,6 +241,7 @@ class _Trial:
         yield from alternatives(node, kinds)
         yield from exchanged(node)
         yield from other_numbers(node)
+        yield from inside_function(node)
         if isinstance(node, Product):
             yield from _divided(node)
         if isinstance(node, Power):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
 
@@ -85,7 +85,7 @@ class Print:
             return Account(wrong=tuple(wrong), cost=UNEXPLAINED * len(wrong))
         best = self._edited(None, tuple(wrong))
         if complete is not None:
-            return replace(best, convention=complete.words if not best.suggestions else "")
+            return best if best.suggestions else Account(complete.words, cost=complete.cost)
         for one in attempted(lambda: self._explanations, lambda _: []):
             if one.arrangement.words and len(one.wrong) >= len(wrong):
                 continue  # another order that mends nothing is no account, however cheap the edits in it

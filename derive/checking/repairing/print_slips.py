@@ -138,6 +138,26 @@ def other_numbers(node: Tree) -> Iterator[Alternative]:
             yield Alternative(tree, "{} should be {}", 1.1, (node, tree))
 
 
+def inside_function(node: Tree) -> Iterator[Alternative]:
+    """A half, a two or a sign that is missing in the argument of a function, or in an exponent."""
+    if isinstance(node, Call) and len(node.arguments) == 1:
+        inside = node.arguments[0]
+    elif isinstance(node, Power):
+        inside = node.exponent
+    else:
+        return
+    if isinstance(inside, Number):
+        return
+    two = Number("2")
+    for changed, words, cost in (
+        (Negation(inside), "the sign of {}", 1.0),
+        (Quotient(inside, two), "a missing factor 1/2 of {}", 1.2),
+        (Product((two, inside)), "a missing factor 2 of {}", 1.2),
+    ):
+        edited = Power(node.base, changed) if isinstance(node, Power) else replace(node, arguments=(changed,))
+        yield Alternative(edited, words, cost, (inside,))
+
+
 def _of_an_operation(tree: Power | Product | Quotient) -> Iterator[Alternative]:
     match tree:
         case Power(base, exponent):

@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 
 from radartrack.derive.checking.repairing.edit_search import Candidate
-from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, other_numbers
+from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, inside_function, other_numbers
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.formula.functions import BINDING
 from radartrack.derive.formula.printing import to_text
@@ -62,7 +62,7 @@ def single_edits(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Candidate]
     for path, node in walk(tree):
         if _is_bound(tree, path) or isinstance(node, Array):
             continue
-        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node)):
+        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *inside_function(node)):
             if edit.cost <= LIKELY and edit.tree != node:
                 yield Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
         if not isinstance(node, Negation | Sum) and (not path or _is_entry(tree, path)):

@@ -67,13 +67,16 @@ class Repair:
         """The likeliest single slips of which each explains every entry."""
         until = time.monotonic() + SECONDS
         found: list[Slip] = []
+        told: list[object] = []  # what is the same in other words is told once
         for where, one in sorted(self._candidates(), key=lambda pair: pair[1].cost)[:MOST]:
             if time.monotonic() > until or len(found) >= ENOUGH or (found and one.cost > found[0].cost):
                 break
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
                 text = to_text(one.tree)
-                slip = _of_definition(where, text, one) if where else Slip(text, one.words, one.cost)
-                found += [slip] if slip.formula not in [other.formula for other in found] else []
+                worth = attempted(lambda tree=one.tree: self.names.worked_out(tree), lambda _, text=text: text)  # type: ignore[misc]
+                if worth not in told:
+                    told.append(worth)
+                    found.append(_of_definition(where, text, one) if where else Slip(text, one.words, one.cost))
         return found
 
     @cached_property

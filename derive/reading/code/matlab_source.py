@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
-from radartrack.derive.formula.tree import Array, Place
+from radartrack.derive.formula.tree import Place
 from radartrack.derive.reading.code.code_functions import SEVERAL, applied, changed_coordinates, is_function
 from radartrack.derive.reading.code.syntax_trees import Chain, field, first_error, named, parsed, text_of
 from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
@@ -219,16 +220,16 @@ class _MatlabReader:
         """Rows; one row, and one column, are a vector."""
         rows = [[self.value(entry) for entry in named(row)] for row in named(node)]
         if len(rows) == 1:
-            return self._space.array(rows[0], span)
+            return replace(self._space.array(rows[0], span), is_row=True)
         if all(len(row) == 1 for row in rows):
             return self._space.array([row[0] for row in rows], span)
         made = [self._space.array(row, self._span(one)) for row, one in zip(rows, named(node), strict=True)]
         return self._space.array(made, span)
 
     def _transposed(self, value: Value, span: Span) -> Value:
-        """A transpose; of a vector, which is a column already, only inside a product."""
-        if isinstance(value.tree, Array) and value.shape is not None and len(value.shape) == 1:
-            return value
+        """A transpose; a vector lies then where it stood, which makes a difference inside a product only."""
+        if value.shape is not None and len(value.shape) == 1:
+            return replace(value, is_row=not value.is_row)
         return self._space.call("transpose", [value], span)
 
     def _call(self, node: Node, span: Span) -> Value:

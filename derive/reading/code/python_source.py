@@ -240,8 +240,9 @@ class _PythonReader:
                 above = self._joined(factors, here, of_entries=of_entries)
                 factors, of_entries = [self._space.quotient(above, value, here)], False
             else:
+                both = bool(value.shape) and any(factor.shape for factor in factors)
+                of_entries |= isinstance(operator, ast.Mult) and both
                 factors.append(value)
-                of_entries |= isinstance(operator, ast.Mult)
         return self._joined(factors, span, of_entries=of_entries)
 
     def _joined(self, factors: Sequence[Value], span: Span, *, of_entries: bool) -> Value:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TypeAlias
 
+from radartrack.derive.code_languages import LANGUAGES, SPOKEN
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.limits import check_brackets
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
@@ -22,16 +23,14 @@ from radartrack.derive.reading.grammar import check_tree
 
 Reader: TypeAlias = Callable[[str, Workspace, str], Value]
 
-# What each language is called, where its arrays begin, and who reads it.
-_LANGUAGES: Mapping[str, tuple[str, int, Reader]] = MappingProxyType(
+_READERS: Mapping[str, Reader] = MappingProxyType(
     {
-        "python": ("Python", 0, read_python),
-        "c": ("C", 0, lambda text, space, function: read_c(text, "c", space, function)),
-        "cpp": ("C++", 0, lambda text, space, function: read_c(text, "cpp", space, function)),
-        "matlab": ("MATLAB", 1, read_matlab),
+        "python": read_python,
+        "c": lambda text, space, function: read_c(text, "c", space, function),
+        "cpp": lambda text, space, function: read_c(text, "cpp", space, function),
+        "matlab": read_matlab,
     }
 )
-LANGUAGES = tuple(_LANGUAGES)
 MAX_CODE = 40_000  # characters; parsers that recover from errors take longer than the grammars of formulas
 MAX_PARTS = 50  # of a dotted name: the parser of MATLAB takes a time that grows with their square
 _DOTTED = re.compile(rf"(?:\.\s*[A-Za-z_]\w*\s*){{{MAX_PARTS}}}")
@@ -85,9 +84,9 @@ def read_code(
         FormulaError: when it is no such code, does what formulas do not, or is too large.
         ValueError: when one of the names is a function's, or the language is none of these.
     """
-    if language not in _LANGUAGES:
+    if language not in SPOKEN:
         raise ValueError(f"language: {language!r} is not read; it is one of {', '.join(LANGUAGES)}")
-    spoken, first, read = _LANGUAGES[language]
+    (spoken, first), read = SPOKEN[language], _READERS[language]
     allowed = check_names(names or ())
     strangers = strangers or names is None
     space = Workspace(spoken, first, allowed, shapes, strangers, wanted)

@@ -98,8 +98,8 @@ class Chain:
                 above = self._joined(factors, here, of_entries=of_entries)
                 factors, of_entries = [self._space.quotient(above, value, here)], False
             else:
+                of_entries |= sign in entrywise and bool(value.shape) and any(factor.shape for factor in factors)
                 factors.append(value)
-                of_entries |= sign in entrywise
         return self._joined(factors, span, of_entries=of_entries)
 
     def _joined(self, factors: list[Value], span: Span, *, of_entries: bool) -> Value:

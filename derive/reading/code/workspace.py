@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import SPELLINGS
@@ -53,12 +53,14 @@ class Value:
         shape: of the array; None where it is not known.
         whole: whether it is of a type of whole numbers, in a language where those divide without remainder.
         size: the parts and the depth of the tree with all that is shared written out.
+        is_row: whether a vector lies, in a language where that makes a difference.
     """
 
     tree: Tree
     shape: Shape | None = ()
     whole: bool = False
     size: tuple[int, int] = (1, 1)
+    is_row: bool = False
 
 
 @dataclass
@@ -192,7 +194,7 @@ class Workspace:
 
     def negated(self, value: Value, span: Span) -> Value:
         """A value with the other sign."""
-        return self.made(Negation(value.tree, span=span), [value], whole=value.whole)
+        return replace(self.made(Negation(value.tree, span=span), [value], whole=value.whole), is_row=value.is_row)
 
     def product(self, factors: Sequence[Value], span: Span, *, of_entries: bool = False) -> Value:
         """Two or more factors; of arrays the matrix product, unless the language takes entry by entry."""
@@ -202,10 +204,14 @@ class Workspace:
             )
         first = factors[0]
         if isinstance(first.tree, Negation):  # -a*b is printed as -(a*b)
-            positive = Value(first.tree.operand, first.shape, first.whole, first.size)
+            positive = replace(first, tree=first.tree.operand)
             return self.negated(self.product([positive, *factors[1:]], span, of_entries=of_entries), span)
+        arrays = [factor for factor in factors if factor.shape]
+        if len(arrays) > 1:
+            factors = [self.call("transpose", [factor], span) if factor.is_row else factor for factor in factors]
         tree = Product(tuple(factor.tree for factor in factors), span=span)
-        return self.made(tree, factors, whole=all(factor.whole for factor in factors))
+        found = self.made(tree, factors, whole=all(factor.whole for factor in factors))
+        return replace(found, is_row=arrays[0].is_row) if len(arrays) == 1 else found
 
     def quotient(self, above: Value, below: Value, span: Span) -> Value:
         """A quotient; of whole numbers, where the language says so, without the remainder."""

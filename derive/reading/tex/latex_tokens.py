@@ -221,8 +221,9 @@ class _Tokenizer:
     def _letter_at(self, index: int) -> tuple[Letter, int]:
         base, decorations, below, after = self._base(index)
         if index not in self.alone:
-            after = self._joined(index, after)
-            base = base if after == index + 1 or base != "Delta" else f"Delta_{self._base(after - 1)[0]}"
+            joined = self._joined(index, after)
+            base = base if joined == after else f"Delta_{self._base(after)[0]}"
+            after = joined
             after = self._primes(after, decorations)
             if not below:
                 below, after = self._subscript_behind(after, decorations)

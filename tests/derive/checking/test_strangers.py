@@ -27,7 +27,7 @@ from radartrack.derive.formula.tree import Name, Tree, names, walk
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr
-from tests.derive.checking.own_values import anywhere, same, worth
+from tests.derive.checking.own_values import No, anywhere, same, worth
 from tests.derive.checking.repairing.mutants import mutants
 from tests.derive.reading.printers import DIALECTS, LANGUAGES
 
@@ -84,7 +84,8 @@ class Typed:
     def is_right(self, tree: Tree) -> bool:
         """Whether a formula in the quantity's symbols has the values of the right one."""
         points = [anywhere(self.symbols, Random(f"{self.formula} {n}")) for n in range(POINTS)]
-        return all(same(worth(tree, point), worth(self.right, point)) for point in points)
+        pairs = [(worth(tree, point), worth(self.right, point)) for point in points]
+        return all(one is other if No in {type(one), type(other)} else same(one, other) for one, other in pairs)
 
 
 @cache

@@ -45,6 +45,8 @@ OTHERS = {  # what people write, by what the symbol is called here
     "k": ("n", "N", "m"),
 }
 
+KINDS = {"theta_m": {"angle"}, "beta": {"angle"}, "T": {"s"}, "tau": {"s"}}  # of letters with a meaning
+
 
 @cache
 def search() -> FormulaSearch:
@@ -141,6 +143,21 @@ def test_another_convention_is_said(formula: str, quantity: str, convention: str
 )
 def test_other_signs_orders_and_products_are_candidates_too(formula: str, quantity: str) -> None:
     assert quantity in {one.quantity for one in search().candidates(read_loosely(formula))}
+
+
+@pytest.mark.parametrize("formula", ["exp(-T/tau)", "exp(-dt/tau)", "e^(-h/tau_m)"])
+def test_a_time_constant_is_the_inverse_of_a_rate(formula: str) -> None:
+    found = {one.quantity: one.read for one in search().candidates(read_loosely(formula))}
+    assert "1/alpha" in found["motion.singer.transition[2,2]"].values()
+
+
+@pytest.mark.parametrize(
+    "formula", ["r_m*cos(theta_m)/lambda_theta", "exp(-(T/tau)^3)", "(1 - beta)^2", "a/sqrt(1 - e^2*sin(lat)^2)"]
+)
+def test_what_is_near_has_letters_that_can_mean_its_symbols(formula: str) -> None:
+    for one in search().near(read_loosely(formula)):
+        kinds = {name: kind for row in [VALUES[one.quantity.split("[")[0]]] for name, kind in row["kinds"].items()}
+        assert all(kinds[one.read.get(name, name)] in kind for name, kind in KINDS.items() if name in one.read)
 
 
 @pytest.mark.parametrize("slip", ["-R*cos(theta)*s_theta^2/3", "-R*cos(theta)*s_theta^2/1.9", "1.1*R*cos(theta)"])

@@ -122,3 +122,14 @@ def test_an_author_s_commands_and_systems_behind_a_brace_are_equations_too() -> 
         ("2", "r*cos(theta)"),
         ("2", "r*sin(theta)"),
     ]
+
+
+@pytest.mark.parametrize("between", [r", \quad ", r" \qquad ", "; ", r"\text{ and } ", ", "])
+def test_equations_beside_each_other_are_two(between: str) -> None:
+    source = r"\begin{equation} x = r\cos\theta" + between + r"y = f(r, \theta) + r\sin\theta \end{equation}"
+    assert [(one.left, one.number) for one in equations(source)] == [("x", "1"), ("y", "1")]
+
+
+def test_what_is_no_equation_stays_with_the_one_before_it() -> None:
+    (found,) = equations(r"\[ P = \begin{bmatrix} a, & b \\ b, & c = 1 \end{bmatrix}, \quad j, k \]")
+    assert found.left == "P"

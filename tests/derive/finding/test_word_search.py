@@ -65,6 +65,8 @@ def test_an_author_finds_what_is_cited_from_him(quantity: Quantity) -> None:
         ("Jacobian azimuth elevation", "observe.spherical.jacobian"),
         ("sigma_rdot linear", "polar_doppler.std.linear"),
         ("process noise acceleration", "constant_acceleration.process_noise"),
+        ("CI", "fusion.covariance_intersection"),
+        ("NED", "frames."),
     ],
 )
 def test_several_words_are_all_met(words: str, first: str) -> None:

@@ -3,6 +3,7 @@
 import pytest
 
 from radartrack.derive.reading import FormulaError, read_latex, to_text
+from radartrack.derive.reading.any_letters import read_loosely
 
 NAMES = (
     "r", "beta", "epsilon", "rdot", "u", "v", "k", "j", "C", "T", "t", "rho", "theta", "alpha",
@@ -160,6 +161,13 @@ PRINTED = {
     ),
     "gorshkov.eq11": (GORSHKOV_11, "60*(k - 2)*D_r/(t**2*k*(k + 1)*(60*C_theta + k**2 - 4))"),
 }
+
+
+@pytest.mark.parametrize(
+    "difference", [r"\Delta t", r"\Delta_t", r"\hat{\Delta}_{t}", r"\Delta{t}", r"{\Delta}t", r"\bar{\Delta}_t"]
+)
+def test_a_difference_is_one_letter_whatever_stands_over_it(difference: str):
+    assert to_text(read_loosely(f"{difference}^2/2", notation="latex")) == "Delta_t**2/2"
 
 
 @pytest.mark.parametrize(("latex", "text"), PRINTED.values(), ids=PRINTED.keys())

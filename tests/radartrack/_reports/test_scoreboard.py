@@ -93,9 +93,18 @@ def test_papers_and_libraries_are_counted(html: str) -> None:
 def test_links_lead_to_the_page_itself_and_to_findings(html: str) -> None:
     page = Page(html)
     assert page.open == []
-    assert page.links == ["#formulas-0", "#formulas-1", "#b.wrong", "findings/half_the_range.md"]
-    for link in page.links[:3]:
+    assert page.links == ["#wrong", "#formulas-0", "#formulas-1", "#b.wrong", "findings/half_the_range.md"]
+    for link in page.links[:4]:
         assert f'id="{link[1:]}"' in html
+
+
+def test_all_are_counted_at_the_top_and_what_is_right_in_another_way_is_no_fault(html: str) -> None:
+    ways = "right under a condition or in another convention"
+    assert f'<p class="summary">4 claims: 1 right, 1 {ways}, 1 wrong, 1 undecided</p>' in html
+    paper = ClaimsFile("a.toml", "Smith 2001", (OTHER_AXIS, WRONG))
+    page = audit_page.page([{**paper.told, "claims": [told(claim) for claim in paper.claims]}])
+    assert page.count('<span class="verdict elsewhere">right in another way</span>') == 1
+    assert page.count('<span class="verdict">differs</span>') == 1
 
 
 def test_what_is_wrong_is_told_in_words_where_it_stands_and_made_harmless(html: str) -> None:

@@ -202,6 +202,20 @@ def test_a_function_or_lines_of_a_file_are_checked(source: Path, where: str, qua
     assert (result.exit_code, said in result.output) == (exit_code, True), result.output
 
 
+def test_a_whole_file_is_checked_as_its_function(tmp_path: Path):
+    path = tmp_path / "noise.m"
+    path.write_text("function Q = noise(T, s)\n G = [T^2/2; T];\n Q = G*G'*s^2;\nend\n")
+    pytest.importorskip("tree_sitter")
+    result = _run("check", "motion.constant_velocity.process_noise.piecewise", str(path), "--code", "matlab")
+    assert (result.exit_code, "equal, proved" in result.output) == (0, True), result.output
+
+
+@pytest.mark.parametrize("notation", [(), ("--latex",), ("--code", "python")])
+def test_an_empty_formula_is_said_to_be_empty(notation: tuple[str, ...]):
+    result = _run("check", "polar.map[0]", " ", *notation)
+    assert (result.exit_code, "the formula is empty" in result.output) == (2, True)
+
+
 def test_a_formula_is_latex_or_code_and_not_both():
     assert _run("check", "polar.map[0]", "r", "--latex", "--code", "c").exit_code == 2
 

@@ -1,19 +1,24 @@
 """Which symbols the letters of a formula may stand for, one to one, the likeliest first.
 
-A name that carries a meaning binds; only letters without one are free. A letter may stand for the square of a
+A name that carries a meaning binds; only letters without one are free. Numbered letters keep their order: P1 and P2 are
+never the deviations of the second and the first. A letter may stand for the square of a
 deviation, where it is a variance, or for the inverse of a rate, where it is a time constant.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 from typing import Generic, TypeVar
 
 from radartrack.derive.checking.question.letters.letter_meanings import Known, Role, meaning_of, meanings, means
 
 STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
 PER_SECOND = "1/s"
+TIME_CONSTANT = "tau"  # which a period is called as well
+_NUMBERED = re.compile(r"(?P<stem>\D*)(?P<number>\d{1,9})")
 
 Symbol = TypeVar("Symbol", bound=Known)
 
@@ -67,11 +72,12 @@ def farther_choices(
     own = list(known[name])
     binds = bool(own) and own[0].rank == STRONG
     shared = sum(1 for others in known.values() if list(others) == own) > 1
+    constants = [Choice(one, -1, ANY) for one in symbols if str(one.unit) == PER_SECOND]
     if binds and not shared:
-        return own
+        return [*own, *(constants if name.startswith(TIME_CONSTANT) else ())]
     found = [*own, *(free_choices(name, symbols) if shared else ())]
     if meanings(name).role is None:
-        found += [Choice(one, -1, ANY) for one in symbols if str(one.unit) == PER_SECOND]
+        found += constants
         found += [Choice(one, 2, ANY) for one in symbols if meaning_of(one).role is Role.DEVIATION]
     return list(dict.fromkeys(found))
 
@@ -81,7 +87,28 @@ def assignments(
 ) -> Iterator[dict[str, Choice[Symbol]]]:
     """Every way to give the letters different meanings; those with the fewest choices come first."""
     order = sorted(candidates, key=lambda name: len(candidates[name]))
-    yield from _distinct(order, candidates, taken)
+    yield from filter(keeps_numbers, _distinct(order, candidates, taken))
+
+
+def stem(name: str) -> str:
+    """What a numbered letter is without its number; nothing of others."""
+    found = _NUMBERED.fullmatch(name)
+    return found["stem"] if found else ""
+
+
+def keeps_numbers(assigned: Mapping[str, Choice[Symbol]]) -> bool:
+    """Whether letters that differ by a number stand in the order of the symbols that they mean."""
+    letters = {letter: _NUMBERED.fullmatch(letter) for letter in assigned}
+    numbered = {letter: (found["stem"], int(found["number"])) for letter, found in letters.items() if found}
+    meant = {letter: _NUMBERED.fullmatch(assigned[letter].symbol.name) for letter in numbered}
+    order = {letter: (found["stem"], int(found["number"])) for letter, found in meant.items() if found}
+    return not any(
+        numbered[one][0] == numbered[other][0]
+        and order[one][0] == order[other][0]
+        and numbered[one][1] < numbered[other][1]
+        and order[one][1] > order[other][1]
+        for one, other in permutations(order, 2)
+    )
 
 
 def _distinct(

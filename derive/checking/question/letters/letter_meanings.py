@@ -135,7 +135,7 @@ _WEAK = {
 # What a name says of how it was got, or in which unit: target_range, az_rad and rngTrue are ranges and azimuths.
 _LITTLE = (
     "angle value val meas measured measurement true truth target tgt radar sensor obs observed est estimated raw rad "
-    "radians meters metres polar"
+    "radians deg degrees meters metres polar"
 )
 _SAYS_LITTLE = frozenset(_LITTLE.split())
 _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
@@ -205,7 +205,7 @@ def means(name: str, symbols: Iterable[Symbol], *, weak: bool = False) -> list[t
     said, known = meanings(name), list(symbols)
     if weak:
         return list(_meant(said.weak, known))
-    return list(_meant(said.strong, known)) or list(_in_words(name, known))
+    return list(_by_subscript(name, known)) or list(_meant(said.strong, known)) or list(_in_words(name, known))
 
 
 def is_known_word(name: str) -> bool:
@@ -216,6 +216,11 @@ def is_known_word(name: str) -> bool:
 def is_angle_word(name: str) -> bool:
     """Whether a name means an angle."""
     return any(one.of in {"azimuth", "elevation", "heading"} for one in meanings(name).strong)
+
+
+def says_degrees(name: str) -> bool:
+    """Whether a name says that it is in degrees."""
+    return bool({"deg", "degrees"} & {part.lower() for part in _CAMEL.sub("_", name).split("_")})
 
 
 def is_word(name: str) -> bool:
@@ -255,6 +260,17 @@ def _in_words(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, in
         plays = Role.DEVIATION if symbol.name.startswith("sigma") else Role.VALUE
         if plays is (Role.DEVIATION if role is Role.VARIANCE else role) and any(one.startswith(word) for one in said):
             yield symbol, 2 if role is Role.VARIANCE else 1
+
+
+def _by_subscript(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
+    """The deviation of just what a deviation or a variance is said to be of: s_w is sigma_w, whatever else w may be.
+
+    Numbers bind less: papers and code count from one or from zero.
+    """
+    for pattern, power in ((_VARIANCE, 2), (_DEVIATION, 1)):
+        if (found := pattern.match(name)) and (of := next(filter(None, found.groupdict().values()), "")):
+            yield from ((symbol, power) for symbol in symbols if symbol.name == f"sigma_{of}" and not of.isdigit())
+            return
 
 
 def _of(name: str) -> str:

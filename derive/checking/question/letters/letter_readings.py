@@ -14,8 +14,15 @@ from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
-from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
-from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means
+from radartrack.derive.checking.question.letters.assignments import (
+    Choice,
+    assignments,
+    choices,
+    farther_choices,
+    keeps_numbers,
+    stem,
+)
+from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
@@ -76,9 +83,17 @@ class Reading:
     fits: bool = True
 
     @property
+    def is_right(self) -> bool:
+        """Whether it makes the formula what it should be, as far as can be told without a proof."""
+        return self.fits and not self.wrong
+
+    @property
     def words(self) -> tuple[str, ...]:
         """With what it was read: "theta for beta"."""
-        return tuple(f"{name} for {letter}" for name, letter in self.letters.items())
+        return tuple(
+            f"{name}{', in radians,' if says_degrees(name) else ''} for {letter}"
+            for name, letter in self.letters.items()
+        )
 
 
 AS_TYPED = Reading({})
@@ -109,7 +124,10 @@ class Typed:
         """
         unknown = [name for name in self.used if name not in self._own]
         fixed = [name for name in self.used if name in self._own]
-        doubtful = [name for name in fixed if name not in self.declared and self._other_meanings(name)]
+        stems = {stem(name) for name in unknown} - {""}  # sigma_0 beside sigma_1: it may be counted from zero
+        doubtful = [
+            name for name in fixed if name not in self.declared and (stem(name) in stems or self._other_meanings(name))
+        ]
         if any(len(name) > LONGEST for name in unknown):
             return []
         if not unknown and (not doubtful or self._fits({})):
@@ -122,9 +140,10 @@ class Typed:
 
     def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
-        if not any(reading.fits for reading in found):
+        if not any(reading.is_right for reading in found):
             farther = self._judged(self._assignments(unknown, fixed, farther=True))
-            found = [reading for reading in farther if reading.fits and not reading.wrong] or found
+            fits = any(reading.fits for reading in found)
+            found = [one for one in farther if one.is_right or (one.fits and not fits)] or found
         if doubtful and not any(reading.fits for reading in found):
             free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
             found = [reading for reading in free if reading.fits] or found
@@ -181,13 +200,16 @@ class Typed:
         return [(one, power) for one, power in means(name, self.reference.symbols) if one.name != name]
 
     def _assignments(self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False) -> Iterator[Letters]:
-        """What the letters may stand for; farther, also what they seldom do: that has to make the formula right."""
+        """What the letters may stand for; farther, also what they seldom do."""
         taken = frozenset((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
         candidates = {name: choices(name, symbols) for name in unknown}
         if farther:
             candidates = {name: farther_choices(name, candidates, symbols) for name in unknown}
+        known = {name: Choice(self._own[name]) for name in fixed}
         for one in islice(assignments(candidates, taken), MOST):
+            if not keeps_numbers({**known, **one}):
+                continue
             yield {name: Letter(choice.symbol, choice.power, choice.rank) for name, choice in one.items()}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
@@ -308,6 +330,18 @@ def as_typed(
         return None
     entries = reshaped(entries, reference.shape, row_by_row=row_by_row)
     return Typed(reference, entries, needed, conditions, declared) if entries.shape == reference.shape else None
+
+
+def unreadable(
+    read: Callable[[Sequence[str], Mapping[str, Shape]], Tree], reference: Reference, let: Mapping[str, str]
+) -> FormulaError | None:
+    """Why a formula cannot be read whatever its letters mean; None where it can."""
+    own = [symbol.name for symbol in reference.symbols]
+    try:
+        read([*own, *let], _Definitions(let, own).shapes)
+    except FormulaError as error:
+        return error
+    return None
 
 
 class _Definitions:

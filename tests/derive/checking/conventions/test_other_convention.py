@@ -3,7 +3,10 @@
 import pytest
 
 from radartrack.derive import check
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
+from radartrack.derive.language.tensor import Tensor
 
 
 def test_what_is_right_without_correlation_is_not_said_to_be_another_quantity_there() -> None:
@@ -68,3 +71,40 @@ def test_an_angle_that_is_counted_from_the_other_axis_is_noticed(name: str, form
 )
 def test_entries_in_another_order_are_noticed(name: str, formula: str, remark: str) -> None:
     assert check(name, formula).remarks == ((f"equal {remark}",) if remark else ())
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        "[sqrt(x^2 + y^2), 180/pi*atan2(x, y)]",
+        "[sqrt(x^2 + y^2), atan(x/y)*180/pi]",
+    ],
+)
+def test_what_is_returned_from_the_other_axis_and_in_degrees_is_both(formula: str) -> None:
+    (remark,) = check("observe.polar.map", formula).remarks
+    assert remark.startswith("equal with the azimuth from the y axis and what is returned in degrees")
+
+
+def test_a_slip_beside_two_conventions_of_what_is_returned_is_told() -> None:
+    verdict = check("observe.polar.map", "[sqrt(x^2 - y^2), 180/pi*atan2(x, y)]")
+    assert "with the azimuth from the y axis and what is returned in degrees" in verdict.convention
+    assert [one.edit.startswith("the sign of y**2") for one in verdict.suggestions] == [True]
+
+
+@pytest.mark.parametrize("name", ["observe.polar_doppler.jacobian", "observe.spherical_doppler.jacobian"])
+def test_rows_for_columns_are_read_transposed_where_that_can_be_seen(name: str) -> None:
+    quantity = catalogue()[name]
+    rows, columns = quantity.shape
+    turned = Tensor.build((columns, rows), lambda i, j: quantity.expression[j, i])
+    verdict = check(name, shown(turned))
+    assert verdict.is_equal
+    assert f"read transposed: it has shape [{columns}, {rows}], the quantity [{rows}, {columns}]" in verdict.remarks
+    wrong = Tensor.build((columns, rows), lambda i, j: quantity.expression[j, i] * (-1 if (i, j) == (1, 0) else 1))
+    verdict = check(name, shown(wrong))
+    assert not verdict.is_equal
+    assert {one.entry for one in verdict.suggestions} == {(0, 1)}
+
+
+def test_a_convention_that_explains_everything_leaves_no_slip() -> None:
+    verdict = check("observe.spherical.map[2]", "atan2(hypot(x, y), z)")
+    assert verdict.reason == "not equal, but equal with the elevation from the vertical up to whole turns"

@@ -26,10 +26,19 @@ OTHER_CONVENTION = {
     "tcl.turn.jacobian": "wrong_dimensions",
     "tcl.jacobian.spherical.from_x": "differs",
 }
+NOT_PROVED = {  # roots within a cube root, which the algebra does not decide
+    "kalata.alpha_beta_gamma.relations",
+    "kalata.alpha_beta_gamma.cubic",
+    "kalata.alpha_beta_gamma.root",
+    "tracklib.alpha_beta",
+    "tracklib.alpha_beta_gamma",
+}
 WRONG = {
     "tcl.ruv.half_range": "differs",
     "tcl.ruv.cm2.zz": "differs",
     "tcl.ruv.cm2.original.zz": "wrong_dimensions",
+    "tcl.ruv.cm2.original.xz": "differs",
+    "lankhorst.tracking_index": "differs",
     "tcl.turn.mean_rate": "wrong_dimensions",
     "tcl.turn.simple_mean": "wrong_dimensions",
     "tcl.turn.jacobian.straight": "differs",
@@ -52,6 +61,13 @@ WRONG = {
 ALL_CLAIMS = {claim.id: (paper, claim) for paper in map(read_claims, FILES) for claim in paper.claims}
 
 
+def expected(claim: Claim) -> str:
+    """The verdict that a claim must have."""
+    if claim.undecided:
+        return "undecided"
+    return {**WRONG, **OTHER_CONVENTION, **dict.fromkeys(NOT_PROVED, "equal_numerically")}.get(claim.id, "equal")
+
+
 def world(paper: ClaimsFile) -> World:
     return world_of(paper.declared) if paper.declared else CATALOGUE
 
@@ -66,8 +82,7 @@ def test_the_verdict_on_every_claim(path: Path) -> None:
     paper = read_claims(path)
     its_world = world(paper)
     for claim in paper.claims:
-        expected = "undecided" if claim.undecided else {**WRONG, **OTHER_CONVENTION}.get(claim.id, "equal")
-        assert (claim.id, next(decisions(claim, its_world)).verdict) == (claim.id, expected)
+        assert (claim.id, next(decisions(claim, its_world)).verdict) == (claim.id, expected(claim))
 
 
 @pytest.mark.parametrize("name", sorted(OTHER_CONVENTION))
@@ -93,11 +108,9 @@ def test_what_is_wrong_says_what_a_radar_sees_and_has_a_page() -> None:
 def test_the_scoreboard_of_the_documents_has_these_verdicts() -> None:
     page = (Path(__file__).parents[4] / "docs" / "scoreboard.html").read_text(encoding="utf-8")
     told = {name: verdict for verdict, name in re.findall(r'<article class="(\w+)" id="([^"]+)">', page)}
-    expected = {
-        name: "undecided" if claim.undecided else {**WRONG, **OTHER_CONVENTION}.get(name, "equal")
-        for name, (_, claim) in ALL_CLAIMS.items()
-    }
-    assert told == expected, "make scoreboard writes the page anew"
+    assert told == {name: expected(claim) for name, (_, claim) in ALL_CLAIMS.items()}, (
+        "make scoreboard writes the page anew"
+    )
 
 
 # What is called wrong, computed without the engine.
@@ -110,28 +123,35 @@ def half_range(at: Point) -> Values:
     return elements.reshape(measured.shape, order="F")[0], measured[0] / 2
 
 
-def variance_of_z(at: Point) -> float:
-    """Of z cut off after its second-order terms, by quadrature; the derivatives are central differences."""
+def second_order_covariance(at: Point) -> np.ndarray:
+    """Of the position cut off after its second-order terms, by quadrature; the derivatives are central differences."""
 
-    def z(r: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-        return r * np.sqrt(1 - u**2 - v**2)
+    def position(r: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return r * np.array([u, v, np.sqrt(1 - u**2 - v**2)])
 
     centre = np.array([at["r"], at["u"], at["v"]])
     steps = np.array([at["r"], 1.0, 1.0]) * 1e-4
     moves = np.diag(steps)
-    first = np.array([z(*(centre + one)) - z(*(centre - one)) for one in moves]) / (2 * steps)
+    first = np.array([position(*(centre + one)) - position(*(centre - one)) for one in moves]) / (2 * steps[:, None])
     second = np.array(
         [
-            [(z(*(centre + a + b)) - z(*(centre + a - b)) - z(*(centre - a + b)) + z(*(centre - a - b))) for b in moves]
+            [
+                position(*(centre + a + b))
+                - position(*(centre + a - b))
+                - position(*(centre - a + b))
+                + position(*(centre - a - b))
+                for b in moves
+            ]
             for a in moves
         ]
-    ) / (4 * np.outer(steps, steps))
+    ) / (4 * np.outer(steps, steps)[..., None])
     nodes, weights = np.polynomial.hermite_e.hermegauss(5)
     errors = np.stack(np.meshgrid(nodes, nodes, nodes, indexing="ij"), -1).reshape(-1, 3)
     errors = errors * [at["sigma_r"], at["sigma_u"], at["sigma_v"]]
     weight = np.einsum("i,j,k->ijk", weights, weights, weights).ravel() / weights.sum() ** 3
-    values = errors @ first + np.einsum("ni,ij,nj->n", errors, second, errors) / 2
-    return float(weight @ values**2 - (weight @ values) ** 2)
+    values = errors @ first + np.einsum("ni,ijk,nj->nk", errors, second, errors) / 2
+    apart = values - weight @ values
+    return np.einsum("n,ni,nj->ij", weight, apart, apart)
 
 
 def second_order(at: Point) -> Values:
@@ -142,9 +162,8 @@ def second_order(at: Point) -> Values:
     with_range = (u / w) ** 2 * s_r * s_u + (v / w) ** 2 * s_r * s_v
     mixed = r**2 / 2 * (u**2 * v**2 / w**6 - (u**2 + v**2) / w**4 - 1 / w**2) * s_u * s_v
     squares = [r**2 / 2 * (one**4 / w**6 + 2 * one**2 / w**4 + 1 / w**2) for one in (u, v)]
-    return np.array(linear + with_range + mixed + squares[0] * s_u**2 + squares[1] * s_v**2), np.array(
-        variance_of_z(at)
-    )
+    printed = linear + with_range + mixed + squares[0] * s_u**2 + squares[1] * s_v**2
+    return np.array(printed), second_order_covariance(at)[2, 2]
 
 
 def second_order_of_2009(at: Point) -> Values:
@@ -156,7 +175,32 @@ def second_order_of_2009(at: Point) -> Values:
     printed = c_z**2 + w**2 * s_r + (r * u / w) ** 2 * s_u + (r * v / w) ** 2 * s_v + c_z * (z_uu * s_u + z_vv * s_v)
     printed += 0.75 * z_uu * s_u**2 + 0.75 * z_vv * s_v**2
     printed += (u / w) ** 2 * s_r * s_u + (v / w) ** 2 * s_r * s_v + z_uv**2 * s_u * s_v
-    return np.array(printed), np.array(variance_of_z(at))
+    return np.array(printed), second_order_covariance(at)[2, 2]
+
+
+def covariances_with_z(at: Point) -> Values:
+    r, u, v = at["r"], at["u"], at["v"]
+    w = np.sqrt(1 - u**2 - v**2)
+    printed = [
+        w * one * at["sigma_r"] ** 2 - r**2 * one / w * at[f"sigma_{name}"] ** 2 for one, name in ((u, "u"), (v, "v"))
+    ]
+    return np.array(printed), second_order_covariance(at)[:2, 2]
+
+
+def tracking_index(at: Point) -> Values:
+    """The gains of the Kalman filter, scan by scan until they stay."""
+    index = at["index"]
+    b, c = index / 2 - 3, index / 2 + 3
+    p, q = c - b**2 / 3, 2 * b**3 / 27 - b * c / 3 - 1
+    z = -((q + np.sqrt(q**2 + 4 * p**3 / 27) / 2) ** (1 / 3))
+    s = z - p / (3 * z) - b / 3
+    motion, jump = np.array([[1, 1, 0.5], [0, 1, 1], [0, 0, 1]]), index * np.array([0.5, 1, 1])
+    covariance = np.eye(3)
+    for _ in range(3000):
+        filtered = covariance - np.outer(covariance[0], covariance[0]) / (covariance[0, 0] + 1)
+        covariance = motion @ filtered @ motion.T + np.outer(jump, jump)
+    printed = np.array([1 - s**2, 2 * (1 - s) ** 2, 2 * (1 - s) ** 4 / (1 - s**2)])
+    return printed, covariance[0] / (covariance[0, 0] + 1)
 
 
 def mean_rate(at: Point) -> Values:
@@ -330,6 +374,8 @@ ORACLES: Mapping[str, Callable[[Point], Values]] = {
     "tcl.ruv.half_range": half_range,
     "tcl.ruv.cm2.zz": second_order,
     "tcl.ruv.cm2.original.zz": second_order_of_2009,
+    "tcl.ruv.cm2.original.xz": covariances_with_z,
+    "lankhorst.tracking_index": tracking_index,
     "tcl.turn.mean_rate": mean_rate,
     "tcl.turn.simple_mean": simple_mean,
     "tcl.turn.jacobian.straight": straight_turn,

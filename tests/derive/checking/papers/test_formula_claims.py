@@ -208,6 +208,38 @@ def test_a_solution_is_right_where_it_satisfies_all_equations_on_the_branch_that
     assert decided(own, quantity="own.x", **fields).verdict is outcome
 
 
+@pytest.mark.parametrize(
+    ("where", "formula", "outcome"),
+    [
+        (["x > 0", "b < 0"], "-b", Outcome.EQUAL),
+        (["x > 0", "b > 0"], "b", Outcome.EQUAL),
+        (["x > 0", "b > 0"], "-b", Outcome.DIFFERS),
+        (["x > 0", "b > a"], "b - a + a", Outcome.EQUAL),
+        (["x > 0", "2*b < a", "b > a"], "b", Outcome.UNDECIDED),
+    ],
+)
+def test_a_condition_without_the_unknown_says_where_the_solution_is_to_hold(
+    where: list[str], formula: str, outcome: Outcome
+):
+    signed = {**SYMBOLS, "b": {"unit": "1", "low": -9.0, "high": 9.0}}
+    table = {"name": "own.x", "symbols": ["a", "b"], "unknown": ["x"], "equations": ["x^2 = b^2"], "where": where}
+    own = world_of([{"symbols": signed, "define": [table]}])
+    assert decided(own, quantity="own.x", formula=formula).verdict is outcome
+
+
+def test_an_equation_holds_where_the_conditions_say_it_does():
+    signed = {"a": {"unit": "1", "low": -9.0, "high": 9.0}, "b": {"unit": "1", "low": -9.0, "high": 9.0}}
+    table = {"name": "own.x", "symbols": ["a", "b"], "unknown": ["x"], "equations": ["x = sqrt((a - b)^2)"]}
+    for where, formula, is_right in (("a > b", "a - b", True), ("a > b", "b - a", False), ("a < b", "b - a", True)):
+        own = world_of([{"symbols": signed, "define": [table | {"where": [where]}]}])
+        assert (decided(own, quantity="own.x", formula=formula).verdict is not Outcome.DIFFERS) is is_right
+
+
+def test_conditions_that_leave_a_symbol_no_value_are_refused():
+    with pytest.raises(UnreadableClaim, match="no value"):
+        decided(implicit(["x"], ["x = a"], ["a > 5", "a < 4"]), quantity="own.x", formula="a")
+
+
 def test_one_unknown_is_checked_with_the_others_given():
     given = {"y": "b", "a": "2*b"}
     assert decided(ROOTS, quantity="own.x[0]", formula="a", given=given).verdict is Outcome.EQUAL
@@ -248,3 +280,19 @@ def test_a_wrong_sign_in_one_of_many_definitions_is_found_there(place: int):
 def test_a_slip_inside_of_what_is_worked_out_is_found(wrong: str, right: str):
     verdict = decided(quantity="polar.jacobian", formula=wrong)
     assert right in [one.formula for one in verdict.suggestions]
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("sum(j^2, j, 1, n)", "n*(n + 1)*(2*n + 1)/6"),
+        ("sum(i*c, i, 1, n)", "c*n*(n + 1)/2"),
+        ("integral(exp(-b*j), j, 0, c)", "(1 - exp(-b*c))/b"),
+        ("j + sum(j, j, 1, n)", "2*a + n*(n + 1)/2"),
+    ],
+)
+def test_an_index_hides_a_definition_of_its_name_within_its_sum_alone(left: str, right: str):
+    own = world_of([{"symbols": SYMBOLS | {"n": {"unit": "1", "low": 1, "high": 9, "whole": True}}}])
+    let = {"j": "2*a", "c": "a*b"}
+    assert decided(own, left=left, right=right, let=let).verdict is Outcome.EQUAL
+    assert decided(own, left=left, right=f"2*({right})", let=let).verdict is Outcome.DIFFERS

@@ -8,6 +8,7 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.question.letters.letter_meanings import Role, meanings
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
@@ -247,3 +248,79 @@ def test_letters_are_matched_in_products_rows_columns_and_slices(name: str, form
 @pytest.mark.parametrize("given", [{"azimuth": "0"}, {"theta": "0", "corr": "0"}, {"beta": "0"}])
 def test_conditions_are_in_any_letters_too(given: dict[str, str]) -> None:
     assert check("polar.covariance.linear[0,0]", "sigma_r^2", given=given).verdict is Outcome.EQUAL
+
+
+@pytest.mark.parametrize("pair", ["P{}", "a{}", "s_{}", "sigma_{}", "var_{}", "w{}"])
+@pytest.mark.parametrize("first", [0, 1, 5])
+def test_numbered_letters_keep_their_order(pair: str, first: int) -> None:
+    one, two = pair.format(first), pair.format(first + 1)
+    squared = "" if pair.startswith(("P", "var")) else "^2"
+    above, below = f"{two}{squared}", f"({one}{squared} + {two}{squared})"
+    right, wrong = f"{above}/{below}", f"{one}{squared}/{below}"
+    assert check("fusion.weights.two", f"[{right}, {wrong}]").verdict in EQUAL
+    assert check("fusion.weights.two", f"[{wrong}, {right}]").verdict is Outcome.DIFFERS
+
+
+def test_a_deviation_is_that_of_its_own_subscript_whatever_else_that_may_mean() -> None:
+    verdict = check("motion.ctrv.process_noise.piecewise[4,4]", "s_omega^2*dt^2")
+    assert verdict.verdict in EQUAL
+    entry = catalogue()["motion.ctrv.process_noise.piecewise"].expression[0, 0]
+    printed = shown(Tensor((), (entry,))).replace("sigma_w", "s_w").replace("T", "dt")
+    verdict = check("motion.ctrv.process_noise.piecewise[0,0]", printed)
+    assert verdict.verdict in EQUAL
+    assert "s_w for sigma_w" in verdict.reading
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "edit"),
+    [
+        ("motion.singer.transition[0,2]", "tau_m^2*(1 + T/tau_m + exp(-T/tau_m))", "the sign of 1"),
+        ("motion.singer.process_noise[2,2]", "sm^2*(1 + exp(-2*T/tau))", "the sign of exp(-2*T/tau)"),
+    ],
+)
+def test_a_slip_beside_a_time_constant_is_told(name: str, formula: str, edit: str) -> None:
+    verdict = check(name, formula)
+    assert any("for 1/alpha" in words for words in verdict.reading)
+    assert edit in [one.edit for one in verdict.suggestions]
+
+
+@pytest.mark.parametrize("name", ["azimuth_deg", "bearing_degrees", "azDeg"])
+def test_a_name_that_says_degrees_is_told_where_it_is_read_in_radians(name: str) -> None:
+    assert f"{name}, in radians, for beta" in check("polar.map[0]", f"r*cos({name})").reading
+    assert "equal with beta in degrees" in check("polar.map[0]", f"r*cos({name}*pi/180)").remarks
+
+
+def test_what_has_two_meanings_is_told_before_what_is_no_name() -> None:
+    with pytest.raises(FormulaError, match="may be the power of"):
+        check("polar.map[0]", r"\rho\cos\theta^2", latex=True)
+
+
+def test_the_model_whose_letters_a_wrong_formula_has_is_named() -> None:
+    with pytest.raises(FormulaError, match=r"may be meant for motion\.constant_velocity\.process_noise\.piecewise"):
+        check("motion.constant_velocity.process_noise.continuous", "[[dt^4/4, dt^3/3], [dt^3/3, dt^2]]*sigma_a^2")
+
+
+@pytest.mark.parametrize(
+    ("let", "given"),
+    [
+        ({"λ": "exp(-σβ²/2)"}, {"ρ": "0"}),
+        ({"λ": "exp(-s/2)", "s": "σβ²"}, {"rho": "0"}),
+        ({"l": "σβ²", "λ": "e^(-l/2)"}, {"ρ": "0"}),
+    ],
+)
+def test_definitions_and_conditions_are_read_as_they_stand_on_a_page(
+    let: dict[str, str], given: dict[str, str]
+) -> None:
+    assert check("polar.posterior.estimate[0]", "λ r cosβ", let=let, given=given).verdict in EQUAL
+
+
+@pytest.mark.parametrize("place", ["0:2,0:2", "0:2,:2", ":2,0:2"])
+def test_a_part_of_a_matrix_is_a_slice(place: str) -> None:
+    formula, let = "[[x/d, y/d], [-y/d^2, x/d^2]]", {"d": "hypot(x, y)"}
+    assert check(f"observe.polar_doppler.jacobian[{place}]", formula, let=let).verdict in EQUAL
+
+
+@pytest.mark.parametrize("place", ["0:2,0:5", "2:1,0", "-1,0", "0:2", "3:,0"])
+def test_a_slice_that_there_is_not_is_refused(place: str) -> None:
+    with pytest.raises(UnknownEntry, match="has shape"):
+        check(f"observe.polar_doppler.jacobian[{place}]", "x")
