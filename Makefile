@@ -81,6 +81,8 @@ seeds: $(VENV)/.group-test
 		RADARTRACK_HYPOTHESIS=dev $(BIN)/python -m pytest -n auto --dist worksteal -q -m hypothesis --hypothesis-seed $$seed || exit 1; done
 
 # Tests that may be made as long as one likes, each with a size of its own: `make campaign-formulas SIZE=1000`.
+TESTS_OF_arguments := tests/generated/test_elementary.py
+SIZE_OF_arguments := 12500000
 TESTS_OF_faults := tests/radartrack/verification/test_generated_code.py
 SIZE_OF_faults := 200
 TESTS_OF_formulas := tests/derive/checking/test_verdicts.py

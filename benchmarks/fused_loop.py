@@ -25,7 +25,7 @@ def fused_loop(name: str, size: int) -> Callable[..., tuple[Floats, Floats]]:
     def convert(*arrays: Floats) -> tuple[Floats, Floats]:
         count = len(arrays[0])
         mean, covariance = np.empty((count, size)), np.empty((count, size, size))
-        loop(*arrays, mean, covariance)
+        loop(arrays, mean, covariance)
         return mean, covariance
 
     return convert

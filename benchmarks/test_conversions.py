@@ -11,7 +11,7 @@ from benchmarks.conftest import PLOTS, Floats
 from benchmarks.fused_loop import fused_loop
 from benchmarks.stone_soup import stone_soup_plot
 from radartrack import convert
-from radartrack._arrays import machine_code
+from radartrack._arrays import batches, machine_code
 
 POLAR = ("r", "azimuth", "range_std", "azimuth_std")
 SPHERICAL = ("r", "azimuth", "elevation", "range_std", "azimuth_std", "elevation_std")
@@ -31,9 +31,25 @@ class TestPolar:
     def test_fast(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
         timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, rounds=60)
 
+    def test_fast_on_one_core(
+        self, timed: Timed, plots: dict[str, Floats], method: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(batches, "_most_at_once", lambda: 1)
+        timed(convert.polar, *(plots[n] for n in POLAR), method=method, items=PLOTS, rounds=60)
+
     def test_fused(self, timed: Timed, plots: dict[str, Floats], method: str) -> None:
         arrays = [*(plots[n] for n in POLAR), np.zeros(PLOTS)]
         timed(fused_loop(f"polar_{method}", 2), *arrays, items=PLOTS, rounds=60)
+
+
+class TestCopied:
+    """Memory's own limit: arguments are copied, results filled with a number, on one core."""
+
+    def test_polar(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        timed(copied, [plots[n] for n in POLAR], 2, items=PLOTS, rounds=60)
+
+    def test_spherical(self, timed: Timed, plots: dict[str, Floats]) -> None:
+        timed(copied, [plots[n] for n in SPHERICAL], 3, items=PLOTS, rounds=20)
 
 
 class TestPolarPeers:
@@ -55,6 +71,10 @@ class TestSpherical:
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:
         timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3)
+
+    def test_fast_on_one_core(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(batches, "_most_at_once", lambda: 1)
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=20)
 
     def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
         arrays = [*(plots[n] for n in SPHERICAL), np.zeros(PLOTS)]
@@ -84,6 +104,11 @@ class TestOnePlot:
 
     def test_stone_soup(self, timed: Timed) -> None:
         timed(repeated, lambda: stone_soup_plot(5e4, 0.3, 50.0, 0.01), items=FEW)
+
+
+def copied(arrays: list[Floats], size: int) -> tuple[list[Floats], Floats, Floats]:
+    mean, covariance = np.full((PLOTS, size), 1.0), np.full((PLOTS, size, size), 1.0)
+    return [array.copy() for array in arrays], mean, covariance
 
 
 def repeated(call: Callable[[], Any]) -> None:

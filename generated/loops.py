@@ -1,6 +1,6 @@
-"""Conversions as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries.
+"""Conversions as loops over given[symbol][plot]; mean[plot, n] and covariance[plot, n, n] are filled, arrays or dictionaries.
 
-Written by radartrack regenerate, generator 1, derivation 878d8e142499e25c; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 03cbbe67befe6568; not to be edited.
 """
 
 import math
@@ -11,12 +11,7 @@ Filled = MutableMapping[tuple[int, ...], float]
 
 
 def bistatic_linear(
-    all_path: Floats,
-    all_beta: Floats,
-    all_baseline: Floats,
-    all_sigma_path: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -25,13 +20,13 @@ def bistatic_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
-    for i in range(len(all_path)):
-        path = all_path[i]
-        beta = all_beta[i]
-        baseline = all_baseline[i]
-        sigma_path = all_sigma_path[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        path = given[0][i]
+        beta = given[1][i]
+        baseline = given[2][i]
+        sigma_path = given[3][i]
+        sigma_beta = given[4][i]
+        rho = given[5][i]
         term_1 = 1.0 / path
         baseline_per_path = baseline * term_1
         cos_beta = math.cos(beta)
@@ -87,12 +82,7 @@ def bistatic_linear(
 
 
 def bistatic_second_order(
-    all_path: Floats,
-    all_beta: Floats,
-    all_baseline: Floats,
-    all_sigma_path: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -101,13 +91,13 @@ def bistatic_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
-    for i in range(len(all_path)):
-        path = all_path[i]
-        beta = all_beta[i]
-        baseline = all_baseline[i]
-        sigma_path = all_sigma_path[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        path = given[0][i]
+        beta = given[1][i]
+        baseline = given[2][i]
+        sigma_path = given[3][i]
+        sigma_beta = given[4][i]
+        rho = given[5][i]
         term_1 = 1.0 / path
         baseline_per_path = baseline * term_1
         cos_beta = math.cos(beta)
@@ -271,12 +261,7 @@ def bistatic_second_order(
 
 
 def bistatic_averaged(
-    all_path: Floats,
-    all_beta: Floats,
-    all_baseline: Floats,
-    all_sigma_path: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -286,13 +271,13 @@ def bistatic_averaged(
     the truth, to fourth order. Covariance: covariance of the plain conversion, averaged over the truth, to
     fourth order, completed to a sum of squares.
     """
-    for i in range(len(all_path)):
-        path = all_path[i]
-        beta = all_beta[i]
-        baseline = all_baseline[i]
-        sigma_path = all_sigma_path[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        path = given[0][i]
+        beta = given[1][i]
+        baseline = given[2][i]
+        sigma_path = given[3][i]
+        sigma_beta = given[4][i]
+        rho = given[5][i]
         term_1 = 1.0 / path
         baseline_per_path = baseline * term_1
         cos_beta = math.cos(beta)
@@ -840,12 +825,7 @@ def bistatic_averaged(
 
 
 def bistatic_unbiased(
-    all_path: Floats,
-    all_beta: Floats,
-    all_baseline: Floats,
-    all_sigma_path: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -854,13 +834,13 @@ def bistatic_unbiased(
     Mean: unbiased estimate of the position, to fourth order. Covariance: error covariance of the unbiased
     estimate u, to fourth order, completed to a sum of squares.
     """
-    for i in range(len(all_path)):
-        path = all_path[i]
-        beta = all_beta[i]
-        baseline = all_baseline[i]
-        sigma_path = all_sigma_path[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        path = given[0][i]
+        beta = given[1][i]
+        baseline = given[2][i]
+        sigma_path = given[3][i]
+        sigma_beta = given[4][i]
+        rho = given[5][i]
         term_1 = 1.0 / path
         baseline_per_path = baseline * term_1
         sigma_path_per_path = sigma_path * term_1
@@ -1397,12 +1377,7 @@ def bistatic_unbiased(
 
 
 def bistatic_posterior(
-    all_path: Floats,
-    all_beta: Floats,
-    all_baseline: Floats,
-    all_sigma_path: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -1411,13 +1386,13 @@ def bistatic_posterior(
     Mean: posterior mean of the position under a flat prior, to fourth order. Covariance: posterior covariance
     of the position under a flat prior, to fourth order, completed to a sum of squares.
     """
-    for i in range(len(all_path)):
-        path = all_path[i]
-        beta = all_beta[i]
-        baseline = all_baseline[i]
-        sigma_path = all_sigma_path[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        path = given[0][i]
+        beta = given[1][i]
+        baseline = given[2][i]
+        sigma_path = given[3][i]
+        sigma_beta = given[4][i]
+        rho = given[5][i]
         term_1 = 1.0 / path
         baseline_per_path = baseline * term_1
         sigma_path_per_path = sigma_path * term_1
@@ -1956,11 +1931,7 @@ def bistatic_posterior(
 
 
 def polar_linear(
-    all_r: Floats,
-    all_beta: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -1969,12 +1940,12 @@ def polar_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        sigma_r = given[2][i]
+        sigma_beta = given[3][i]
+        rho = given[4][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         part_00_cos_beta_sin_beta = -2.0 * r * rho * sigma_beta * sigma_r
@@ -1997,11 +1968,7 @@ def polar_linear(
 
 
 def polar_second_order(
-    all_r: Floats,
-    all_beta: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2010,12 +1977,12 @@ def polar_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        sigma_r = given[2][i]
+        sigma_beta = given[3][i]
+        rho = given[4][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         sigma_beta_squared = sigma_beta**2
@@ -2044,11 +2011,7 @@ def polar_second_order(
 
 
 def polar_averaged(
-    all_r: Floats,
-    all_beta: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2057,12 +2020,12 @@ def polar_averaged(
     Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
     averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        sigma_r = given[2][i]
+        sigma_beta = given[3][i]
+        rho = given[4][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         sigma_beta_squared = sigma_beta**2
@@ -2122,11 +2085,7 @@ def polar_averaged(
 
 
 def polar_unbiased(
-    all_r: Floats,
-    all_beta: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2134,12 +2093,12 @@ def polar_unbiased(
 
     Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        sigma_r = given[2][i]
+        sigma_beta = given[3][i]
+        rho = given[4][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         sigma_beta_squared = sigma_beta**2
@@ -2195,11 +2154,7 @@ def polar_unbiased(
 
 
 def polar_posterior(
-    all_r: Floats,
-    all_beta: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2208,12 +2163,12 @@ def polar_posterior(
     Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
     under a flat prior.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        sigma_r = given[2][i]
+        sigma_beta = given[3][i]
+        rho = given[4][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         sigma_beta_squared = sigma_beta**2
@@ -2258,13 +2213,7 @@ def polar_posterior(
 
 
 def polar_doppler_linear(
-    all_r: Floats,
-    all_beta: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2273,14 +2222,14 @@ def polar_doppler_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        rdot = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_rdot = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         r_squared = r**2
@@ -2308,13 +2257,7 @@ def polar_doppler_linear(
 
 
 def polar_doppler_second_order(
-    all_r: Floats,
-    all_beta: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2323,14 +2266,14 @@ def polar_doppler_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        rdot = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_rdot = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         sigma_beta_squared = sigma_beta**2
@@ -2364,13 +2307,7 @@ def polar_doppler_second_order(
 
 
 def polar_doppler_averaged(
-    all_r: Floats,
-    all_beta: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2379,14 +2316,14 @@ def polar_doppler_averaged(
     Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
     averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        rdot = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_rdot = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         sigma_beta_squared = sigma_beta**2
@@ -2433,13 +2370,7 @@ def polar_doppler_averaged(
 
 
 def polar_doppler_unbiased(
-    all_r: Floats,
-    all_beta: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2447,14 +2378,14 @@ def polar_doppler_unbiased(
 
     Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        rdot = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_rdot = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         attenuation_beta = math.exp(-0.5 * sigma_beta**2)
@@ -2505,13 +2436,7 @@ def polar_doppler_unbiased(
 
 
 def polar_doppler_posterior(
-    all_r: Floats,
-    all_beta: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2520,14 +2445,14 @@ def polar_doppler_posterior(
     Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
     under a flat prior.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        rdot = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_rdot = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         attenuation_beta = math.exp(-0.5 * sigma_beta**2)
@@ -2567,13 +2492,7 @@ def polar_doppler_posterior(
 
 
 def ruv_linear(
-    all_r: Floats,
-    all_u: Floats,
-    all_v: Floats,
-    all_sigma_r: Floats,
-    all_sigma_u: Floats,
-    all_sigma_v: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2582,14 +2501,14 @@ def ruv_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        u = all_u[i]
-        v = all_v[i]
-        sigma_r = all_sigma_r[i]
-        sigma_u = all_sigma_u[i]
-        sigma_v = all_sigma_v[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        u = given[1][i]
+        v = given[2][i]
+        sigma_r = given[3][i]
+        sigma_u = given[4][i]
+        sigma_v = given[5][i]
+        rho = given[6][i]
         u_squared = u**2
         v_squared = v**2
         sum_1 = 1.0 - u_squared - v_squared
@@ -2620,13 +2539,7 @@ def ruv_linear(
 
 
 def ruv_second_order(
-    all_r: Floats,
-    all_u: Floats,
-    all_v: Floats,
-    all_sigma_r: Floats,
-    all_sigma_u: Floats,
-    all_sigma_v: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2635,14 +2548,14 @@ def ruv_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        u = all_u[i]
-        v = all_v[i]
-        sigma_r = all_sigma_r[i]
-        sigma_u = all_sigma_u[i]
-        sigma_v = all_sigma_v[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        u = given[1][i]
+        v = given[2][i]
+        sigma_r = given[3][i]
+        sigma_u = given[4][i]
+        sigma_v = given[5][i]
+        rho = given[6][i]
         u_squared = u**2
         v_squared = v**2
         sum_1 = 1.0 - u_squared - v_squared
@@ -2693,13 +2606,7 @@ def ruv_second_order(
 
 
 def ruv_averaged(
-    all_r: Floats,
-    all_u: Floats,
-    all_v: Floats,
-    all_sigma_r: Floats,
-    all_sigma_u: Floats,
-    all_sigma_v: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2709,14 +2616,14 @@ def ruv_averaged(
     the truth, to fourth order. Covariance: covariance of the plain conversion, averaged over the truth, to
     fourth order, completed to a sum of squares.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        u = all_u[i]
-        v = all_v[i]
-        sigma_r = all_sigma_r[i]
-        sigma_u = all_sigma_u[i]
-        sigma_v = all_sigma_v[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        u = given[1][i]
+        v = given[2][i]
+        sigma_r = given[3][i]
+        sigma_u = given[4][i]
+        sigma_v = given[5][i]
+        rho = given[6][i]
         u_squared = u**2
         v_squared = v**2
         sum_1 = 1.0 - u_squared - v_squared
@@ -2839,13 +2746,7 @@ def ruv_averaged(
 
 
 def ruv_unbiased(
-    all_r: Floats,
-    all_u: Floats,
-    all_v: Floats,
-    all_sigma_r: Floats,
-    all_sigma_u: Floats,
-    all_sigma_v: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2854,14 +2755,14 @@ def ruv_unbiased(
     Mean: unbiased estimate of the position, to fourth order. Covariance: error covariance of the unbiased
     estimate u, to fourth order, completed to a sum of squares.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        u = all_u[i]
-        v = all_v[i]
-        sigma_r = all_sigma_r[i]
-        sigma_u = all_sigma_u[i]
-        sigma_v = all_sigma_v[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        u = given[1][i]
+        v = given[2][i]
+        sigma_r = given[3][i]
+        sigma_u = given[4][i]
+        sigma_v = given[5][i]
+        rho = given[6][i]
         u_squared = u**2
         v_squared = v**2
         sum_1 = 1.0 - u_squared - v_squared
@@ -2983,13 +2884,7 @@ def ruv_unbiased(
 
 
 def ruv_posterior(
-    all_r: Floats,
-    all_u: Floats,
-    all_v: Floats,
-    all_sigma_r: Floats,
-    all_sigma_u: Floats,
-    all_sigma_v: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -2998,14 +2893,14 @@ def ruv_posterior(
     Mean: posterior mean of the position under a flat prior, to fourth order. Covariance: posterior covariance
     of the position under a flat prior, to fourth order, completed to a sum of squares.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        u = all_u[i]
-        v = all_v[i]
-        sigma_r = all_sigma_r[i]
-        sigma_u = all_sigma_u[i]
-        sigma_v = all_sigma_v[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        u = given[1][i]
+        v = given[2][i]
+        sigma_r = given[3][i]
+        sigma_u = given[4][i]
+        sigma_v = given[5][i]
+        rho = given[6][i]
         u_squared = u**2
         v_squared = v**2
         sum_1 = 1.0 - u_squared - v_squared
@@ -3129,13 +3024,7 @@ def ruv_posterior(
 
 
 def spherical_linear(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -3144,14 +3033,14 @@ def spherical_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_epsilon = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -3205,13 +3094,7 @@ def spherical_linear(
 
 
 def spherical_second_order(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -3220,14 +3103,14 @@ def spherical_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_epsilon = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -3317,13 +3200,7 @@ def spherical_second_order(
 
 
 def spherical_averaged(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -3332,14 +3209,14 @@ def spherical_averaged(
     Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
     averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_epsilon = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -3638,13 +3515,7 @@ def spherical_averaged(
 
 
 def spherical_unbiased(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -3652,14 +3523,14 @@ def spherical_unbiased(
 
     Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_epsilon = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -3893,13 +3764,7 @@ def spherical_unbiased(
 
 
 def spherical_posterior(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -3908,14 +3773,14 @@ def spherical_posterior(
     Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
     under a flat prior.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        sigma_r = given[3][i]
+        sigma_beta = given[4][i]
+        sigma_epsilon = given[5][i]
+        rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -4063,15 +3928,7 @@ def spherical_posterior(
 
 
 def spherical_doppler_linear(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -4080,16 +3937,16 @@ def spherical_doppler_linear(
     Mean: map from the measured quantities to coordinates. Covariance: covariance of the linearised
     conversion.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        rdot = given[3][i]
+        sigma_r = given[4][i]
+        sigma_beta = given[5][i]
+        sigma_epsilon = given[6][i]
+        sigma_rdot = given[7][i]
+        rho = given[8][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -4145,15 +4002,7 @@ def spherical_doppler_linear(
 
 
 def spherical_doppler_second_order(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -4162,16 +4011,16 @@ def spherical_doppler_second_order(
     Mean: map from the measured quantities to coordinates less the bias of the plain conversion to second
     order. Covariance: covariance of the conversion's quadratic Taylor polynomial.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        rdot = given[3][i]
+        sigma_r = given[4][i]
+        sigma_beta = given[5][i]
+        sigma_epsilon = given[6][i]
+        sigma_rdot = given[7][i]
+        rho = given[8][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -4247,15 +4096,7 @@ def spherical_doppler_second_order(
 
 
 def spherical_doppler_averaged(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -4264,16 +4105,16 @@ def spherical_doppler_averaged(
     Mean: map from the measured quantities to coordinates less the exact bias of the plain conversion,
     averaged over the truth. Covariance: exact covariance of the plain conversion, averaged over the truth.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        rdot = given[3][i]
+        sigma_r = given[4][i]
+        sigma_beta = given[5][i]
+        sigma_epsilon = given[6][i]
+        sigma_rdot = given[7][i]
+        rho = given[8][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -4458,15 +4299,7 @@ def spherical_doppler_averaged(
 
 
 def spherical_doppler_unbiased(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -4474,16 +4307,16 @@ def spherical_doppler_unbiased(
 
     Mean: exactly unbiased estimate of the position. Covariance: error covariance of the unbiased estimate u.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        rdot = given[3][i]
+        sigma_r = given[4][i]
+        sigma_beta = given[5][i]
+        sigma_epsilon = given[6][i]
+        sigma_rdot = given[7][i]
+        rho = given[8][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
@@ -4729,15 +4562,7 @@ def spherical_doppler_unbiased(
 
 
 def spherical_doppler_posterior(
-    all_r: Floats,
-    all_beta: Floats,
-    all_epsilon: Floats,
-    all_rdot: Floats,
-    all_sigma_r: Floats,
-    all_sigma_beta: Floats,
-    all_sigma_epsilon: Floats,
-    all_sigma_rdot: Floats,
-    all_rho: Floats,
+    given: Sequence[Floats],
     mean: Filled,
     covariance: Filled,
 ) -> None:
@@ -4746,16 +4571,16 @@ def spherical_doppler_posterior(
     Mean: posterior mean of the position under a flat prior. Covariance: posterior covariance of the position
     under a flat prior.
     """
-    for i in range(len(all_r)):
-        r = all_r[i]
-        beta = all_beta[i]
-        epsilon = all_epsilon[i]
-        rdot = all_rdot[i]
-        sigma_r = all_sigma_r[i]
-        sigma_beta = all_sigma_beta[i]
-        sigma_epsilon = all_sigma_epsilon[i]
-        sigma_rdot = all_sigma_rdot[i]
-        rho = all_rho[i]
+    for i in range(len(given[0])):
+        r = given[0][i]
+        beta = given[1][i]
+        epsilon = given[2][i]
+        rdot = given[3][i]
+        sigma_r = given[4][i]
+        sigma_beta = given[5][i]
+        sigma_epsilon = given[6][i]
+        sigma_rdot = given[7][i]
+        rho = given[8][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)

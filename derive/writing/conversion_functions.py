@@ -45,7 +45,7 @@ METHODS = {
 RELEASED_AT_ONCE = 4
 ARRAYS = "over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled"
 ARRAYS_HEAD = "import numpy as np\nimport numpy.typing as npt\n\nFloats = npt.NDArray[np.floating]\nFilled = Floats\n"
-LOOPS = "as loops over plots; mean[plot, n] and covariance[plot, n, n] are filled, in arrays or in dictionaries"
+LOOPS = "as loops over given[symbol][plot]; mean[plot, n] and covariance[plot, n, n] are filled, arrays or dictionaries"
 LOOPS_HEAD = """\
 import math
 from collections.abc import MutableMapping, Sequence
@@ -112,15 +112,15 @@ class ConversionCode:
 
     def over_arrays(self) -> str:
         """The function for NumPy; it releases what it needs no more, so that the rest stays in the cache."""
-        return self._function(self.symbols, "\n".join(self._releasing()))
+        return self._function(dict.fromkeys(self.symbols, "Floats"), "\n".join(self._releasing()))
 
     def as_loop(self) -> str:
         """The function in plain numbers."""
-        loaded = (f"{symbol} = all_{symbol}[i]" for symbol in self.symbols)
+        loaded = (f"{symbol} = given[{n}][i]" for n, symbol in enumerate(self.symbols))
         inside = "\n".join([*loaded, *self.statements]).replace("[..., ", "[i, ")
         of_numbers = re.sub(r"\bnp\.(\w+)", lambda found: f"math.{OF_A_NUMBER.get(found[1], found[1])}", inside)
-        loop = f"for i in range(len(all_{self.symbols[0]})):\n{textwrap.indent(of_numbers, INDENT)}"
-        return self._function([f"all_{symbol}" for symbol in self.symbols], loop)
+        loop = f"for i in range(len(given[0])):\n{textwrap.indent(of_numbers, INDENT)}"
+        return self._function({"given": "Sequence[Floats]"}, loop)
 
     def _releasing(self) -> Iterator[str]:
         """The statements, with deletions of intermediates behind their last use, a few at once."""
@@ -134,8 +134,8 @@ class ConversionCode:
                 yield f"del {', '.join(waiting)}"
                 waiting = []
 
-    def _function(self, arguments: Sequence[str], body: str) -> str:
-        types = dict.fromkeys(arguments, "Floats") | {"mean": "Filled", "covariance": "Filled"}
+    def _function(self, arguments: Mapping[str, str], body: str) -> str:
+        types = {**arguments, "mean": "Filled", "covariance": "Filled"}
         signature = "".join(f"{INDENT}{name}: {kind},\n" for name, kind in types.items())
         said = "\n".join([f'"""{self.title}.\n', *textwrap.wrap(f"{self.meaning}.", WIDTH - 4), '"""'])
         inside = textwrap.indent(f"{said}\n{body}", INDENT)

@@ -34,22 +34,37 @@ def is_available() -> bool:
 
 
 @cache
-def conversion(name: str) -> Callable[..., None] | None:
+def conversion(name: str, coordinates: int) -> Callable[..., None] | None:
     """The compiled conversion of this name, for float64 arrays: inputs of shape (plots,) or (), then outputs.
+
+    Where an angle is beyond the reach of the compiled sines, NumPy's function computes all plots of the call.
+
+    Args:
+        name: of model and method.
+        coordinates: that a mean has.
 
     Returns:
         None where Numba cannot compile it.
 
     """
     loop = getattr(importlib.import_module("radartrack.generated.loops"), name)
-    compiled = machine_code(lambda **options: _compiled(loop, **options))
+    over_arrays = getattr(importlib.import_module("radartrack.generated.conversions"), name)
+    count = over_arrays.__code__.co_argcount - 2
+
+    def compiling(**options: Any) -> Callable[..., bool]:
+        side_by_side = importlib.import_module("radartrack._arrays.plots_side_by_side")  # loads Numba
+        compiled: Callable[..., bool] = side_by_side.compiled(loop, count, coordinates, **options)
+        return compiled
+
+    compiled = machine_code(compiling)
     if compiled is None:
         return None
 
     def fill(*arrays: RealArray) -> None:
         *inputs, mean, covariance = arrays
-        spread = (array if array.ndim else np.ndarray(len(mean), array.dtype, array, strides=(0,)) for array in inputs)
-        compiled(*spread, mean, covariance)
+        columns = (np.ascontiguousarray(array).reshape(-1) for array in inputs)  # one entry where all plots share it
+        if not compiled(tuple(columns), mean, covariance):
+            over_arrays(*inputs, mean, covariance)
 
     return fill
 
@@ -66,18 +81,6 @@ def machine_code(compiling: Callable[..., Compiled]) -> Compiled | None:
     options = {"nogil": True, "error_model": "numpy"}
     kept = attempted(lambda: compiling(cache=True, **options), "Numba cannot keep machine code on disk")
     return kept if kept is not None else attempted(lambda: compiling(**options), "Numba cannot compile")
-
-
-def _compiled(loop: Callable[..., None], **options: Any) -> Callable[..., None]:
-    numba: Any = importlib.import_module("numba")
-    count = loop.__code__.co_argcount - 2
-    outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
-    readable = numba.types.Array(numba.float64, 1, "A", readonly=True)
-    compiled: Any = numba.njit(**options)(loop)
-    compiled.compile((*[readable] * count, *outputs))  # a function that Numba was told to leave alone has no such thing
-    compiled.disable_compile()
-    ready: Callable[..., None] = compiled
-    return ready
 
 
 def attempted(attempt: Callable[[], Compiled], failure: str) -> Compiled | None:

@@ -46,7 +46,7 @@ def _computed(way: Way, arrays: Mapping[str, RealArray]) -> tuple[RealArray, Rea
     shape = common_shape(array.shape[: array.ndim - axes[name]] for name, array in arrays.items())
     count, dtype = math.prod(shape), next(iter(arrays.values())).dtype
     mean, covariance = np.empty((count, size), dtype), np.empty((count, size, size), dtype)
-    function, block = _function(way, count, dtype)
+    function, block = _function(way, count, dtype, size)
     flat = {name: _flat(array, shape, axes[name]) for name, array in arrays.items()}
     varying = {name: array for name, array in flat.items() if array.ndim > axes[name]}
 
@@ -81,11 +81,11 @@ def _checked(sensor: Sensor, arrays: Mapping[str, RealArray]) -> tuple[dict[str,
     return measured, prediction
 
 
-def _function(way: Way, count: int, dtype: np.dtype[Any]) -> tuple[Callable[..., None], int]:
+def _function(way: Way, count: int, dtype: np.dtype[Any], size: int) -> tuple[Callable[..., None], int]:
     """The conversion without a prediction, and the size of its blocks; compiled where that is worth while."""
     function, block = getattr(conversions, way.function), BLOCK
     if count >= machine_code.COMPILED_FROM and dtype == np.float64 and machine_code.is_available():
-        fast = machine_code.conversion(way.function)
+        fast = machine_code.conversion(way.function, size)
         function, block = (function, block) if fast is None else (fast, machine_code.BLOCK)
     return function, PREDICTED_BLOCK if way.prediction else block
 

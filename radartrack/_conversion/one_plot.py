@@ -35,7 +35,7 @@ def one_plot(way: Way, given: Mapping[str, Any]) -> tuple[RealArray, RealArray] 
         return None
     mean: dict[tuple[int, ...], float] = {}
     covariance: dict[tuple[int, ...], float] = {}
-    _loop(way.function)(*([value] for value in values.values()), mean, covariance)
+    _loop(way.function)([[value] for value in values.values()], mean, covariance)
     size = len(mean)
     return way.oriented(np.array([*mean.values()]), np.array([*covariance.values()]).reshape(size, size))
 

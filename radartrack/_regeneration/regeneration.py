@@ -32,6 +32,7 @@ from radartrack.derive.finding import screening_values
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.stable_form import NotProved
 from radartrack.derive.stable.quantity_form import form_of
+from radartrack.derive.writing import elementary_functions
 from radartrack.derive.writing.conversion_functions import (
     ARRAYS,
     LOOPS,
@@ -382,6 +383,8 @@ def texts(derivation: Derivation, record: Record) -> Files:
     if derivation.conversions:
         files["conversions.py"] = conversion_code_text(derivation.conversions, ARRAYS)
         files["loops.py"] = conversion_code_text(derivation.conversions, LOOPS)
+    if SCREENING in files:
+        files[elementary_functions.NAME] = elementary_functions.module_text()
     return files | {written_files.RECORD: written_files.record(files)}
 
 
@@ -451,8 +454,8 @@ def names(quantities: Mapping[str, Quantity]) -> set[str]:
     """Of the files that are written for quantities; as in `texts`, before anything is derived."""
     conversions = {"conversions.py", "loops.py"} if conversions_of(quantities) else set()
     modules = {f"{quantity.module}.py" for quantity in quantities.values()}
-    screening = {SCREENING} if quantities.keys() == catalogue().keys() else set()
-    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions | screening
+    of_catalogue = {SCREENING, elementary_functions.NAME} if quantities.keys() == catalogue().keys() else set()
+    return {"__init__.py", "py.typed", RECORD, BOOK, written_files.RECORD} | modules | conversions | of_catalogue
 
 
 def in_the_way(directory: Path, wanted: Collection[str]) -> list[str]:

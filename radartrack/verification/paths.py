@@ -93,7 +93,7 @@ class ByConversion:
         shape, flat = spread[0].shape, [np.ascontiguousarray(column).ravel() for column in spread]
         size = self.part.map_quantity.shape[0]
         mean, covariance = np.full((len(flat[0]), size), np.nan), np.full((len(flat[0]), size, size), np.nan)
-        _fill(self.path, self.part.conversion)(*flat, mean, covariance)
+        _fill(self.path, self.part.conversion, size)(*flat, mean, covariance)
         if not self.part.is_mean:
             return covariance.reshape(*shape, size, size)
         if self.part.is_bias:
@@ -118,9 +118,9 @@ def _conversions() -> dict[str, Part]:
     return found
 
 
-def _fill(path: str, name: str) -> Fill:
+def _fill(path: str, name: str, size: int) -> Fill:
     """What fills mean and covariance."""
-    compiled = machine_code.conversion(name) if path == MACHINE_CODE else None
+    compiled = machine_code.conversion(name, size) if path == MACHINE_CODE else None
     if compiled is not None:
         return compiled
     module = import_module(f"radartrack.generated.{'loops' if path == ONE_PLOT else 'conversions'}")
@@ -134,7 +134,7 @@ def _plot_by_plot(loop: Fill, *arrays: Array) -> None:
     for plot, values in enumerate(zip(*(column.tolist() for column in inputs), strict=True)):
         mean: dict[tuple[int, ...], float] = {}
         covariance: dict[tuple[int, ...], float] = {}
-        loop(*([value] for value in values), mean, covariance)
+        loop([[value] for value in values], mean, covariance)
         _put(mean, means[plot])
         _put(covariance, covariances[plot])
 

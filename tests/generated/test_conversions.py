@@ -47,7 +47,9 @@ def together(module: object, model: str, method: str, points: Points) -> tuple[n
     size = len(next(iter(points.values())))
     (count,) = joined(model, METHODS[method].estimate).shape
     mean, covariance = np.full((size, count), np.nan), np.full((size, count, count), np.nan)
-    getattr(module, f"{model}_{method}")(*(points[name] for name in symbols(model, method)), mean, covariance)
+    given = [points[name] for name in symbols(model, method)]
+    arguments = [given] if module is loops else given
+    getattr(module, f"{model}_{method}")(*arguments, mean, covariance)
     return mean, covariance
 
 
@@ -105,7 +107,7 @@ def test_the_loop_fills_dictionaries_in_the_order_of_their_places(model: str, me
         mean: dict[tuple[int, ...], float] = {}
         covariance: dict[tuple[int, ...], float] = {}
         loop = getattr(loops, f"{model}_{method}")
-        loop(*([points[name][plot].item()] for name in symbols(model, method)), mean, covariance)
+        loop([[points[name][plot].item()] for name in symbols(model, method)], mean, covariance)
         for found, expected in zip((mean, covariance), arrays, strict=True):
             assert [*found] == [(0, *index) for index in np.ndindex(expected.shape[1:])]
             np.testing.assert_allclose([*found.values()], expected[plot].ravel(), rtol=1e-13)

@@ -205,7 +205,7 @@ from radartrack._arrays import machine_code
 ranges = np.linspace(1e3, 1e5, 300)
 plots = rt.convert.polar(ranges, 1.0, 5.0, 0.05, method="linear")
 assert np.allclose(plots.mean[:, 0], ranges * np.cos(1.0), rtol=1e-14)
-assert not machine_code.is_available() or machine_code.conversion("polar_linear") is not None
+assert not machine_code.is_available() or machine_code.conversion("polar_linear", 2) is not None
 """
 
 

@@ -20,8 +20,11 @@ from radartrack.derive.writing.numpy_writer import INDENT, WIDTH
 
 RESULT = "result"
 COUNT, PLACE = "n", "i"  # of the points of a batch
+START, SOME = "start", "count"  # of those whose sines are computed at once
 SINGLE = "f"  # behind the names of functions in single precision
 BATCH = "_n"
+INSIDE = "_at"  # what takes the sines of angles from whoever has computed them
+AT_ONCE = 64  # plots of a batch whose sines are computed before the rest
 WORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
     restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
@@ -32,7 +35,7 @@ WORDS = """
     xor xor_eq
     EOF HUGE_VAL HUGE_VALF HUGE_VALL I INFINITY NAN NULL assert errno linux math_errhandling offsetof unix
 """  # of C99 and C++20, and what headers may define
-TAKEN = frozenset([*WORDS.split(), RESULT, "mean", "covariance", COUNT, PLACE])
+TAKEN = frozenset([*WORDS.split(), RESULT, "mean", "covariance", COUNT, PLACE, START, SOME])
 
 
 @dataclass(frozen=True)
@@ -77,17 +80,19 @@ class CFunction:
         arguments: their names.
         outputs: the arrays that it fills; none where it returns a number.
         bodies: the statements in double and in single precision.
+        angles: arguments of which they take sine and cosine, and what they call these.
     """
 
     name: str
     arguments: tuple[str, ...]
     outputs: tuple[Output, ...]
     bodies: tuple[str, str]
+    angles: tuple[tuple[str, str, str], ...] = ()
 
     @property
     def names(self) -> list[str]:
         """All that is defined: in two precisions, for one and for many."""
-        kinds = ("", BATCH) if self.arguments else ("",)
+        kinds = ("", *((BATCH,) if self.arguments else ()), *((INSIDE,) if self.angles else ()))
         return [f"{self.name}{kind}{suffix}" for kind in kinds for suffix in ("", SINGLE)]
 
     @property
@@ -118,22 +123,55 @@ class CFunction:
         real = real_of(suffix)
         given = [f"{real} {name}" for name in self.arguments]
         filled = [f"{real} {one.declared}" for one in self.outputs]
-        kind = "void" if self.outputs else real
-        signature = _signature(kind, f"{self.name}{suffix}", [*given, *filled])
-        return f"{signature}\n{{\n{textwrap.indent(self.bodies[bool(suffix)], INDENT)}\n}}\n"
+        kind, body = "void" if self.outputs else real, self.bodies[bool(suffix)]
+        if not self.angles:
+            return _definition(_signature(f"static inline {kind}", f"{self.name}{suffix}", [*given, *filled]), body)
+        sines = [f"{real} {name}" for _, *names in self.angles for name in names]
+        inside = _signature(f"RADARTRACK_INLINE {kind}", f"{self.name}{INSIDE}{suffix}", [*given, *sines, *filled])
+        passed = [*self.arguments, *self._sines, *(one.name for one in self.outputs)]
+        called = f"{self.name}{INSIDE}{suffix}({', '.join(passed)});"
+        lines = [
+            f"{real} {', '.join(self._sines)};",
+            *(f"{PREFIX}sin_and_cos{suffix}({angle}, &{sine}, &{cosine});" for angle, sine, cosine in self.angles),
+            called if self.outputs else f"return {called}",
+        ]
+        outside = _signature(f"static inline {kind}", f"{self.name}{suffix}", [*given, *filled])
+        return f"{_definition(inside, body)}\n{_definition(outside, chr(10).join(lines))}"
+
+    @property
+    def _sines(self) -> list[str]:
+        return [name for _, *names in self.angles for name in names]
 
     def _for_many(self, suffix: str) -> str:
         real = real_of(suffix)
         names = [one.name for one in self.outputs] or [RESULT]
         given = [f"const {real} *{name}" for name in self.arguments]
         filled = [f"{real} *RADARTRACK_RESTRICT {name}" for name in names]
-        signature = _signature("void", f"{self.name}{BATCH}{suffix}", [f"size_t {COUNT}", *given, *filled])
-        at = [f"{name}[{PLACE}]" for name in self.arguments]
-        to = [f"{one.name} + {one.size}u * {PLACE}" for one in self.outputs]
-        called = f"{self.name}{suffix}({', '.join([*at, *to])});"
-        inside = called if self.outputs else f"{RESULT}[{PLACE}] = {called}"
-        loop = f"size_t {PLACE};\nfor ({PLACE} = 0; {PLACE} < {COUNT}; ++{PLACE})\n{INDENT}{inside}"
-        return f"{signature}\n{{\n{textwrap.indent(loop, INDENT)}\n}}\n"
+        signature = _signature(
+            "static inline void", f"{self.name}{BATCH}{suffix}", [f"size_t {COUNT}", *given, *filled]
+        )
+        place = f"{START} + {PLACE}" if self.angles else PLACE
+        at = [f"{name}[{place}]" for name in self.arguments] + [f"{name}[{PLACE}]" for name in self._sines]
+        to = [f"{one.name} + {one.size}u * {f'({place})' if self.angles else place}" for one in self.outputs]
+        called = f"{self.name}{INSIDE if self.angles else ''}{suffix}({', '.join([*at, *to])});"
+        inside = called if self.outputs else f"{RESULT}[{place}] = {called}"
+        if not self.angles:
+            loop = f"size_t {PLACE};\nfor ({PLACE} = 0; {PLACE} < {COUNT}; ++{PLACE})\n{INDENT}{inside}"
+            return _definition(signature, loop)
+        lines = [
+            *(f"{real} {name}[{AT_ONCE}];" for name in self._sines),
+            f"size_t {START}, {PLACE};",
+            f"for ({START} = 0; {START} < {COUNT}; {START} += {AT_ONCE}u) {{",
+            f"{INDENT}const size_t {SOME} = {COUNT} - {START} < {AT_ONCE}u ? {COUNT} - {START} : {AT_ONCE}u;",
+            *(
+                f"{INDENT}{PREFIX}sin_and_cos_n{suffix}({SOME}, {angle} + {START}, {sine}, {cosine});"
+                for angle, sine, cosine in self.angles
+            ),
+            f"{INDENT}for ({PLACE} = 0; {PLACE} < {SOME}; ++{PLACE})",
+            f"{2 * INDENT}{inside}",
+            "}",
+        ]
+        return _definition(signature, "\n".join(lines))
 
 
 def of_quantity(quantity: Quantity, form: StableForm) -> CFunction:
@@ -146,12 +184,38 @@ def of_quantity(quantity: Quantity, form: StableForm) -> CFunction:
 
 def function(name: str, symbols: Sequence[str], outputs: Sequence[Output], statements: Statements) -> CFunction:
     """Statements as a function of symbols; names that C or C++ has for something else get an underscore."""
-    names = _free_names([*symbols, *(definition for definition, _ in statements.definitions)])
-    arguments = tuple(names[symbol] for symbol in symbols)
-    double, single = (
-        "\n".join(body(statements, arguments, outputs, CExpression(suffix, names=names))) for suffix in ("", SINGLE)
+    angles = {symbol: (f"sine_of_{symbol}", f"cosine_of_{symbol}") for symbol in _angles(symbols, statements)}
+    names = _free_names(
+        [*symbols, *(name for both in angles.values() for name in both), *(name for name, _ in statements.definitions)]
     )
-    return CFunction(name, arguments, tuple(outputs), (double, single))
+    arguments = tuple(names[symbol] for symbol in symbols)
+    given = _with_sines(statements, angles)
+    double, single = (
+        "\n".join(body(given, arguments, outputs, CExpression(suffix, names=names))) for suffix in ("", SINGLE)
+    )
+    known = tuple((names[symbol], names[sine], names[cosine]) for symbol, (sine, cosine) in angles.items())
+    return CFunction(name, arguments, tuple(outputs), (double, single), known)
+
+
+def _angles(symbols: Sequence[str], statements: Statements) -> list[str]:
+    """The arguments whose sine or cosine is taken."""
+    expressions = [*(value for _, value in statements.definitions), *statements.results]
+    taken = {wave.args[0] for one in expressions for wave in one.atoms(sp.sin, sp.cos)}
+    names = {angle.name for angle in taken if isinstance(angle, sp.Symbol)}
+    return [symbol for symbol in symbols if symbol in names]
+
+
+def _with_sines(statements: Statements, angles: Mapping[str, tuple[str, str]]) -> Statements:
+    """The same with names for the sines and cosines of arguments."""
+    expressions = [*(value for _, value in statements.definitions), *statements.results]
+    waves = {wave for one in expressions for wave in one.atoms(sp.sin, sp.cos)}
+    known = {
+        wave: sp.Symbol(angles[wave.args[0].name][isinstance(wave, sp.cos)], real=True)
+        for wave in waves
+        if isinstance(wave.args[0], sp.Symbol) and wave.args[0].name in angles
+    }
+    definitions = tuple((name, value.xreplace(known)) for name, value in statements.definitions)
+    return Statements(definitions, tuple(value.xreplace(known) for value in statements.results))
 
 
 def body(
@@ -209,12 +273,16 @@ def _free_names(names: Iterable[str]) -> Mapping[str, str]:
     return found
 
 
+def _definition(signature: str, body: str) -> str:
+    return f"{signature}\n{{\n{textwrap.indent(body, INDENT)}\n}}\n"
+
+
 def _signature(kind: str, name: str, arguments: Sequence[str]) -> str:
-    line = f"static inline {kind} {name}({', '.join(arguments) or 'void'})"
+    line = f"{kind} {name}({', '.join(arguments) or 'void'})"
     if len(line) <= WIDTH:
         return line
     inside = textwrap.fill(", ".join(arguments), WIDTH - 4, break_long_words=False, break_on_hyphens=False)
-    return f"static inline {kind} {name}(\n{textwrap.indent(inside, INDENT)})"
+    return f"{kind} {name}(\n{textwrap.indent(inside, INDENT)})"
 
 
 def _assignment(target: str, value: Expr | str, language: CExpression) -> str:

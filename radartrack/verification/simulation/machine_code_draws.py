@@ -10,24 +10,24 @@ import importlib
 import math
 from collections.abc import Callable, Iterable
 from functools import cache
+from hashlib import sha256
+from inspect import getsource
 from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from radartrack._arrays import machine_code
+from radartrack.generated import elementary
 from radartrack.verification.simulation.tracing import Tape
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 Loop = TypeVar("Loop", bound=Callable[..., Any])
 ADD, SUBTRACT, MULTIPLY, SIN, COS = range(5)
+_DIGEST = sha256(getsource(elementary).encode()).hexdigest()[:16]
 OPERATIONS = {"add": ADD, "subtract": SUBTRACT, "multiply": MULTIPLY, "sin": SIN, "cos": COS}
 LANES = 512  # draws at a time
-LARGEST_ANGLE = 1e5  # multiples of the first two parts of π/2 are exact up to here
-HALF_PI = tuple(map(float.fromhex, ("0x1.921fb544p+0", "0x1.0b4611a6p-34", "0x1.3198a2e037073p-69")))
-SINE = tuple((-1.0) ** n / math.factorial(2 * n + 1) for n in reversed(range(9)))
-COSINE = tuple((-1.0) ** n / math.factorial(2 * n) for n in reversed(range(9)))
 
 
 def is_possible(tape: Tape) -> bool:
@@ -68,36 +68,37 @@ def _machine_code(loop: Loop) -> Loop:
     if not machine_code.is_available():
         return loop
     numba: Any = importlib.import_module("numba")
+    loop.__qualname__ += f"_{_DIGEST}"  # by which Numba finds what it kept; it looks at this file alone
     fast: Loop | None = machine_code.machine_code(lambda **options: numba.njit(**options)(loop))
     return loop if fast is None else fast
 
 
-@_machine_code
-def sine(angle: float, quarters: int) -> float:
-    """sin(angle + quarters π/2) for |angle| ≤ LARGEST_ANGLE: Taylor's series at the nearest multiple of π/2."""
-    turns = np.rint(angle * (2 / math.pi))
-    x = ((angle - turns * HALF_PI[0]) - turns * HALF_PI[1]) - turns * HALF_PI[2]
-    square, odd, even = x * x, 0.0, 0.0
-    for coefficient in SINE:
-        odd = odd * square + coefficient
-    for coefficient in COSINE:
-        even = even * square + coefficient
-    quarter = np.int32(turns) + np.int32(quarters)
-    size = even if quarter & 1 else x * odd
-    return -size if quarter & 2 else size
+def _sine_and_cosine() -> tuple[Callable[[float], float], Callable[[float], float]]:
+    """The generated functions, which a compiler computes several of at once."""
+    if not machine_code.is_available():
+        return elementary.sin, elementary.cos
+    side_by_side = importlib.import_module("radartrack._arrays.plots_side_by_side")
+    compiled = side_by_side.elementary_functions()
+    return compiled["sin"], compiled["cos"]
+
+
+sine, cosine = _sine_and_cosine()
 
 
 @_machine_code
 def _sines(angles: Array, quarters: int, result: Array) -> None:
     outside = 0
     for i in range(LANES):
-        outside += not abs(angles[i]) <= LARGEST_ANGLE
+        outside += not abs(angles[i]) <= elementary.LARGEST_ANGLE
     if outside:
         for i in range(LANES):
             result[i] = math.cos(angles[i]) if quarters else math.sin(angles[i])
+    elif quarters:
+        for i in range(LANES):
+            result[i] = cosine(angles[i])
     else:
         for i in range(LANES):
-            result[i] = sine(angles[i], quarters)
+            result[i] = sine(angles[i])
 
 
 @_machine_code

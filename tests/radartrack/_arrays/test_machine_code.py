@@ -85,7 +85,7 @@ def test_shapes_and_strides_are_free(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_few_plots_and_single_precision_are_not_worth_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(machine_code, "conversion", lambda name: pytest.fail(f"{name} was compiled"))
+    monkeypatch.setattr(machine_code, "conversion", lambda name, _: pytest.fail(f"{name} was compiled"))
     few = np.ones(machine_code.COMPILED_FROM - 1)
     assert convert.polar(few, few, few, few / 100).mean.shape == (*few.shape, 2)
     single = np.ones(SIZE, np.float32)
@@ -94,6 +94,6 @@ def test_few_plots_and_single_precision_are_not_worth_a_compiler(monkeypatch: py
 
 def test_without_numba_numpy_does_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(machine_code, "is_available", lambda: False)
-    monkeypatch.setattr(machine_code, "conversion", lambda name: pytest.fail(f"{name} was compiled"))
+    monkeypatch.setattr(machine_code, "conversion", lambda name, _: pytest.fail(f"{name} was compiled"))
     given = plots(4)
     assert convert.polar(given["r"], given["azimuth"], 10.0, 1e-3).mean.shape == (SIZE, 2)

@@ -110,7 +110,7 @@ def test_machine_code_is_looked_at_where_numba_is_there(monkeypatch: pytest.Monk
 
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(machine_code, "is_available", lambda: True)
-    monkeypatch.setattr(machine_code, "conversion", lambda _: wrong)
+    monkeypatch.setattr(machine_code, "conversion", lambda *_: wrong)
     result = verify("polar.covariance.linear")
     assert result.exit_code == 1
     assert f"polar.covariance.linear, ulp: {MACHINE_CODE}: " in result.stdout

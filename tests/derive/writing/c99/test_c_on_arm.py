@@ -44,10 +44,10 @@ def test_the_example_prints_the_same_on_arm(headers: Path, compiler: str, tmp_pa
 
 
 @pytest.mark.skipif(not shutil.which(BARE), reason=f"there is no {BARE} on this machine")
-def test_freestanding_code_calls_nothing_but_math_h_in_single_precision(headers: Path, tmp_path: Path):
+def test_freestanding_code_calls_no_library_but_the_compiler_s_own(headers: Path, tmp_path: Path):
     source, code = tmp_path / "convert.c", tmp_path / "convert.o"
     source.write_text(SINGLY)
     command = [BARE, "-std=c99", "-ffreestanding", "-O2", *CORTEX_M4, *WARNINGS, f"-I{headers}", "-c", str(source)]
     subprocess.run([*command, "-o", str(code)], check=True)
     listed = subprocess.run([BARE.replace("gcc", "nm"), "-u", str(code)], capture_output=True, text=True, check=True)
-    assert set(listed.stdout.split()) - {"U"} == {"cosf", "expf", "expm1f", "sinf"}
+    assert [name for name in listed.stdout.split() if name != "U" and not name.startswith("__aeabi_")] == []

@@ -1,0 +1,127 @@
+"""The loops over plots as machine code that computes several plots at once: loaded where Numba is.
+
+A compiler does so where it sees that no result is read as an argument, and where nothing branches. So plots are copied
+into columns of its own, some at a time, which stay in the nearest cache; and in place of `math` stand the generated
+elementary functions, whose two primitives become a selection and the bits of a number. They are compiled without
+leave to reorder or to fuse operations, so results have the same bits on every processor.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from hashlib import sha256
+from inspect import getsource
+from types import FunctionType, ModuleType
+from typing import Any
+
+import numba
+import numpy as np
+from llvmlite import ir
+from numba.extending import intrinsic
+
+from radartrack._arrays.validation import RealArray
+from radartrack.generated import elementary
+
+PLOTS = 128  # at a time; the columns of the largest conversion take some 40 kB
+ELEMENTARY = ("sin_and_cos", "sin", "cos", "exp", "expm1")  # in the order in which they call each other
+_NJIT: Any = numba.njit
+_TYPES: Any = numba.types
+INLINED = {"forceinline": True, "error_model": "numpy"}
+TO_WHOLE, MANTISSA, ONE = 1.5 * 2.0**52, 52, 0x3FF << 52
+Fill = Callable[[tuple[RealArray, ...], RealArray, RealArray], bool]
+
+
+@intrinsic
+def _chosen(_context: Any, condition: Any, first: Any, second: Any) -> Any:
+    """`elementary.chosen` as a selection: of an `if` a compiler makes a branch, and computes one side."""
+    del condition, first, second
+
+    def generate(_: Any, builder: Any, __: Any, values: Sequence[Any]) -> Any:
+        return builder.select(*values)
+
+    return numba.float64(numba.boolean, numba.float64, numba.float64), generate
+
+
+@intrinsic
+def _power_of_two(_context: Any, exponent: Any) -> Any:
+    """`elementary.power_of_two` from -1022 to 1023, by its bits: they are read off a sum whose last digit is one."""
+    del exponent
+
+    def generate(_: Any, builder: Any, __: Any, values: Sequence[Any]) -> Any:
+        whole = ir.IntType(64)
+        shifted = builder.fadd(values[0], ir.Constant(ir.DoubleType(), TO_WHOLE))
+        bits = builder.shl(builder.bitcast(shifted, whole), ir.Constant(whole, MANTISSA))
+        return builder.bitcast(builder.add(bits, ir.Constant(whole, ONE)), ir.DoubleType())
+
+    return numba.float64(numba.float64), generate
+
+
+def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options: Any) -> Fill:
+    """A conversion that fills means and covariances, and says whether no mean is NaN.
+
+    Args:
+        loop: of `radartrack.generated.loops`.
+        inputs: how many arrays it is given.
+        coordinates: that a mean has.
+        options: of Numba.
+
+    """
+    functions = ModuleType("math")
+    vars(functions).update(vars(math) | elementary_functions())
+    loop_inlined = _NJIT(**INLINED)(_with(loop, {"math": functions}))
+    filling = _with(_fill, {"LOOP": loop_inlined, "COORDINATES": coordinates})
+    filling.__qualname__ = f"{loop.__name__}_{_digest(loop)}"  # by which Numba finds what it kept
+    readable = _TYPES.Array(numba.float64, 1, "C", readonly=True)
+    outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
+    found: Any = _NJIT(**options)(filling)
+    found.compile((_TYPES.UniTuple(readable, inputs), *outputs))
+    found.disable_compile()
+    fill: Fill = found
+    return fill
+
+
+def elementary_functions() -> dict[str, Any]:
+    """Those of the generated module, for code that Numba compiles."""
+    ours: dict[str, Any] = {"chosen": _chosen, "power_of_two": _power_of_two}
+    for name in ELEMENTARY:
+        ours[name] = _NJIT(**INLINED)(_with(getattr(elementary, name), ours))
+    return {name: ours[name] for name in ELEMENTARY}
+
+
+def _with(function: Callable[..., Any], names: dict[str, Any]) -> FunctionType:
+    """A function with other things under some of its global names."""
+    return FunctionType(function.__code__, function.__globals__ | names, function.__name__)
+
+
+def _digest(loop: Callable[..., None]) -> str:
+    """Of all that is compiled: Numba itself looks at the file of one function only."""
+    return sha256(f"{PLOTS}{getsource(loop)}{getsource(elementary)}{getsource(_fill)}".encode()).hexdigest()[:16]
+
+
+LOOP: Any = None  # of one conversion, as is the number of coordinates
+COORDINATES = 0
+
+
+def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray) -> bool:  # noqa: C901 - one loop
+    """The columns have sizes that are known to the compiler, so it sees that they do not overlap."""
+    given = np.empty((len(inputs), PLOTS))
+    means, covariances = np.empty((COORDINATES, PLOTS)), np.empty((COORDINATES, COORDINATES, PLOTS))
+    strange = 0
+    for n in range(len(inputs) if len(mean) else 0):
+        given[n] = inputs[n][0]
+    for start in range(0, len(mean), PLOTS):
+        count = min(PLOTS, len(mean) - start)
+        for n in range(len(inputs)):
+            column = inputs[n]
+            if len(column) > 1:
+                for i in range(count):
+                    given[n, i] = column[start + i]
+        LOOP(given, means.T, covariances.T)
+        for i in range(count):
+            for a in range(COORDINATES):
+                mean[start + i, a] = means[a, i]
+                for b in range(COORDINATES):
+                    covariance[start + i, a, b] = covariances[b, a, i]
+        for a in range(COORDINATES):
+            for i in range(count):
+                strange += means[a, i] != means[a, i]
+    return strange == 0
