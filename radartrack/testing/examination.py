@@ -46,6 +46,7 @@ READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
 EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
+MOST_LOST = 1000.0  # ulp that any way to write a formula may lose
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
 
 
@@ -319,13 +320,8 @@ class Examination:
         epsilon = SINGLE if calls.single else DOUBLE
         undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
         computed = np.all(np.isfinite(found), axis=1)
-        rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= 1000)
+        wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
         coarse = self._right_when_coarse(reading)
-        wrong = computed & ~np.all(rounding, axis=1)
-        for place in np.flatnonzero(wrong):
-            entry = int(np.flatnonzero(~rounding[place])[0])
-            if is_erratic(lambda points: self._at(reading, points), expected.point(int(place)), entry):
-                wrong[place] = False
         plain = not reading.words
         if wrong.any() or coarse is not None:
             return self._elsewhere(reading, expected, found, wrong, coarse, undefined)
@@ -350,13 +346,34 @@ class Examination:
         expected = reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
-        rounding = np.all(is_rounding(expected, found, SINGLE if calls.single else DOUBLE), axis=1)
-        wrong = np.all(np.isfinite(found), axis=1) & ~rounding
+        wrong = self._wrong_there(reading, expected, found, SINGLE if calls.single else DOUBLE)
         return (expected, found, wrong) if wrong.any() else None
 
     def _at(self, reading: Reading, points: Points) -> Array:
         calls = called(self._function, reading.binding, points, reading.wanted.shape)
         return reading.arrangement.undone(calls.values)
+
+    def _wrong_there(
+        self, reading: Reading, expected: Expected, found: Array, epsilon: float, allowed: float = 0.0
+    ) -> npt.NDArray[np.bool_]:
+        """The points at which it differs by more than rounding makes: in the derived formula, or in its own form."""
+        rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= allowed)
+        wrong = np.all(np.isfinite(found), axis=1) & ~np.all(rounding, axis=1)
+        for place in np.flatnonzero(wrong):
+            point, entry = expected.point(int(place)), int(np.flatnonzero(~rounding[place])[0])
+            wrong[place] = not is_erratic(
+                lambda points: self._error(reading, points), reading.wanted.symbols, point, entry
+            )
+        return wrong
+
+    def _error(self, reading: Reading, points: Points) -> Array:
+        """What the function has, less what is exact; no rows where one of the points is outside the domain."""
+        there = reading.wanted.at(points)
+        if there.count < len(next(iter(points.values()))):
+            return np.empty((0, len(reading.wanted.places)))
+        error = self._values(reading, there)[1] - there.values
+        turns = [is_direction(reading.wanted, place) for place in reading.wanted.places]
+        return np.where(turns, np.abs(error), error)  # half a turn more is half a turn less
 
     def _changing(self, reading: Reading) -> Iterator[str]:
         """Whether two calls give the same."""

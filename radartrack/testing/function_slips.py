@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -12,13 +12,13 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
-from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, other_numbers
+from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Number, Power, Product, Sum, Tree, replace_at, walk
+from radartrack.derive.formula.tree import Negation, Number, Power, Product, Sum, Tree, replace_at, walk
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.roots_and_quotients import collected_form
@@ -72,12 +72,9 @@ class SlipSearch:
         index = wanted.places[place] if wanted.shape else ()
         best: tuple[Candidate, Tree] | None = None
         for tree in _trees(entry):
-            for candidate in self._edits(tree, target):
-                if best is not None and candidate.cost >= best[0].cost:
-                    break
-                if self._is_confirmed(candidate.tree, place):
-                    best = candidate, tree
-                    break
+            limit = math.inf if best is None else best[0].cost
+            found = self._confirmed(tree, target, place, limit)
+            best = best if found is None else (found, tree)
             if best is not None and best[0].cost <= LIKELY:
                 break
         return None if best is None else _told(best[1], best[0], index, self._names)
@@ -91,15 +88,27 @@ class SlipSearch:
                 return other
         return None
 
-    def _edits(self, tree: Tree, target: Values) -> list[Candidate]:
+    def _confirmed(self, tree: Tree, target: Values, place: int, limit: float) -> Candidate | None:
+        """The likeliest edit that holds in all directions, if it is likelier than a limit; forwards where none is."""
+        for edits in self._edits(tree, target):
+            for candidate in sorted(edits, key=lambda one: one.cost):
+                if candidate.cost >= limit:
+                    break
+                if self._is_confirmed(candidate.tree, place):
+                    return candidate
+        return None
+
+    def _edits(self, tree: Tree, target: Values) -> Iterator[Iterable[Candidate]]:
+        """Edits that fit, by one search after the other."""
         if all(value == 0 for value in target):
-            return [Candidate(Number("0"), "", 1.0)]
+            yield [Candidate(Number("0"), "", 1.0)]
+            return
         if not self._here:  # a number, which many things are worth: only what is plainly an edit of it
-            return sorted(self._forwards(tree, target), key=lambda candidate: candidate.cost)
-        found = Search(self._screen, target, self._names, tree, ()).edits(tree)
-        found += self._misread_powers(tree, target)
-        found = found or list(self._forwards(tree, target))
-        return sorted(found, key=lambda candidate: candidate.cost)
+            yield self._forwards(tree, target)
+            return
+        search = Search(self._screen, target, self._names, tree, ())
+        yield [*search.edits(tree), *self._misread_powers(tree, target)]
+        yield [*self._forwards(tree, target), *self._below_even_powers(search, tree)]
 
     def _misread_powers(self, tree: Tree, target: Values) -> Iterator[Candidate]:
         """`x*2`, `x + 2` and `2 + x` for `x**2`: the sign of a power is lost where text is taken over."""
@@ -110,16 +119,36 @@ class SlipSearch:
                     if _near(self._screen(edited), target, target):
                         yield Candidate(edited, "", 1.3)
 
-    def _forwards(self, tree: Tree, target: Values) -> Iterator[Candidate]:
-        """Edits by what they make of the whole: below an even power, a part could be worth either of two values."""
+    def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
+        """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
+        for part in search.parts(tree):
+            if isinstance(part.node, Power) and _is_even(part.node) and min(part.needed) >= 0:
+                size = tuple(value ** (1 / float(part.node.exponent.value)) for value in part.needed)  # type: ignore[attr-defined]
+                for edit in self._forwards(part.node.base, size, abs):
+                    edited = replace_at(tree, part.path, Power(edit.tree, part.node.exponent))
+                    yield Candidate(edited, edit.words, edit.cost)
+
+    def _forwards(
+        self, tree: Tree, target: Values, seen: Callable[[float], float] = float
+    ) -> Iterator[Candidate]:
+        """Edits by what they make of the whole.
+
+        Args:
+            tree: what is edited.
+            target: what is to be seen of its values.
+            seen: what that is, of a value.
+        """
         nodes = list(walk(tree))
         kinds = {name: self._names.dimensions[name] for name in self._here}
         quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
         for path, node in nodes if len(nodes) <= SMALL else ():
-            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node)):
+            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node)):
                 edited = replace_at(tree, path, edit.tree)
                 program = Program(edited)
-                if all(_near(program(point), (value,), (value,)) for point, value in zip(quick, target, strict=False)):
+                if all(
+                    _near(_each(seen, program(point)), (value,), (value,))
+                    for point, value in zip(quick, target, strict=False)
+                ):
                     yield Candidate(edited, edit.words, edit.cost)
 
     def _is_confirmed(self, tree: Tree, place: int) -> bool:
@@ -132,6 +161,26 @@ class SlipSearch:
             if not _near(values, (target,), (size,)):
                 return False
         return True
+
+
+def _is_even(power: Power) -> bool:
+    exponent = power.exponent
+    return isinstance(exponent, Number) and exponent.value > 0 and exponent.value % 2 == 0
+
+
+def _more(node: Tree) -> Iterator[Alternative]:
+    """A number with the other sign; a sum with one of its terms twice."""
+    if isinstance(node, Number):
+        yield Alternative(Negation(node), "the sign of {}", 1.0, (node,))
+    for place, term in enumerate(node.terms) if isinstance(node, Sum) else ():
+        inner, sign = (term.operand, Negation) if isinstance(term, Negation) else (term, lambda tree: tree)
+        factors = inner.factors if isinstance(inner, Product) else (inner,)
+        twice = sign(Product((Number("2"), *factors)))
+        yield Alternative(replace_at(node, (place,), twice), "{} should be {}", LIKELY, (term, twice))
+
+
+def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:
+    return values and tuple(map(seen, values))
 
 
 def _near(values: Values | None, target: Values, sizes: Sequence[float]) -> bool:
