@@ -12,10 +12,10 @@ import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_bindings import bindings
+from radartrack.testing.argument_bindings import bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
-from radartrack.testing.called_function import Array, Binding, Calls, Parameter, called
-from radartrack.testing.diagnosis import Diagnosis, Slip, Worst
+from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
+from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
 from radartrack.testing.function_conventions import (
     AS_ASKED,
     ArgumentChange,
@@ -42,6 +42,7 @@ CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where no
 FAILING = 80  # ways to call it after which a function that raises at all of them is given up
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
+WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
 READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
 EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
@@ -112,19 +113,31 @@ class Examination:
         best = self._readings()
         first = best[0]
         if first.wrong == 0:
-            return self._right(first)
+            return self._right_or_with_slips(first)
         explained = self._slips(first)
         if explained and first.wrong == 1 and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
             return self._with_slips(first, explained)
         other = self._other_quantity(first)
-        if other is not None:
+        if other is not None and other.wrong == 0:
             return self._right(other)
+        if other is not None and (explained is None or len(explained) > 1):
+            found = self._slips(other)
+            if found and (explained is None or _cost(found) + 1 < _cost(explained)):
+                return self._with_slips(other, found)
         if explained:
             return self._with_slips(first, explained)
         for reading in [one for one in best[1:] if one.wrong <= first.wrong][:READINGS]:
             if (found := self._slips(reading)) is not None:
                 return self._with_slips(reading, found)
         return self._unexplained(first)
+
+    def _right_or_with_slips(self, reading: Reading) -> Diagnosis:
+        """Of a function that is right at ordinary points: what it has beyond them may have a slip too small there."""
+        found = self._right(reading)
+        if found.verdict != "differs":
+            return found
+        slips = self._slips(reading, reading.wanted.coarse(SCREENING))
+        return self._with_slips(reading, slips) if slips else found
 
     # How it is called, and in which convention
 
@@ -148,16 +161,21 @@ class Examination:
         if not found:
             raise CannotDiagnose(self._why())
         found.sort(key=lambda one: one.cost)
-        bare = found[0]
-        for change in argument_changes(bare.wanted.symbols):
-            found += self._read(bare.wanted, bare.binding, change)
+        ways = {one.binding.parameters: one for one in reversed(found) if not one.binding.changes}
+        bare = [found[0], *(one for one in reversed(ways.values()) if one is not found[0])][:WAYS]
+        for one in bare:
+            for change in argument_changes(one.wanted.symbols):
+                found += self._read(one.wanted, one.binding, change)
         return sorted(found, key=lambda one: one.cost)
 
     def _why(self) -> str:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
-            return f"the function cannot be called with {names}; say what its parameters take: arguments={{...}}"
-        return "; ".join(list(self._troubles)[:2])
+            taken = ", ".join(name for name, _, _ in declared(self._function) or ())
+            own = f", for it takes {taken}" if taken else ""
+            return f"the function cannot be called with {names}{own}; say what its parameters take: arguments={{...}}"
+        returned = [one for one in self._troubles if one.startswith(RETURNS)]
+        return (returned or list(self._troubles))[0]
 
     def _of_binding(self, binding: Binding) -> Iterator[Reading]:
         """Readings of one way to call it, with what its parameters' names say."""
@@ -221,7 +239,7 @@ class Examination:
         return wanted.ordinary(FEW)
 
     def _other_quantity(self, first: Reading) -> Reading | None:
-        """The quantity of the same model that the function is exactly."""
+        """The quantity of the same model that the function is exactly, or of other symbols, with less to explain."""
         own = self._wanted.quantity
         known = {symbol.name for symbol in first.wanted.symbols}
         kin = [one for one in family(own) if one.shape == own.shape and one is not own]
@@ -229,26 +247,31 @@ class Examination:
         alike = [
             one for one in kin if known <= {symbol.name for symbol in one.symbols} <= known | set(first.wanted.given)
         ]
+        found: list[Reading] = []
         for quantity in alike:
-            if (found := self._as_kin(quantity, first)) is not None:
-                return found
+            if (one := self._as_kin(quantity, first)) is not None:
+                if one.wrong == 0:
+                    return one
+                found.append(one)
         others = [one for one in kin if one not in alike and self._wanted.given.keys() <= _names(one)]
-        return next((found for one in others[:RIVALS] if (found := self._as_another(one)) is not None), None)
+        found += [one for one in map(self._as_another, others[:RIVALS]) if one is not None]
+        best = min(found, key=lambda one: (one.wrong, one.cost), default=None)
+        return best if best is not None and (best.wrong == 0 or best.wrong + 1 < first.wrong) else None
 
     def _as_kin(self, quantity: Quantity, first: Reading) -> Reading | None:
-        """The function as a quantity of the same symbols, which is called alike."""
+        """The function as a quantity of the same symbols, which is called alike: exactly, or else as it is asked for."""
         given = {s.name: first.wanted.given[s.name] for s in quantity.symbols if s.name in first.wanted.given}
         wanted = Wanted(quantity, first.wanted.places, first.wanted.shape, given)
         self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
         bare = replace(first.binding, changes={})
-        for change in (AS_ASKED, *argument_changes(wanted.symbols)):
-            exact = [one for one in self._read(wanted, bare, change) if one.wrong == 0]
-            if exact and change.cost <= 1:
-                return replace(min(exact, key=lambda one: one.cost), other=True)
-        return None
+        as_asked = list(self._read(wanted, bare, AS_ASKED))
+        changed = (one for change in argument_changes(wanted.symbols) for one in self._read(wanted, bare, change))
+        exact = next((one for one in (*as_asked, *changed) if one.wrong == 0 and one.change.cost <= 1), None)
+        best = exact or min(as_asked, key=lambda one: one.cost, default=None)
+        return None if best is None else replace(best, other=True)
 
     def _as_another(self, quantity: Quantity) -> Reading | None:
-        """The function as a quantity of other symbols, such as another noise; only where nothing else is changed."""
+        """The function as a quantity of other symbols, such as another noise."""
         stated = {parameter: symbols for parameter, symbols in self._arguments.items() if symbols in _names(quantity)}
         wanted = Wanted(quantity, self._wanted.places, self._wanted.shape, self._wanted.given)
         other = Examination(self._function, wanted, stated, self._stated)
@@ -257,7 +280,7 @@ class Examination:
         except CannotDiagnose:
             return None
         self._tried |= {(quantity.name, *key): found for key, found in other._tried.items()}
-        return replace(best, other=True) if best.cost == 0 else None
+        return replace(best, other=True) if best.change.cost + best.arrangement.cost <= 1 else None
 
     # What it has at points
 
@@ -268,9 +291,9 @@ class Examination:
 
     # What slip it has
 
-    def _slips(self, reading: Reading) -> tuple[Slip, ...] | None:
+    def _slips(self, reading: Reading, screening: Expected | None = None) -> tuple[Slip, ...] | None:
         """For every entry that is wrong the slip that explains it; None where one is left."""
-        screening, confirming = reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
+        screening, confirming = screening or reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, screening)
         if calls.raised or calls.wrong or calls.unknown:  # it refuses large errors
             screening = reading.wanted.ordinary(SCREENING)
@@ -318,7 +341,7 @@ class Examination:
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
         epsilon = SINGLE if calls.single else DOUBLE
-        undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
+        undefined = list(_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
         wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
         coarse = self._right_when_coarse(reading)
@@ -327,6 +350,8 @@ class Examination:
             return self._elsewhere(reading, expected, found, wrong, coarse, undefined)
         errors = np.where(computed[:, np.newaxis], expected.errors(np.where(np.isfinite(found), found, 0.0)), 0.0)
         errors *= DOUBLE / epsilon
+        changing = list(self._changing(reading))
+        undefined += changing
         worst = _worst(expected, found, errors) if errors.size else None
         indefinite = _indefinite(reading.wanted, expected, found)
         return Diagnosis(
@@ -334,7 +359,7 @@ class Examination:
             agrees=plain and not undefined,
             ulp=float(errors.max(initial=0.0)),
             worst=worst,
-            lost_digits=lost_digits(expected, errors, epsilon),
+            lost_digits=None if changing else lost_digits(expected, errors, epsilon),
             convention=reading.words,
             undefined=tuple(undefined),
             remarks=(*indefinite, *self._remarks(reading, calls)),
@@ -380,7 +405,7 @@ class Examination:
         expected = self._expected(reading.wanted)
         first, second = (self._values(reading, expected)[1] for _ in range(2))
         if not np.array_equal(first, second, equal_nan=True):
-            yield "not deterministic: two calls with the same arguments give different values"
+            yield f"{CHANGING}: two calls with the same arguments give different values"
 
     def _elsewhere(
         self,
@@ -401,7 +426,7 @@ class Examination:
             agrees=False,
             worst=_worst(expected, found, errors),
             convention=reading.words,
-            differences=(f"it is right at ordinary points, and wrong {where}",),
+            differences=(*self._changing(reading), f"it is right at ordinary points, and wrong {where}"),
             undefined=tuple(undefined),
             remarks=self._remarks(reading, None),
             arguments=_said(reading.binding),
@@ -436,14 +461,15 @@ class Examination:
                 else np.full((len(next(iter(points.values()))), len(reading.wanted.places)), np.nan)
             )
 
-        words = list(described(reading.wanted, wrong, difference, expected.point(0)))
+        changing = tuple(self._changing(reading))
+        words = [] if changing else list(described(reading.wanted, wrong, difference, expected.point(0)))
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=False,
             worst=_worst(expected, found, errors),
             convention=reading.words,
-            differences=tuple(words) or ("it differs",),
-            undefined=(*_undefined(calls, found, expected), *self._changing(reading)),
+            differences=changing or tuple(words) or ("it differs",),
+            undefined=tuple(_undefined(calls, found, expected)),
             remarks=self._remarks(reading, calls),
             arguments=_said(reading.binding),
         )
@@ -454,6 +480,10 @@ class Examination:
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
         return tuple(said)
+
+
+def _cost(slips: Sequence[Slip]) -> float:
+    return sum(slip.cost for slip in slips)
 
 
 def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -> Array:
