@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.testing.argument_bindings import bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
 from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
+from radartrack.testing.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
 from radartrack.testing.function_conventions import (
     AS_ASKED,
@@ -90,6 +92,32 @@ class Reading:
         return f"this is {self.wanted.name}" + (f" with {said}" if said else "")
 
 
+def examined(
+    function: Callable[..., Any],
+    wanted: Wanted,
+    arguments: Mapping[str, str | Sequence[str]],
+    stated: ArgumentChange,
+) -> Diagnosis:
+    """What a function is.
+
+    Args:
+        function: as for `diagnose`.
+        wanted: what it is compared with.
+        arguments: parameter → the symbol, or the symbols of a vector, that the user says it takes.
+        stated: the convention that the user says it has.
+
+    Raises:
+        CannotDiagnose: as `diagnose`.
+    """
+    try:
+        forms = as_called(function, len(wanted.places))
+    except NotCallable as error:
+        raise CannotDiagnose(str(error)) from None
+    every = [Examination(one, wanted, arguments, stated) for one in forms]
+    fitting = [one for one in every if one.is_callable] if len(every) > 1 else []
+    return min(fitting or every[:1], key=lambda one: one.readings[0].cost).diagnosis()
+
+
 class Examination:
     """One function and one quantity."""
 
@@ -110,7 +138,7 @@ class Examination:
         Raises:
             CannotDiagnose: as `diagnose`.
         """
-        best = self._readings()
+        best = self.readings
         first = best[0]
         if first.wrong == 0:
             return self._right_or_with_slips(first)
@@ -141,8 +169,21 @@ class Examination:
 
     # How it is called, and in which convention
 
-    def _readings(self) -> list[Reading]:
-        """The readings that leave least to explain, the best first."""
+    @property
+    def is_callable(self) -> bool:
+        """Whether there is a way to call it."""
+        try:
+            return bool(self.readings)
+        except CannotDiagnose:
+            return False
+
+    @cached_property
+    def readings(self) -> list[Reading]:
+        """Those that leave least to explain, the best first.
+
+        Raises:
+            CannotDiagnose: as `diagnose`.
+        """
         found: list[Reading] = []
         callable_as: set[tuple[Parameter, ...]] = set()
         failed = 0
@@ -276,7 +317,7 @@ class Examination:
         wanted = Wanted(quantity, self._wanted.places, self._wanted.shape, self._wanted.given)
         other = Examination(self._function, wanted, stated, self._stated)
         try:
-            best = other._readings()[0]
+            best = other.readings[0]
         except CannotDiagnose:
             return None
         self._tried |= {(quantity.name, *key): found for key, found in other._tried.items()}

@@ -128,9 +128,7 @@ class SlipSearch:
                     edited = replace_at(tree, part.path, Power(edit.tree, part.node.exponent))
                     yield Candidate(edited, edit.words, edit.cost)
 
-    def _forwards(
-        self, tree: Tree, target: Values, seen: Callable[[float], float] = float
-    ) -> Iterator[Candidate]:
+    def _forwards(self, tree: Tree, target: Values, seen: Callable[[float], float] = float) -> Iterator[Candidate]:
         """Edits by what they make of the whole.
 
         Args:

@@ -50,7 +50,10 @@ def is_rounding(expected: Expected, found: Array, epsilon: float) -> npt.NDArray
 
 
 def is_erratic(
-    error_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array], symbols: Sequence[Variable], point: dict[str, float], entry: int
+    error_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array],
+    symbols: Sequence[Variable],
+    point: dict[str, float],
+    entry: int,
 ) -> bool:
     """Whether the error jumps when the arguments move a little, as only rounding makes it do.
 
