@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,7 @@ RIVALS = 6  # quantities of the same model in other symbols that the function ma
 WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
 READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
+MANY = 40  # wrong entries beyond which no two are taken for exchanged
 EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 MOST_LOST = 1000.0  # ulp that any way to write a formula may lose
@@ -300,7 +302,7 @@ class Examination:
         return best if best is not None and (best.wrong == 0 or best.wrong + 1 < first.wrong) else None
 
     def _as_kin(self, quantity: Quantity, first: Reading) -> Reading | None:
-        """The function as a quantity of the same symbols, which is called alike: exactly, or else as it is asked for."""
+        """The function as a quantity of the same symbols, which is called alike: exactly, or else as asked for."""
         given = {s.name: first.wanted.given[s.name] for s in quantity.symbols if s.name in first.wanted.given}
         wanted = Wanted(quantity, first.wanted.places, first.wanted.shape, given)
         self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
@@ -368,11 +370,9 @@ class Examination:
     @staticmethod
     def _exchanged(search: SlipSearch, wrong: Sequence[int], wanted: Wanted) -> Iterator[Slip]:
         """Entries that stand in each other's places."""
-        others = {place: search.other_entry(place) for place in wrong}
-        for place, other in others.items():
-            if other is not None and other > place and others.get(other) == place:
-                pair = wanted.places[place], wanted.places[other]
-                yield Slip(pair, "exchanged", "", "", 1.2)
+        for place, other in combinations(wrong, 2) if len(wrong) <= MANY else ():
+            if search.is_entry(place, other) and search.is_entry(other, place):
+                yield Slip((wanted.places[place], wanted.places[other]), "exchanged", "", "", 1.2)
 
     # What is said of it
 

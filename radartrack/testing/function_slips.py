@@ -79,14 +79,11 @@ class SlipSearch:
                 break
         return None if best is None else _told(best[1], best[0], index, self._names)
 
-    def other_entry(self, place: int) -> int | None:
-        """Another entry that the function has there."""
+    def is_entry(self, place: int, other: int) -> bool:
+        """Whether the function has in one place what belongs in another."""
         expected, scales = self._screening.values, self._screening.scales
-        for other in range(expected.shape[1]):
-            difference = abs(self._found[:, place] - expected[:, other])
-            if other != place and (difference <= TOLERANCE * scales[:, other]).all() and expected[:, other].any():
-                return other
-        return None
+        near = np.abs(self._found[:, place] - expected[:, other]) <= TOLERANCE * scales[:, other]
+        return bool(near.all())
 
     def _confirmed(self, tree: Tree, target: Values, place: int, limit: float) -> Candidate | None:
         """The likeliest edit that holds in all directions, if it is likelier than a limit; forwards where none is."""

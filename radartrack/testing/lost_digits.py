@@ -14,8 +14,8 @@ from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.language.tensor import Tensor
-from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import LostDigits

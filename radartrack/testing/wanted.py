@@ -121,8 +121,10 @@ class Wanted:
         return self.at(self._side_by_side(points))
 
     def _side_by_side(self, points: Points) -> Points:
-        """The points with values of one unit of one size, as far as their domains allow: a path of 30 km, which is the
-        shortest, drowns a baseline of 2 m."""
+        """The points with values of one unit of one size, as far as their domains allow.
+
+        A path of 30 km, which is the shortest, drowns a baseline of 2 m.
+        """
         raised = dict(points)
         for symbol in self.quantity.symbols:
             alike = [points[other.name].min() for other in self.quantity.symbols if other.unit == symbol.unit]
