@@ -297,7 +297,7 @@ class Examination:
                     return one
                 found.append(one)
         others = [one for one in kin if one not in alike and self._wanted.given.keys() <= _names(one)]
-        found += [one for one in map(self._as_another, others[:RIVALS]) if one is not None]
+        found += [one for other in others[:RIVALS] if (one := self._as_another(other, first)) is not None]
         best = min(found, key=lambda one: (one.wrong, one.cost), default=None)
         return best if best is not None and (best.wrong == 0 or best.wrong + 1 < first.wrong) else None
 
@@ -313,8 +313,8 @@ class Examination:
         best = exact or min(as_asked, key=lambda one: one.cost, default=None)
         return None if best is None else replace(best, other=True)
 
-    def _as_another(self, quantity: Quantity) -> Reading | None:
-        """The function as a quantity of other symbols, such as another noise."""
+    def _as_another(self, quantity: Quantity, first: Reading) -> Reading | None:
+        """The function as a quantity of other symbols, such as another noise; what both have is passed alike."""
         stated = {parameter: symbols for parameter, symbols in self._arguments.items() if symbols in _names(quantity)}
         wanted = Wanted(quantity, self._wanted.places, self._wanted.shape, self._wanted.given)
         other = Examination(self._function, wanted, stated, self._stated)
@@ -323,7 +323,15 @@ class Examination:
         except CannotDiagnose:
             return None
         self._tried |= {(quantity.name, *key): found for key, found in other._tried.items()}
-        return replace(best, other=True) if best.change.cost + best.arrangement.cost <= 1 else None
+
+        def taken(reading: Reading) -> list[tuple[str, ...]]:
+            return [parameter.symbols for parameter in reading.binding.parameters]
+
+        is_alike = all(
+            known == symbols or not {*known} <= _names(quantity)
+            for known, symbols in zip(taken(first), taken(best), strict=False)
+        )
+        return replace(best, other=True) if is_alike and best.change.cost + best.arrangement.cost <= 1 else None
 
     # What it has at points
 

@@ -29,6 +29,8 @@ from radartrack.testing.edit_in_words import edit_in_words
 from radartrack.testing.wanted import Expected
 
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
+SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
+LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
 LONG = 300  # characters of a formula that is told
 SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
 SHORT = 400  # characters of a formula that is tried over one denominator
@@ -87,11 +89,12 @@ class SlipSearch:
 
     def _confirmed(self, tree: Tree, target: Values, place: int, limit: float) -> Candidate | None:
         """The likeliest edit that holds in all directions, if it is likelier than a limit; forwards where none is."""
+        sound = self._sound(tree, place)
         for edits in self._edits(tree, target):
             for candidate in sorted(edits, key=lambda one: one.cost):
                 if candidate.cost >= limit:
                     break
-                if self._is_confirmed(candidate.tree, place):
+                if self._is_confirmed(candidate.tree, place, sound):
                     return candidate
         return None
 
@@ -146,16 +149,39 @@ class SlipSearch:
                 ):
                     yield Candidate(edited, edit.words, edit.cost)
 
-    def _is_confirmed(self, tree: Tree, place: int) -> bool:
+    def _sound(self, tree: Tree, place: int) -> list[int]:
+        """The points in all directions at which the formula as it stands does not lose its digits.
+
+        There it stays where it is when arguments move by their last digits.
+        """
+        exact, sizes = self._confirming.values[:, place], self._confirming.scales[:, place]
+        program = Program(tree)
+        found = []
+        for n, (value, size) in enumerate(zip(map(float, exact), sizes, strict=True)):
+            moved = [{name: one * (1 + step) for name, one in self._wider_point(n).items()} for step in LAST_DIGITS]
+            if all(_near(program(point), (value,), (size,), SOUND) for point in moved):
+                found.append(n)
+        return found
+
+    def _wider_point(self, place: int) -> dict[str, float]:
+        return {name: column[place] for name, column in self._wider.items()}
+
+    def _is_confirmed(self, tree: Tree, place: int, sound: Sequence[int]) -> bool:
         """Whether the edited formula is the function in all directions, wherever that has a value."""
         program, sizes = Program(tree), self._confirming.scales[:, place]
-        for n, (target, size) in enumerate(zip(map(float, self._found_there[:, place]), sizes, strict=True)):
-            values = program({name: column[n] for name, column in self._wider.items()})
-            if not math.isfinite(target):
-                continue
-            if not _near(values, (target,), (size,)):
-                return False
-        return True
+        targets = [(n, float(self._found_there[n, place])) for n in sound]
+        return all(
+            _near(program(self._wider_point(n)), (target,), (sizes[n],))
+            for n, target in targets
+            if math.isfinite(target)
+        )
+
+
+def _near(values: Values | None, target: Values, sizes: Sequence[float], share: float = SAME) -> bool:
+    if values is None:
+        return False
+    triples = zip(values, target, sizes, strict=True)
+    return all(abs(a - b) <= share * max(abs(a), abs(b), abs(size)) for a, b, size in triples)
 
 
 def _is_even(power: Power) -> bool:
@@ -176,13 +202,6 @@ def _more(node: Tree) -> Iterator[Alternative]:
 
 def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:
     return values and tuple(map(seen, values))
-
-
-def _near(values: Values | None, target: Values, sizes: Sequence[float]) -> bool:
-    if values is None:
-        return False
-    triples = zip(values, target, sizes, strict=True)
-    return all(abs(a - b) <= SAME * max(abs(a), abs(b), abs(size)) for a, b, size in triples)
 
 
 def _trees(entry: Expr) -> list[Tree]:
