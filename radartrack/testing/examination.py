@@ -70,6 +70,7 @@ class Reading:
         arrangement: in which order and units of results.
         wrong: how many different entries are wrong then.
         other: whether it is compared with another quantity.
+        single: whether it returns single precision, or computes in it.
     """
 
     wanted: Wanted
@@ -78,6 +79,7 @@ class Reading:
     arrangement: Arrangement
     wrong: int
     other: bool = False
+    single: bool = False
 
     @property
     def cost(self) -> float:
@@ -263,11 +265,32 @@ class Examination:
         if calls.trouble and not np.isfinite(calls.values).any():
             self._troubles[calls.trouble] = None
             return
-        tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
-        for wrong, arrangement in Arrangements(wanted, self._stated_order).best(
-            calls.values, expected.values, tolerance
-        ):
-            yield Reading(wanted, replace(bound, changes=bound.changes), change, arrangement, wrong)
+        arrangements = Arrangements(wanted, self._stated_order)
+
+        def readings(close: float, *, single: bool) -> list[Reading]:
+            found = arrangements.best(calls.values, expected.values, close * expected.scales)
+            return [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+
+        found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
+        yield from found
+        if not calls.single and all(one.wrong for one in found):
+            rough = [one for one in readings(CLOSE_SINGLE, single=True) if one.wrong == 0]
+            yield from (one for one in rough if self._is_single(one, calls, expected))
+
+    def _is_single(self, reading: Reading, calls: Calls, expected: Expected) -> bool:
+        """Whether what it is off by jumps, as where it computes in single precision; other errors are smooth."""
+        found = reading.arrangement.undone(calls.values)
+        with np.errstate(all="ignore"):
+            places = np.argwhere(~(np.abs(found - expected.values) <= CLOSE * expected.scales))
+        return all(
+            is_erratic(
+                lambda points: self._error(reading, points),
+                reading.wanted.symbols,
+                expected.point(int(point)),
+                int(entry),
+            )
+            for point, entry in places[:SHOWN]
+        )
 
     @property
     def _stated_order(self) -> Sequence[str]:
@@ -389,7 +412,7 @@ class Examination:
         expected = reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
-        epsilon = SINGLE if calls.single else DOUBLE
+        epsilon = SINGLE if reading.single else DOUBLE
         undefined = list(_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
         wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
@@ -418,9 +441,8 @@ class Examination:
     def _right_when_coarse(self, reading: Reading) -> tuple[Expected, Array, npt.NDArray[np.bool_]] | None:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
-        calls, found = self._values(reading, expected)
-        found = _excused(reading, expected, found)
-        wrong = self._wrong_there(reading, expected, found, SINGLE if calls.single else DOUBLE)
+        found = _excused(reading, expected, self._values(reading, expected)[1])
+        wrong = self._wrong_there(reading, expected, found, SINGLE if reading.single else DOUBLE)
         return (expected, found, wrong) if wrong.any() else None
 
     def _at(self, reading: Reading, points: Points) -> Array:
@@ -528,6 +550,8 @@ class Examination:
         said = [f"for {', '.join(f'{name} = 0' for name in zero)}, as it takes no {', '.join(zero)}"] if zero else []
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
+        elif reading.single:
+            said.append("it computes in single precision, in whose units errors are told")
         return tuple(said)
 
 

@@ -27,7 +27,8 @@ ALLOWANCE = 2.0**12  # units of rounding of the sizes of the terms that a textbo
 DOUBLE, SINGLE = 2.0**-52, 2.0**-23
 CLEAR = 0.3  # correlation of the error with a symbol from which it is said to grow with it
 LONG = 100
-STEPS = (-7, -5, -3, -2, 2, 3, 5, 7)  # by which arguments are moved, in units of a scale
+# By which arguments are moved, in units of a scale; steps that are whole numbers meet a regular staircase alike.
+STEPS = (-7.13, -5.39, -3.71, -2.17, 1.93, 3.37, 4.91, 6.79)
 SCALES = (DOUBLE, 2.0**-40, 2.0**-28, 2.0**-16)
 SLOPES = (1.0, -0.7, 1.3, -1.9)  # of one argument beside another: ratios move too
 SCATTER = 0.05  # of the error, about a parabola
