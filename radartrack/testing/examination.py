@@ -42,6 +42,7 @@ SCREENING = 24
 CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
+CLOSE_IN_TABLES = 1e-6  # what a form that cancels may lose in a table, whose points have no neighbours
 FAILING = 80  # ways to call it after which a function that raises at all of them is given up
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
@@ -455,6 +456,11 @@ class Examination:
         """The points at which it differs by more than rounding makes: in the derived formula, or in its own form."""
         rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= allowed)
         wrong = np.all(np.isfinite(found), axis=1) & ~np.all(rounding, axis=1)
+        if getattr(self._function, "is_table", False):  # of which nothing is known beside the points
+            with np.errstate(all="ignore"):
+                return np.asarray(
+                    wrong & ~np.all(np.abs(found - expected.values) <= CLOSE_IN_TABLES * expected.scales, axis=1)
+                )
         for place in np.flatnonzero(wrong):
             point, entry = expected.point(int(place)), int(np.flatnonzero(~rounding[place])[0])
             wrong[place] = not is_erratic(

@@ -205,6 +205,16 @@ def gain_by_its_printed_formula(index: float) -> Any:
     return [alpha, 2 * (2 - alpha) - 4 * math.sqrt(1 - alpha)]
 
 
+def single_inside(r: float, az: float) -> Any:
+    """Sines of single precision, and everything else double."""
+    return [r * float(np.cos(np.float32(az))), r * float(np.sin(np.float32(az)))]
+
+
+def nearly_degrees(r: float, az: float) -> Any:
+    """With too few digits of π, which is no rounding."""
+    return [r * math.cos(az * 3.14159 / 180), r * math.sin(az * 3.14159 / 180)]
+
+
 def variances_first(r: float, theta: float, sr: float, st: float) -> Any:
     found = linear(r, theta, sr, st)
     return found[0, 0], found[1, 1], found[0, 1]

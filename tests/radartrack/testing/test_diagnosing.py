@@ -202,6 +202,13 @@ def test_a_covariance_that_single_precision_makes_indefinite_is_told_as_that() -
     assert "single precision" in str(found)
 
 
+def test_single_precision_inside_is_rounding_and_a_constant_of_few_digits_is_none() -> None:
+    found = diagnose(own.single_inside, "polar.map")
+    assert found.agrees
+    assert "it computes in single precision" in str(found)
+    assert diagnose(own.nearly_degrees, "polar.map", degrees=True).verdict == "differs"
+
+
 def test_where_a_function_is_wrong_in_a_half_plane_is_said() -> None:
     found = diagnose(own.half_plane, "observe.polar.map")
     assert found.verdict == "differs"
