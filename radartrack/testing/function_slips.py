@@ -11,6 +11,7 @@ import numpy as np
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.repairing.edit_in_words import edit_in_words
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
 from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
 from radartrack.derive.checking.reporting.derived_formula import as_printed
@@ -25,7 +26,6 @@ from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import Slip
-from radartrack.testing.edit_in_words import edit_in_words
 from radartrack.testing.wanted import Expected
 
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
