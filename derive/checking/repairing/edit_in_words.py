@@ -29,7 +29,7 @@ def edit_in_words(derived: Tree, edited: Tree) -> str:
     distinct = list(dict.fromkeys(pairs))
     if len(distinct) == 1:
         ((old, new),) = distinct
-        where = "" if old == derived or isinstance(old, Sum) else _inside(old, new)
+        where = f" in {_shown(new)}" if isinstance(old, Name) and old != derived and isinstance(new, Product) else ""
         return _words(old, new) + where + (" everywhere" if len(pairs) > 1 else "")
     names = {(old.name, new.name) for old, new in distinct if isinstance(old, Name) and isinstance(new, Name)}
     if len(names) == len(distinct) == 2 and {(new, old) for old, new in names} == names:
@@ -52,13 +52,6 @@ def _differences(old: Tree, new: Tree) -> Iterator[Pair]:
         return
     found = [pair for pairs in map(_differences, *below) for pair in pairs]
     yield from [(old, new)] if isinstance(old, Sum | Product) and len(set(found)) > 2 else found
-
-
-def _inside(old: Tree, new: Tree) -> str:
-    """Of which part a factor or divisor is spoken; other words show it."""
-    words = _words(old, new)
-    whole = new if isinstance(old, Name | Number) else old
-    return f" in {_shown(whole)}" if words.startswith(("the factor", "an extra", "the divisor")) else ""
 
 
 def _words(old: Tree, new: Tree) -> str:
