@@ -301,8 +301,8 @@ def _of_a_cube(shape: Index) -> Iterator[tuple[str, Callable[[Index], Index], fl
         yield "the first axis last", _Move(last=True), 1
         return
     yield "the result transposed", _Move(transposed=True), 1
-    for words, order in _triangles(shape[0]):
-        yield f"the entries in the order {words}", _Triangle(shape[0], order), ORDER
+    for words, triangle in _triangles(shape[0]):
+        yield f"the entries in the order {words}", _Triangle(shape[0], triangle), ORDER
     for order in _orders(shape[0]):
         yield f"rows and columns in the order {_spoken(order)}", _Move((order, order)), ORDER
 

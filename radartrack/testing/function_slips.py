@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from fractions import Fraction
 
 import numpy as np
 
@@ -122,11 +123,12 @@ class SlipSearch:
     def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
         for part in search.parts(tree):
-            if isinstance(part.node, Power) and _is_even(part.node) and min(part.needed) >= 0:
-                size = tuple(value ** (1 / float(part.node.exponent.value)) for value in part.needed)  # type: ignore[attr-defined]
-                for edit in self._forwards(part.node.base, size, abs):
-                    edited = replace_at(tree, part.path, Power(edit.tree, part.node.exponent))
-                    yield Candidate(edited, edit.words, edit.cost)
+            match part.node:
+                case Power(base, Number() as exponent) if _is_even(exponent.value) and min(part.needed) >= 0:
+                    size = tuple(value ** (1 / float(exponent.value)) for value in part.needed)
+                    for edit in self._forwards(base, size, abs):
+                        edited = replace_at(tree, part.path, Power(edit.tree, exponent))
+                        yield Candidate(edited, edit.words, edit.cost)
 
     def _forwards(self, tree: Tree, target: Values, seen: Callable[[float], float] = float) -> Iterator[Candidate]:
         """Edits by what they make of the whole.
@@ -184,9 +186,8 @@ def _near(values: Values | None, target: Values, sizes: Sequence[float], share: 
     return all(abs(a - b) <= share * max(abs(a), abs(b), abs(size)) for a, b, size in triples)
 
 
-def _is_even(power: Power) -> bool:
-    exponent = power.exponent
-    return isinstance(exponent, Number) and exponent.value > 0 and exponent.value % 2 == 0
+def _is_even(exponent: Fraction) -> bool:
+    return exponent > 0 and exponent % 2 == 0
 
 
 def _more(node: Tree) -> Iterator[Alternative]:
