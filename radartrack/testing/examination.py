@@ -455,12 +455,11 @@ class Examination:
     ) -> npt.NDArray[np.bool_]:
         """The points at which it differs by more than rounding makes: in the derived formula, or in its own form."""
         rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= allowed)
-        wrong = np.all(np.isfinite(found), axis=1) & ~np.all(rounding, axis=1)
+        wrong: npt.NDArray[np.bool_] = np.all(np.isfinite(found), axis=1) & ~np.all(rounding, axis=1)
         if getattr(self._function, "is_table", False):  # of which nothing is known beside the points
             with np.errstate(all="ignore"):
-                return np.asarray(
-                    wrong & ~np.all(np.abs(found - expected.values) <= CLOSE_IN_TABLES * expected.scales, axis=1)
-                )
+                near = np.abs(found - expected.values) <= CLOSE_IN_TABLES * expected.scales
+            return np.asarray(wrong & ~np.all(near, axis=1))
         for place in np.flatnonzero(wrong):
             point, entry = expected.point(int(place)), int(np.flatnonzero(~rounding[place])[0])
             wrong[place] = not is_erratic(

@@ -113,7 +113,9 @@ def test_a_slip_of_c_is_named(function_of: Callable[[str], Any]) -> None:
 
 
 @pytest.mark.parametrize(
-    "kind", [DOUBLE * 4, np.ctypeslib.ndpointer(float), np.ctypeslib.ndpointer(float, 2, (2, 2))], ids=str
+    "kind",
+    [DOUBLE * 4, np.ctypeslib.ndpointer(np.float64), np.ctypeslib.ndpointer(np.float64, ndim=2, shape=(2, 2))],
+    ids=str,
 )
 def test_arrays_and_numpy_pointers_are_filled(library: Path, kind: Any) -> None:
     function = ctypes.CDLL(str(library)).covariance
