@@ -19,6 +19,9 @@ Array = npt.NDArray[np.float64]
 Change = Callable[[Any], Any]
 
 
+RETURNS = "it returns"  # how what is said of a result begins
+
+
 class NotKnown(LookupError):
     """A function that is a table has no value there."""
 
@@ -182,10 +185,13 @@ def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
             else []
         )
         if len(fitting) != 1:
-            return f"it returns {_described(result)}; {_spoken(shape)} is wanted"
+            return f"{RETURNS} {_described(result)}; {_spoken(shape)} is wanted"
         found = fitting[0]
     fitted = _fitted(found, shape)
-    return f"it returns {_spoken(found.shape)}; {_spoken(shape)} is wanted" if fitted is None else fitted
+    if fitted is not None:
+        return fitted
+    given = _described(result) if found.shape == () and np.iscomplexobj(found) else _spoken(found.shape)
+    return f"{RETURNS} {given}; {_spoken(shape)} is wanted"
 
 
 def _array(result: Any) -> npt.NDArray[Any] | None:
@@ -233,6 +239,8 @@ def _spoken(shape: Index) -> str:
 
 
 def _described(result: Any) -> str:
+    if isinstance(result, complex | np.complexfloating):
+        return "a complex number"
     return "nothing" if result is None else f"a {type(result).__name__}"
 
 

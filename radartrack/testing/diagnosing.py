@@ -9,7 +9,7 @@ from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.language.model import Model
 from radartrack.testing.argument_bindings import declared
 from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
-from radartrack.testing.examination import CannotDiagnose, Examination
+from radartrack.testing.examination import CannotDiagnose, examined
 from radartrack.testing.function_conventions import (
     AS_ASKED,
     angles_of,
@@ -69,7 +69,7 @@ def diagnose(
     in_squares = _chosen("variances", variances, deviations_of(wanted.symbols), arguments or {})
     if in_squares:
         stated = stated.beside(as_variances(in_squares))
-    return Examination(function, wanted, arguments or {}, stated).diagnosis()
+    return examined(function, wanted, arguments or {}, stated)
 
 
 def assert_derived(

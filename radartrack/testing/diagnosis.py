@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 FEW_ULP = 64.0
+CHANGING = "not deterministic"  # how what is said of a function begins that does not give the same twice
 WRAP = 3  # sentences of one kind that are shown
 
 
@@ -155,8 +156,10 @@ class Diagnosis:
                     convention + "." if convention.startswith(":") else f"; it is{convention}."
                 )
             case "slip":
-                beside = f" (read{convention})" if convention else ""
+                beside = f" (read{convention.replace(': this is', ' as')})" if convention else ""
                 return f"This is {self.quantity} but for a slip{beside}: {self.slip}."
+            case "undefined" if all(one.startswith(CHANGING) for one in self.undefined):
+                return f"This is {self.quantity}{convention}, but not deterministic."
             case "undefined":
                 return f"This is {self.quantity} where it has a value, but not everywhere{convention}."
             case _:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
+from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -12,10 +14,11 @@ import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_bindings import bindings
+from radartrack.testing.argument_bindings import bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
-from radartrack.testing.called_function import Array, Binding, Calls, Parameter, called
-from radartrack.testing.diagnosis import Diagnosis, Slip, Worst
+from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
+from radartrack.testing.compiled_function import NotCallable, as_called
+from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
 from radartrack.testing.function_conventions import (
     AS_ASKED,
     ArgumentChange,
@@ -39,13 +42,17 @@ SCREENING = 24
 CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
+CLOSE_IN_TABLES = 1e-6  # what a form that cancels may lose in a table, whose points have no neighbours
 FAILING = 80  # ways to call it after which a function that raises at all of them is given up
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
+WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
 READINGS = 2  # beside the best in which slips are looked for
 SHOWN = 4
+MANY = 40  # wrong entries beyond which no two are taken for exchanged
 EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
+MOST_LOST = 1000.0  # ulp that any way to write a formula may lose
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
 
 
@@ -64,6 +71,7 @@ class Reading:
         arrangement: in which order and units of results.
         wrong: how many different entries are wrong then.
         other: whether it is compared with another quantity.
+        single: whether it returns single precision, or computes in it.
     """
 
     wanted: Wanted
@@ -72,6 +80,7 @@ class Reading:
     arrangement: Arrangement
     wrong: int
     other: bool = False
+    single: bool = False
 
     @property
     def cost(self) -> float:
@@ -86,6 +95,32 @@ class Reading:
         if not self.other:
             return said
         return f"this is {self.wanted.name}" + (f" with {said}" if said else "")
+
+
+def examined(
+    function: Callable[..., Any],
+    wanted: Wanted,
+    arguments: Mapping[str, str | Sequence[str]],
+    stated: ArgumentChange,
+) -> Diagnosis:
+    """What a function is.
+
+    Args:
+        function: as for `diagnose`.
+        wanted: what it is compared with.
+        arguments: parameter → the symbol, or the symbols of a vector, that the user says it takes.
+        stated: the convention that the user says it has.
+
+    Raises:
+        CannotDiagnose: as `diagnose`.
+    """
+    try:
+        forms = as_called(function, len(wanted.places))
+    except NotCallable as error:
+        raise CannotDiagnose(str(error)) from None
+    every = [Examination(one, wanted, arguments, stated) for one in forms]
+    fitting = [one for one in every if one.is_callable] if len(every) > 1 else []
+    return min(fitting or every[:1], key=lambda one: one.readings[0].cost).diagnosis()
 
 
 class Examination:
@@ -108,16 +143,20 @@ class Examination:
         Raises:
             CannotDiagnose: as `diagnose`.
         """
-        best = self._readings()
+        best = self.readings
         first = best[0]
         if first.wrong == 0:
-            return self._right(first)
+            return self._right_or_with_slips(first)
         explained = self._slips(first)
         if explained and first.wrong == 1 and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
             return self._with_slips(first, explained)
         other = self._other_quantity(first)
-        if other is not None:
+        if other is not None and other.wrong == 0:
             return self._right(other)
+        if other is not None and (explained is None or len(explained) > 1):
+            found = self._slips(other)
+            if found and (explained is None or _cost(found) + 1 < _cost(explained)):
+                return self._with_slips(other, found)
         if explained:
             return self._with_slips(first, explained)
         for reading in [one for one in best[1:] if one.wrong <= first.wrong][:READINGS]:
@@ -125,10 +164,31 @@ class Examination:
                 return self._with_slips(reading, found)
         return self._unexplained(first)
 
+    def _right_or_with_slips(self, reading: Reading) -> Diagnosis:
+        """Of a function that is right at ordinary points: what it has beyond them may have a slip too small there."""
+        found = self._right(reading)
+        if found.verdict != "differs":
+            return found
+        slips = self._slips(reading, reading.wanted.coarse(SCREENING))
+        return self._with_slips(reading, slips) if slips else found
+
     # How it is called, and in which convention
 
-    def _readings(self) -> list[Reading]:
-        """The readings that leave least to explain, the best first."""
+    @property
+    def is_callable(self) -> bool:
+        """Whether there is a way to call it."""
+        try:
+            return bool(self.readings)
+        except CannotDiagnose:
+            return False
+
+    @cached_property
+    def readings(self) -> list[Reading]:
+        """Those that leave least to explain, the best first.
+
+        Raises:
+            CannotDiagnose: as `diagnose`.
+        """
         found: list[Reading] = []
         callable_as: set[tuple[Parameter, ...]] = set()
         failed = 0
@@ -147,16 +207,21 @@ class Examination:
         if not found:
             raise CannotDiagnose(self._why())
         found.sort(key=lambda one: one.cost)
-        bare = found[0]
-        for change in argument_changes(bare.wanted.symbols):
-            found += self._read(bare.wanted, bare.binding, change)
+        ways = {one.binding.parameters: one for one in reversed(found) if not one.binding.changes}
+        bare = [found[0], *(one for one in reversed(ways.values()) if one is not found[0])][:WAYS]
+        for one in bare:
+            for change in argument_changes(one.wanted.symbols):
+                found += self._read(one.wanted, one.binding, change)
         return sorted(found, key=lambda one: one.cost)
 
     def _why(self) -> str:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
-            return f"the function cannot be called with {names}; say what its parameters take: arguments={{...}}"
-        return "; ".join(list(self._troubles)[:2])
+            taken = ", ".join(name for name, _, _ in declared(self._function) or ())
+            own = f", for it takes {taken}" if taken else ""
+            return f"the function cannot be called with {names}{own}; say what its parameters take: arguments={{...}}"
+        returned = [one for one in self._troubles if one.startswith(RETURNS)]
+        return (returned or list(self._troubles))[0]
 
     def _of_binding(self, binding: Binding) -> Iterator[Reading]:
         """Readings of one way to call it, with what its parameters' names say."""
@@ -201,11 +266,32 @@ class Examination:
         if calls.trouble and not np.isfinite(calls.values).any():
             self._troubles[calls.trouble] = None
             return
-        tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
-        for wrong, arrangement in Arrangements(wanted, self._stated_order).best(
-            calls.values, expected.values, tolerance
-        ):
-            yield Reading(wanted, replace(bound, changes=bound.changes), change, arrangement, wrong)
+        arrangements = Arrangements(wanted, self._stated_order)
+
+        def readings(close: float, *, single: bool) -> list[Reading]:
+            found = arrangements.best(calls.values, expected.values, close * expected.scales)
+            return [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+
+        found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
+        yield from found
+        if not calls.single and all(one.wrong for one in found):
+            rough = [one for one in readings(CLOSE_SINGLE, single=True) if one.wrong == 0]
+            yield from (one for one in rough if self._is_single(one, calls, expected))
+
+    def _is_single(self, reading: Reading, calls: Calls, expected: Expected) -> bool:
+        """Whether what it is off by jumps, as where it computes in single precision; other errors are smooth."""
+        found = reading.arrangement.undone(calls.values)
+        with np.errstate(all="ignore"):
+            places = np.argwhere(~(np.abs(found - expected.values) <= CLOSE * expected.scales))
+        return all(
+            is_erratic(
+                lambda points: self._error(reading, points),
+                reading.wanted.symbols,
+                expected.point(int(point)),
+                int(entry),
+            )
+            for point, entry in places[:SHOWN]
+        )
 
     @property
     def _stated_order(self) -> Sequence[str]:
@@ -220,7 +306,7 @@ class Examination:
         return wanted.ordinary(FEW)
 
     def _other_quantity(self, first: Reading) -> Reading | None:
-        """The quantity of the same model that the function is exactly."""
+        """The quantity of the same model that the function is exactly, or of other symbols, with less to explain."""
         own = self._wanted.quantity
         known = {symbol.name for symbol in first.wanted.symbols}
         kin = [one for one in family(own) if one.shape == own.shape and one is not own]
@@ -228,35 +314,48 @@ class Examination:
         alike = [
             one for one in kin if known <= {symbol.name for symbol in one.symbols} <= known | set(first.wanted.given)
         ]
+        found: list[Reading] = []
         for quantity in alike:
-            if (found := self._as_kin(quantity, first)) is not None:
-                return found
+            if (one := self._as_kin(quantity, first)) is not None:
+                if one.wrong == 0:
+                    return one
+                found.append(one)
         others = [one for one in kin if one not in alike and self._wanted.given.keys() <= _names(one)]
-        return next((found for one in others[:RIVALS] if (found := self._as_another(one)) is not None), None)
+        found += [one for other in others[:RIVALS] if (one := self._as_another(other, first)) is not None]
+        best = min(found, key=lambda one: (one.wrong, one.cost), default=None)
+        return best if best is not None and (best.wrong == 0 or best.wrong + 1 < first.wrong) else None
 
     def _as_kin(self, quantity: Quantity, first: Reading) -> Reading | None:
-        """The function as a quantity of the same symbols, which is called alike."""
+        """The function as a quantity of the same symbols, which is called alike: exactly, or else as asked for."""
         given = {s.name: first.wanted.given[s.name] for s in quantity.symbols if s.name in first.wanted.given}
         wanted = Wanted(quantity, first.wanted.places, first.wanted.shape, given)
         self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
         bare = replace(first.binding, changes={})
-        for change in (AS_ASKED, *argument_changes(wanted.symbols)):
-            exact = [one for one in self._read(wanted, bare, change) if one.wrong == 0]
-            if exact and change.cost <= 1:
-                return replace(min(exact, key=lambda one: one.cost), other=True)
-        return None
+        as_asked = list(self._read(wanted, bare, AS_ASKED))
+        changed = (one for change in argument_changes(wanted.symbols) for one in self._read(wanted, bare, change))
+        exact = next((one for one in (*as_asked, *changed) if one.wrong == 0 and one.change.cost <= 1), None)
+        best = exact or min(as_asked, key=lambda one: one.cost, default=None)
+        return None if best is None else replace(best, other=True)
 
-    def _as_another(self, quantity: Quantity) -> Reading | None:
-        """The function as a quantity of other symbols, such as another noise; only where nothing else is changed."""
+    def _as_another(self, quantity: Quantity, first: Reading) -> Reading | None:
+        """The function as a quantity of other symbols, such as another noise; what both have is passed alike."""
         stated = {parameter: symbols for parameter, symbols in self._arguments.items() if symbols in _names(quantity)}
         wanted = Wanted(quantity, self._wanted.places, self._wanted.shape, self._wanted.given)
         other = Examination(self._function, wanted, stated, self._stated)
         try:
-            best = other._readings()[0]
+            best = other.readings[0]
         except CannotDiagnose:
             return None
         self._tried |= {(quantity.name, *key): found for key, found in other._tried.items()}
-        return replace(best, other=True) if best.cost == 0 else None
+
+        def taken(reading: Reading) -> list[tuple[str, ...]]:
+            return [parameter.symbols for parameter in reading.binding.parameters]
+
+        is_alike = all(
+            known == symbols or not {*known} <= _names(quantity)
+            for known, symbols in zip(taken(first), taken(best), strict=False)
+        )
+        return replace(best, other=True) if is_alike and best.change.cost + best.arrangement.cost <= 1 else None
 
     # What it has at points
 
@@ -267,9 +366,9 @@ class Examination:
 
     # What slip it has
 
-    def _slips(self, reading: Reading) -> tuple[Slip, ...] | None:
+    def _slips(self, reading: Reading, screening: Expected | None = None) -> tuple[Slip, ...] | None:
         """For every entry that is wrong the slip that explains it; None where one is left."""
-        screening, confirming = reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
+        screening, confirming = screening or reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
         calls, found = self._values(reading, screening)
         if calls.raised or calls.wrong or calls.unknown:  # it refuses large errors
             screening = reading.wanted.ordinary(SCREENING)
@@ -303,11 +402,9 @@ class Examination:
     @staticmethod
     def _exchanged(search: SlipSearch, wrong: Sequence[int], wanted: Wanted) -> Iterator[Slip]:
         """Entries that stand in each other's places."""
-        others = {place: search.other_entry(place) for place in wrong}
-        for place, other in others.items():
-            if other is not None and other > place and others.get(other) == place:
-                pair = wanted.places[place], wanted.places[other]
-                yield Slip(pair, "exchanged", "", "", 1.2)
+        for place, other in combinations(wrong, 2) if len(wrong) <= MANY else ():
+            if search.is_entry(place, other) and search.is_entry(other, place):
+                yield Slip((wanted.places[place], wanted.places[other]), "exchanged", "", "", 1.2)
 
     # What is said of it
 
@@ -316,21 +413,18 @@ class Examination:
         expected = reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
-        epsilon = SINGLE if calls.single else DOUBLE
-        undefined = [*_undefined(calls, found, expected), *self._changing(reading)]
+        epsilon = SINGLE if reading.single else DOUBLE
+        undefined = list(_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
-        rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= 1000)
+        wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
         coarse = self._right_when_coarse(reading)
-        wrong = computed & ~np.all(rounding, axis=1)
-        for place in np.flatnonzero(wrong):
-            entry = int(np.flatnonzero(~rounding[place])[0])
-            if is_erratic(lambda points: self._at(reading, points), expected.point(int(place)), entry):
-                wrong[place] = False
         plain = not reading.words
         if wrong.any() or coarse is not None:
             return self._elsewhere(reading, expected, found, wrong, coarse, undefined)
         errors = np.where(computed[:, np.newaxis], expected.errors(np.where(np.isfinite(found), found, 0.0)), 0.0)
         errors *= DOUBLE / epsilon
+        changing = list(self._changing(reading))
+        undefined += changing
         worst = _worst(expected, found, errors) if errors.size else None
         indefinite = _indefinite(reading.wanted, expected, found)
         return Diagnosis(
@@ -338,7 +432,7 @@ class Examination:
             agrees=plain and not undefined,
             ulp=float(errors.max(initial=0.0)),
             worst=worst,
-            lost_digits=lost_digits(expected, errors, epsilon),
+            lost_digits=None if changing else lost_digits(expected, errors, epsilon),
             convention=reading.words,
             undefined=tuple(undefined),
             remarks=(*indefinite, *self._remarks(reading, calls)),
@@ -348,22 +442,46 @@ class Examination:
     def _right_when_coarse(self, reading: Reading) -> tuple[Expected, Array, npt.NDArray[np.bool_]] | None:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
-        calls, found = self._values(reading, expected)
-        found = _excused(reading, expected, found)
-        rounding = np.all(is_rounding(expected, found, SINGLE if calls.single else DOUBLE), axis=1)
-        wrong = np.all(np.isfinite(found), axis=1) & ~rounding
+        found = _excused(reading, expected, self._values(reading, expected)[1])
+        wrong = self._wrong_there(reading, expected, found, SINGLE if reading.single else DOUBLE)
         return (expected, found, wrong) if wrong.any() else None
 
     def _at(self, reading: Reading, points: Points) -> Array:
         calls = called(self._function, reading.binding, points, reading.wanted.shape)
         return reading.arrangement.undone(calls.values)
 
+    def _wrong_there(
+        self, reading: Reading, expected: Expected, found: Array, epsilon: float, allowed: float = 0.0
+    ) -> npt.NDArray[np.bool_]:
+        """The points at which it differs by more than rounding makes: in the derived formula, or in its own form."""
+        rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= allowed)
+        wrong: npt.NDArray[np.bool_] = np.all(np.isfinite(found), axis=1) & ~np.all(rounding, axis=1)
+        if getattr(self._function, "is_table", False):  # of which nothing is known beside the points
+            with np.errstate(all="ignore"):
+                near = np.abs(found - expected.values) <= CLOSE_IN_TABLES * expected.scales
+            return np.asarray(wrong & ~np.all(near, axis=1))
+        for place in np.flatnonzero(wrong):
+            point, entry = expected.point(int(place)), int(np.flatnonzero(~rounding[place])[0])
+            wrong[place] = not is_erratic(
+                lambda points: self._error(reading, points), reading.wanted.symbols, point, entry
+            )
+        return wrong
+
+    def _error(self, reading: Reading, points: Points) -> Array:
+        """What the function has, less what is exact; no rows where one of the points is outside the domain."""
+        there = reading.wanted.at(points)
+        if there.count < len(next(iter(points.values()))):
+            return np.empty((0, len(reading.wanted.places)))
+        error = self._values(reading, there)[1] - there.values
+        turns = [is_direction(reading.wanted, place) for place in reading.wanted.places]
+        return np.where(turns, np.abs(error), error)  # half a turn more is half a turn less
+
     def _changing(self, reading: Reading) -> Iterator[str]:
         """Whether two calls give the same."""
         expected = self._expected(reading.wanted)
         first, second = (self._values(reading, expected)[1] for _ in range(2))
         if not np.array_equal(first, second, equal_nan=True):
-            yield "not deterministic: two calls with the same arguments give different values"
+            yield f"{CHANGING}: two calls with the same arguments give different values"
 
     def _elsewhere(
         self,
@@ -384,7 +502,7 @@ class Examination:
             agrees=False,
             worst=_worst(expected, found, errors),
             convention=reading.words,
-            differences=(f"it is right at ordinary points, and wrong {where}",),
+            differences=(*self._changing(reading), f"it is right at ordinary points, and wrong {where}"),
             undefined=tuple(undefined),
             remarks=self._remarks(reading, None),
             arguments=_said(reading.binding),
@@ -419,14 +537,15 @@ class Examination:
                 else np.full((len(next(iter(points.values()))), len(reading.wanted.places)), np.nan)
             )
 
-        words = list(described(reading.wanted, wrong, difference, expected.point(0)))
+        changing = tuple(self._changing(reading))
+        words = [] if changing else list(described(reading.wanted, wrong, difference, expected.point(0)))
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=False,
             worst=_worst(expected, found, errors),
             convention=reading.words,
-            differences=tuple(words) or ("it differs",),
-            undefined=(*_undefined(calls, found, expected), *self._changing(reading)),
+            differences=changing or tuple(words) or ("it differs",),
+            undefined=tuple(_undefined(calls, found, expected)),
             remarks=self._remarks(reading, calls),
             arguments=_said(reading.binding),
         )
@@ -436,7 +555,13 @@ class Examination:
         said = [f"for {', '.join(f'{name} = 0' for name in zero)}, as it takes no {', '.join(zero)}"] if zero else []
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
+        elif reading.single:
+            said.append("it computes in single precision, in whose units errors are told")
         return tuple(said)
+
+
+def _cost(slips: Sequence[Slip]) -> float:
+    return sum(slip.cost for slip in slips)
 
 
 def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -> Array:

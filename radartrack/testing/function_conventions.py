@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations, permutations, product
@@ -14,7 +14,7 @@ import numpy.typing as npt
 from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.tensor import Index, indices
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.units import RADIAN
+from radartrack.derive.units import METRE, METRE_PER_SECOND, RADIAN, SECOND
 from radartrack.testing.called_function import Array, Change
 from radartrack.testing.wanted import Wanted
 
@@ -22,6 +22,11 @@ LONGEST = 4  # rows whose orders are all tried
 HALF_TURN = 180 / math.pi
 ORDER = 1.25  # the cost of another order, which an azimuth from the other axis explains as well
 UNLIKELY = 3  # of a convention that one wrong sign explains as well
+OTHER_UNITS = (
+    (METRE, "kilometres", 1e3), (METRE, "feet", 0.3048), (METRE, "nautical miles", 1852.0),
+    (RADIAN, "milliradians", 1e-3), (SECOND, "milliseconds", 1e-3),
+    (METRE_PER_SECOND, "km/h", 1 / 3.6), (METRE_PER_SECOND, "knots", 1852 / 3600),
+)  # fmt: skip
 AZIMUTH, ELEVATION, PREDICTED = "beta", "epsilon", "predicted_"
 
 
@@ -74,7 +79,7 @@ def deviations_of(symbols: Sequence[Variable]) -> list[str]:
 def argument_changes(symbols: Sequence[Variable]) -> list[ArgumentChange]:
     """Single conventions of arguments, then two of different kinds together."""
     kinds = [list(_degrees(symbols)), list(_variances(symbols)), list(_other_axes(symbols))]
-    singles = [change for kind in kinds for change in kind]
+    singles = [change for kind in (*kinds, _other_units(symbols)) for change in kind]
     doubles = [a.beside(b) for first, second in combinations(kinds, 2) for a, b in product(first, second)]
     return [*singles, *doubles]
 
@@ -86,6 +91,25 @@ def _degrees(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
     for names in dict.fromkeys(map(tuple, (every, directions, spread))):
         if names:
             yield in_degrees(names)
+
+
+def _other_units(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
+    """All that have a unit in another one; of angles the deviations alone."""
+    spread = deviations_of(symbols)
+    for unit, words, size in OTHER_UNITS:
+        names = [s.name for s in symbols if s.unit == unit and (unit != RADIAN or s.name in spread)]
+        if names:
+            yield ArgumentChange(f"{_listed(names)} in {words}", dict.fromkeys(names, _Divided(size)), 1)
+
+
+@dataclass(frozen=True)
+class _Divided:
+    """A value in another unit."""
+
+    size: float
+
+    def __call__(self, value: float) -> float:
+        return value / self.size
 
 
 def _variances(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
@@ -108,6 +132,8 @@ def _other_axes(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
             if correlations:
                 opposite = dict.fromkeys(correlations, _negative)
                 yield turned.beside(ArgumentChange(f"the opposite sign of {_listed(correlations)}", opposite))
+            if angle == ELEVATION and AZIMUTH in names:
+                yield ArgumentChange(f"{AZIMUTH} counted from the other axis", {AZIMUTH: _complement}, 1).beside(turned)
             if angle == AZIMUTH:
                 yield ArgumentChange(f"{angle} counted in the other sense (-{angle})", {angle: _negative}, UNLIKELY)
 
@@ -155,7 +181,12 @@ class Arrangements:
         """Words, factors, offsets, cost; degrees of an azimuth from the other axis are both."""
         ones, zeros = np.ones(self._size), np.zeros(self._size)
         senses = [("", ones, zeros, 0.0), *self._senses(ones, zeros)]
-        powers = np.array([float(self._wanted.quantity.unit(place).radian) for place in self._wanted.places])
+        powers, lengths = (
+            np.array([float(getattr(self._wanted.quantity.unit(place), base)) for place in self._wanted.places])
+            for base in ("radian", "metre")
+        )
+        if lengths.any():
+            senses.append(("the result in kilometres", 1e-3**lengths, zeros, 1.0))
         if not powers.any():
             return senses
         degrees = HALF_TURN**powers
@@ -244,7 +275,7 @@ def is_direction(wanted: Wanted, place: Index) -> bool:
     return is_angle and not any(is_deviation(symbol) for symbol in wanted.symbols)
 
 
-def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, _Move, float]]:
+def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, Callable[[Index], Index], float]]:
     """Where an entry stands in another order, what that is called, and what it costs."""
     if len(shape) == 1:
         for order in _orders(shape[0]):
@@ -264,12 +295,14 @@ def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, _Move, flo
             yield words, _Move((rows, *(columns,) * rest)), 2 * ORDER
 
 
-def _of_a_cube(shape: Index) -> Iterator[tuple[str, _Move, float]]:
+def _of_a_cube(shape: Index) -> Iterator[tuple[str, Callable[[Index], Index], float]]:
     """The same of as many rows as columns."""
     if len(shape) == 3:
         yield "the first axis last", _Move(last=True), 1
         return
     yield "the result transposed", _Move(transposed=True), 1
+    for words, triangle in _triangles(shape[0]):
+        yield f"the entries in the order {words}", _Triangle(shape[0], triangle), ORDER
     for order in _orders(shape[0]):
         yield f"rows and columns in the order {_spoken(order)}", _Move((order, order)), ORDER
 
@@ -288,6 +321,28 @@ class _Move:
         if self.last:
             return (*index[1:], index[0])
         return tuple(order.index(i) for order, i in zip(self.orders, index, strict=True))
+
+
+def _triangles(size: int) -> Iterator[tuple[str, tuple[Index, ...]]]:
+    """Other orders in which the entries of a symmetric matrix come than the upper triangle row by row."""
+    diagonal = tuple((i, i) for i in range(size))
+    off = tuple((i, j) for i in range(size) for j in range(i + 1, size))
+    if size > 1:
+        yield "of the diagonal, then the others", diagonal + off
+    if size > 2:
+        yield "of the lower triangle, row by row", tuple((j, i) for i in range(size) for j in range(i + 1))
+
+
+@dataclass(frozen=True)
+class _Triangle:
+    """Where an entry of a symmetric matrix stands that was filled row by row from a list in another order."""
+
+    size: int
+    order: tuple[Index, ...]
+
+    def __call__(self, index: Index) -> Index:
+        i, j = sorted(index)
+        return tuple(np.triu_indices(self.size)[axis][self.order.index((i, j))] for axis in range(2))
 
 
 def _orders(size: int) -> Iterator[tuple[int, ...]]:

@@ -146,7 +146,7 @@ class _Watched:
             finally:
                 self._inside = ""
 
-        for name in ("argtypes", "nin"):
+        for name in ("argtypes", "nin"):  # what a function of C or a ufunc takes
             if hasattr(function, name):
                 setattr(watched, name, getattr(function, name))
         watched.__wrapped__ = function  # type: ignore[attr-defined]

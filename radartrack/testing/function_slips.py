@@ -3,32 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from fractions import Fraction
 
 import numpy as np
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.repairing.edit_in_words import edit_in_words
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
-from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, other_numbers
+from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Number, Power, Product, Sum, Tree, replace_at, walk
+from radartrack.derive.formula.tree import Negation, Number, Power, Product, Sum, Tree, replace_at, walk
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import Slip
-from radartrack.testing.edit_in_words import edit_in_words
 from radartrack.testing.wanted import Expected
 
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
+SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
+LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
 LONG = 300  # characters of a formula that is told
 SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
 SHORT = 400  # characters of a formula that is tried over one denominator
@@ -72,34 +75,41 @@ class SlipSearch:
         index = wanted.places[place] if wanted.shape else ()
         best: tuple[Candidate, Tree] | None = None
         for tree in _trees(entry):
-            for candidate in self._edits(tree, target):
-                if best is not None and candidate.cost >= best[0].cost:
-                    break
-                if self._is_confirmed(candidate.tree, place):
-                    best = candidate, tree
-                    break
+            limit = math.inf if best is None else best[0].cost
+            found = self._confirmed(tree, target, place, limit)
+            best = best if found is None else (found, tree)
             if best is not None and best[0].cost <= LIKELY:
                 break
         return None if best is None else _told(best[1], best[0], index, self._names)
 
-    def other_entry(self, place: int) -> int | None:
-        """Another entry that the function has there."""
+    def is_entry(self, place: int, other: int) -> bool:
+        """Whether the function has in one place what belongs in another."""
         expected, scales = self._screening.values, self._screening.scales
-        for other in range(expected.shape[1]):
-            difference = abs(self._found[:, place] - expected[:, other])
-            if other != place and (difference <= TOLERANCE * scales[:, other]).all() and expected[:, other].any():
-                return other
+        near = np.abs(self._found[:, place] - expected[:, other]) <= TOLERANCE * scales[:, other]
+        return bool(near.all())
+
+    def _confirmed(self, tree: Tree, target: Values, place: int, limit: float) -> Candidate | None:
+        """The likeliest edit that holds in all directions, if it is likelier than a limit; forwards where none is."""
+        sound = self._sound(tree, place)
+        for edits in self._edits(tree, target):
+            for candidate in sorted(edits, key=lambda one: one.cost):
+                if candidate.cost >= limit:
+                    break
+                if self._is_confirmed(candidate.tree, place, sound):
+                    return candidate
         return None
 
-    def _edits(self, tree: Tree, target: Values) -> list[Candidate]:
+    def _edits(self, tree: Tree, target: Values) -> Iterator[Iterable[Candidate]]:
+        """Edits that fit, by one search after the other."""
         if all(value == 0 for value in target):
-            return [Candidate(Number("0"), "", 1.0)]
+            yield [Candidate(Number("0"), "", 1.0)]
+            return
         if not self._here:  # a number, which many things are worth: only what is plainly an edit of it
-            return sorted(self._forwards(tree, target), key=lambda candidate: candidate.cost)
-        found = Search(self._screen, target, self._names, tree, ()).edits(tree)
-        found += self._misread_powers(tree, target)
-        found = found or list(self._forwards(tree, target))
-        return sorted(found, key=lambda candidate: candidate.cost)
+            yield self._forwards(tree, target)
+            return
+        search = Search(self._screen, target, self._names, tree, ())
+        yield [*search.edits(tree), *self._misread_powers(tree, target)]
+        yield [*self._forwards(tree, target), *self._below_even_powers(search, tree)]
 
     def _misread_powers(self, tree: Tree, target: Values) -> Iterator[Candidate]:
         """`x*2`, `x + 2` and `2 + x` for `x**2`: the sign of a power is lost where text is taken over."""
@@ -110,35 +120,89 @@ class SlipSearch:
                     if _near(self._screen(edited), target, target):
                         yield Candidate(edited, "", 1.3)
 
-    def _forwards(self, tree: Tree, target: Values) -> Iterator[Candidate]:
-        """Edits by what they make of the whole: below an even power, a part could be worth either of two values."""
+    def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
+        """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
+        for part in search.parts(tree):
+            match part.node:
+                case Power(base, Number() as exponent) if _is_even(exponent.value) and min(part.needed) >= 0:
+                    size = tuple(value ** (1 / float(exponent.value)) for value in part.needed)
+                    for edit in self._forwards(base, size, abs):
+                        edited = replace_at(tree, part.path, Power(edit.tree, exponent))
+                        yield Candidate(edited, edit.words, edit.cost)
+
+    def _forwards(self, tree: Tree, target: Values, seen: Callable[[float], float] = float) -> Iterator[Candidate]:
+        """Edits by what they make of the whole.
+
+        Args:
+            tree: what is edited.
+            target: what is to be seen of its values.
+            seen: what that is, of a value.
+        """
         nodes = list(walk(tree))
         kinds = {name: self._names.dimensions[name] for name in self._here}
         quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
         for path, node in nodes if len(nodes) <= SMALL else ():
-            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node)):
+            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node)):
                 edited = replace_at(tree, path, edit.tree)
                 program = Program(edited)
-                if all(_near(program(point), (value,), (value,)) for point, value in zip(quick, target, strict=False)):
+                if all(
+                    _near(_each(seen, program(point)), (value,), (value,))
+                    for point, value in zip(quick, target, strict=False)
+                ):
                     yield Candidate(edited, edit.words, edit.cost)
 
-    def _is_confirmed(self, tree: Tree, place: int) -> bool:
+    def _sound(self, tree: Tree, place: int) -> list[int]:
+        """The points in all directions at which the formula as it stands does not lose its digits.
+
+        There it stays where it is when arguments move by their last digits.
+        """
+        exact, sizes = self._confirming.values[:, place], self._confirming.scales[:, place]
+        program = Program(tree)
+        found = []
+        for n, (value, size) in enumerate(zip(map(float, exact), sizes, strict=True)):
+            moved = [{name: one * (1 + step) for name, one in self._wider_point(n).items()} for step in LAST_DIGITS]
+            if all(_near(program(point), (value,), (size,), SOUND) for point in moved):
+                found.append(n)
+        return found
+
+    def _wider_point(self, place: int) -> dict[str, float]:
+        return {name: column[place] for name, column in self._wider.items()}
+
+    def _is_confirmed(self, tree: Tree, place: int, sound: Sequence[int]) -> bool:
         """Whether the edited formula is the function in all directions, wherever that has a value."""
         program, sizes = Program(tree), self._confirming.scales[:, place]
-        for n, (target, size) in enumerate(zip(map(float, self._found_there[:, place]), sizes, strict=True)):
-            values = program({name: column[n] for name, column in self._wider.items()})
-            if not math.isfinite(target):
-                continue
-            if not _near(values, (target,), (size,)):
-                return False
-        return True
+        targets = [(n, float(self._found_there[n, place])) for n in sound]
+        return all(
+            _near(program(self._wider_point(n)), (target,), (sizes[n],))
+            for n, target in targets
+            if math.isfinite(target)
+        )
 
 
-def _near(values: Values | None, target: Values, sizes: Sequence[float]) -> bool:
+def _near(values: Values | None, target: Values, sizes: Sequence[float], share: float = SAME) -> bool:
     if values is None:
         return False
     triples = zip(values, target, sizes, strict=True)
-    return all(abs(a - b) <= SAME * max(abs(a), abs(b), abs(size)) for a, b, size in triples)
+    return all(abs(a - b) <= share * max(abs(a), abs(b), abs(size)) for a, b, size in triples)
+
+
+def _is_even(exponent: Fraction) -> bool:
+    return exponent > 0 and exponent % 2 == 0
+
+
+def _more(node: Tree) -> Iterator[Alternative]:
+    """A number with the other sign; a sum with one of its terms twice."""
+    if isinstance(node, Number):
+        yield Alternative(Negation(node), "the sign of {}", 1.0, (node,))
+    for place, term in enumerate(node.terms) if isinstance(node, Sum) else ():
+        inner, sign = (term.operand, Negation) if isinstance(term, Negation) else (term, lambda tree: tree)
+        factors = inner.factors if isinstance(inner, Product) else (inner,)
+        twice = sign(Product((Number("2"), *factors)))
+        yield Alternative(replace_at(node, (place,), twice), "{} should be {}", LIKELY, (term, twice))
+
+
+def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:
+    return values and tuple(map(seen, values))
 
 
 def _trees(entry: Expr) -> list[Tree]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import mpmath
 import numpy as np
@@ -14,6 +14,7 @@ from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
@@ -26,8 +27,11 @@ ALLOWANCE = 2.0**12  # units of rounding of the sizes of the terms that a textbo
 DOUBLE, SINGLE = 2.0**-52, 2.0**-23
 CLEAR = 0.3  # correlation of the error with a symbol from which it is said to grow with it
 LONG = 100
-STEPS = (-7, -5, -3, -2, 2, 3, 5, 7)  # units in the last place by which an argument is moved
-SCATTER = 0.05
+# By which arguments are moved, in units of a scale; steps that are whole numbers meet a regular staircase alike.
+STEPS = (-7.13, -5.39, -3.71, -2.17, 1.93, 3.37, 4.91, 6.79)
+SCALES = (DOUBLE, 2.0**-40, 2.0**-28, 2.0**-16)
+SLOPES = (1.0, -0.7, 1.3, -1.9)  # of one argument beside another: ratios move too
+SCATTER = 0.05  # of the error, about a parabola
 
 
 def is_rounding(expected: Expected, found: Array, epsilon: float) -> npt.NDArray[np.bool_]:
@@ -47,15 +51,29 @@ def is_rounding(expected: Expected, found: Array, epsilon: float) -> npt.NDArray
 
 
 def is_erratic(
-    values_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array], point: dict[str, float], entry: int
+    error_near: Callable[[dict[str, npt.NDArray[np.float64]]], Array],
+    symbols: Sequence[Variable],
+    point: dict[str, float],
+    entry: int,
 ) -> bool:
-    """Whether the values jump when the arguments move by their last digits, as only rounding makes them do."""
-    near = {name: np.array([value * (1 + step * DOUBLE) for step in STEPS]) for name, value in point.items()}
-    values = values_near(near)[:, entry]
-    if not np.isfinite(values).all():
-        return False
-    size = float(np.abs(values).max())
-    return size > 0 and float(np.abs(np.diff(values)).max()) > SCATTER * size
+    """Whether the error jumps when the arguments move a little, as only rounding makes it do.
+
+    It is looked at on several scales: asin(z/r) close to the vertical stays where it is until its argument moves by
+    its last digit, which takes a larger step than the last digit of z.
+    """
+    for scale in SCALES:
+        near = {name: np.full(len(STEPS), value) for name, value in point.items()}
+        for place, symbol in enumerate(symbols):
+            if not symbol.whole and not symbol.is_correlation:
+                steps = np.array(STEPS) * scale * SLOPES[place % len(SLOPES)]
+                near[symbol.name] = point[symbol.name] * (1 + steps)
+        errors = error_near(near)[:, entry]
+        if len(errors) == len(STEPS) and np.isfinite(errors).all():
+            size = float(np.abs(errors).max())
+            smooth = np.polynomial.Polynomial.fit(STEPS, errors / size, 2) if size > 0 else None
+            if smooth is not None and float(np.abs(errors / size - smooth(np.array(STEPS))).max()) > SCATTER:
+                return True
+    return False
 
 
 def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits | None:

@@ -76,6 +76,7 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
             raise NotKnown
         return known[tuple(arguments)]
 
+    look_up.is_table = True  # type: ignore[attr-defined]
     return look_up
 
 

@@ -19,6 +19,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import ONE
 from radartrack.verification.domain_points import Points, coarse, sample
 from radartrack.verification.error_in_ulp import Yardstick
 
@@ -27,6 +28,8 @@ Array = npt.NDArray[np.float64]
 NAME = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?")
 WIDE = 1.1  # twice an ordinary deviation without a unit
 WHOLE = 11  # how far whole numbers are spread at ordinary points; high powers of larger ones drown other terms
+BESIDE = 10.0  # times which a value may be larger than others of its unit at ordinary points: it drowns them beyond
+INSIDE = 0.6  # of the upper end of a domain, up to which values are raised beside larger ones
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +118,20 @@ class Wanted:
                 least = min(symbol.low + 2 * (symbol.at_most is None), symbol.high)
                 room = np.minimum(highest - least, WHOLE) + 1
                 points[symbol.name] = least + (np.arange(count) * (5 + 2 * place)) % room
-        return self.at(points)
+        return self.at(self._side_by_side(points))
+
+    def _side_by_side(self, points: Points) -> Points:
+        """The points with values of one unit of one size, as far as their domains allow.
+
+        A path of 30 km, which is the shortest, drowns a baseline of 2 m.
+        """
+        raised = dict(points)
+        for symbol in self.quantity.symbols:
+            alike = [points[other.name].min() for other in self.quantity.symbols if other.unit == symbol.unit]
+            values, largest = points[symbol.name], max(alike)
+            if symbol.unit != ONE and symbol.low > 0 and values.max() * BESIDE < largest:
+                raised[symbol.name] = values * max(min(INSIDE * symbol.high, largest) / values.max(), 1.0)
+        return raised
 
     def wide(self, count: int) -> Expected:
         """As `ordinary`, with deviations of ordinary size also where the domain ends before: no term is tiny then."""

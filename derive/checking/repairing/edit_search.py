@@ -76,7 +76,7 @@ class Candidate:
 
 
 @dataclass(frozen=True)
-class _Part:
+class Part:
     """A part of the printed formula, and what it would have to be worth.
 
     Attributes:
@@ -159,7 +159,7 @@ class Search:
         return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
 
     def _single(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Candidate]:
-        for part in self._parts(tree, besides):
+        for part in self.parts(tree, besides):
             for edit in self._replacements(part):
                 if edit.tree == part.node:  # no edit, though what is right in floating point seems one
                     continue
@@ -183,9 +183,9 @@ class Search:
                 if second.tree != tree and second.cost < 2:
                     yield Candidate(second.tree, f"{first.words}; {second.words}", first.cost + second.cost + 1)
 
-    def _parts(self, tree: Tree, besides: Terms) -> Iterator[_Part]:
+    def parts(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Part]:
         """Every part of which can be said what it would have to be worth, besides these terms of sums."""
-        waiting = [_Part((), tree, None, self._target, is_all=True)]
+        waiting = [Part((), tree, None, self._target, is_all=True)]
         while waiting:
             part = waiting.pop()
             wanted = self._screen.required(part.node, part.needed)
@@ -194,9 +194,9 @@ class Search:
                 is_right = isinstance(part.node, Sum) and _rounded(self._quick(child)) in besides
                 if needed is not None and not is_right:
                     is_all = part.is_all and isinstance(part.node, Negation)
-                    waiting.append(_Part((*part.path, place), child, part.node, needed, is_all))
+                    waiting.append(Part((*part.path, place), child, part.node, needed, is_all))
 
-    def _replacements(self, part: _Part) -> Iterator[Alternative]:
+    def _replacements(self, part: Part) -> Iterator[Alternative]:
         for edit in alternatives(part.node, self._kinds):
             if self._is_worth(edit.tree, part.needed):
                 yield edit
@@ -215,7 +215,7 @@ class Search:
         yield from self._missing_term(part)
         yield from self._other_term(part)
 
-    def _exchanges(self, part: _Part) -> Iterator[Alternative]:
+    def _exchanges(self, part: Part) -> Iterator[Alternative]:
         """Other neighbouring terms or factors, weighed by what the rest of them make together."""
         node = part.node
         if not isinstance(node, Sum | Product):
@@ -226,11 +226,11 @@ class Search:
             if close(values, part.needed[:QUICK]) and close(self._screen((edit := one.of(node)).tree), part.needed):
                 yield edit
 
-    def _by(self, operation: Callable[[float, float], float], part: _Part) -> Values | None:
+    def _by(self, operation: Callable[[float, float], float], part: Part) -> Values | None:
         """What is needed by what is printed: the ratio or the difference."""
         return combined(operation, part.needed, self._screen(part.node))
 
-    def _piece_as_factor(self, part: _Part) -> Iterator[Alternative]:
+    def _piece_as_factor(self, part: Part) -> Iterator[Alternative]:
         """A part of the derived formula that is missing as a factor or a divisor."""
         if part.is_shared:
             return
@@ -240,14 +240,14 @@ class Search:
         for piece, sign in self._pieces.find(ratio and combined(lambda value: 1 / value, ratio)):
             yield Alternative(_signed(Quotient(part.node, piece), sign), "a missing divisor {}", 2.0, (piece,))
 
-    def _piece_as_term(self, part: _Part) -> Iterator[Alternative]:
+    def _piece_as_term(self, part: Part) -> Iterator[Alternative]:
         """A part of the derived formula that is missing as a term; of a sum it is one, whatever its sign."""
         if isinstance(part.parent, Sum | Negation):
             return
         for piece, sign in self._pieces.find(self._by(sub, part)):
             yield Alternative(Sum((*_terms(part.node), _signed(piece, sign))), "a missing term {}", 2.0, (piece,))
 
-    def _other_piece(self, part: _Part) -> Iterator[Alternative]:
+    def _other_piece(self, part: Part) -> Iterator[Alternative]:
         """A part of the derived formula for which another stands; all of it for all of it would be no edit."""
         if part.is_all or isinstance(part.node, Number | Name):
             return
@@ -255,7 +255,7 @@ class Search:
             tree = _signed(piece, sign)
             yield Alternative(tree, "{} should be {}", 2.5, (part.node, tree))
 
-    def _number(self, part: _Part) -> Iterator[Alternative]:
+    def _number(self, part: Part) -> Iterator[Alternative]:
         """A number that should be another."""
         if not _is_number(part.node) or (isinstance(part.node, Number) and isinstance(part.parent, Negation)):
             return
@@ -265,7 +265,7 @@ class Search:
             cost = 1.0 if monomial.number > 0 else 1.6
             yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
 
-    def _sign_or_factor(self, part: _Part, ratio: Monomial) -> Iterator[Alternative]:
+    def _sign_or_factor(self, part: Part, ratio: Monomial) -> Iterator[Alternative]:
         if part.is_shared or ratio.complexity > MOST_COMPLEX:
             return
         node = part.node
@@ -281,7 +281,7 @@ class Search:
             cost = 1.4 if isinstance(part.parent, Call | Power) else 1.0
             yield Alternative(signed, "the sign of {}", cost, (node,))
 
-    def _missing_term(self, part: _Part) -> Iterator[Alternative]:
+    def _missing_term(self, part: Part) -> Iterator[Alternative]:
         if not isinstance(part.node, Sum) and part.parent is not None:
             return
         rest = self._fitter.fit(self._by(sub, part))
@@ -290,7 +290,7 @@ class Search:
             tree = Sum((*_terms(part.node), term))
             yield Alternative(tree, "a missing term {}", 2.0 + 0.2 * rest.complexity, (term,))
 
-    def _other_term(self, part: _Part) -> Iterator[Alternative]:
+    def _other_term(self, part: Part) -> Iterator[Alternative]:
         if not isinstance(part.parent, Sum) or isinstance(part.node, Number):
             return
         term = self._fitter.fit(part.needed)

@@ -185,3 +185,70 @@ def of_a_matrix_in_space(r: float, az: float, el: float, covariance: Any) -> Any
 def of_a_matrix_wrongly(z: Any, R: Any) -> Any:
     """The deviations of the matrix are not squared."""
     return of_a_matrix(z, np.sqrt(np.abs(R)) * np.sign(R))
+
+
+def of_physics(r: float, theta: float, phi: float) -> Any:
+    """Spherical coordinates as physics has them: theta from the zenith, phi from x."""
+    return r * math.sin(theta) * math.cos(phi), r * math.sin(theta) * math.sin(phi), r * math.cos(theta)
+
+
+def elevation_by_arcsine(x: float, y: float, z: float) -> Any:
+    """Right, and exact nowhere near the vertical."""
+    r = math.sqrt(x * x + y * y + z * z)
+    return [r, math.atan2(x, y), math.asin(z / r)]
+
+
+def gain_by_its_printed_formula(index: float) -> Any:
+    """Kalata's, which is one less what is nearly one."""
+    root = (4 + index - math.sqrt(8 * index + index**2)) / 4
+    alpha = 1 - root * root
+    return [alpha, 2 * (2 - alpha) - 4 * math.sqrt(1 - alpha)]
+
+
+def single_inside(r: float, az: float) -> Any:
+    """Sines of single precision, and everything else double."""
+    return [r * float(np.cos(np.float32(az))), r * float(np.sin(np.float32(az)))]
+
+
+def nearly_degrees(r: float, az: float) -> Any:
+    """With too few digits of π, which is no rounding."""
+    return [r * math.cos(az * 3.14159 / 180), r * math.sin(az * 3.14159 / 180)]
+
+
+def variances_first(r: float, theta: float, sr: float, st: float) -> Any:
+    found = linear(r, theta, sr, st)
+    return found[0, 0], found[1, 1], found[0, 1]
+
+
+def wiener_sequence(dt: float, sigma: float, last: float = 1.0) -> Any:
+    """The noise of an acceleration that steps between periods."""
+    g = np.array([dt**2 / 2, dt, 1.0])
+    found = sigma**2 * np.outer(g, g)
+    found[2, 2] *= last
+    return found
+
+
+def wiener_sequence_of_variance(dt: float, q: float) -> Any:
+    return wiener_sequence(dt, math.sqrt(q))
+
+
+def wiener_sequence_with_a_slip(dt: float, sigma: float) -> Any:
+    return wiener_sequence(dt, sigma, dt)
+
+
+def in_kilometres(r: float, az: float) -> Any:
+    return r * math.cos(az) / 1000, r * math.sin(az) / 1000
+
+
+def milliradians(r: float, theta: float, sr: float, st: float) -> Any:
+    return linear(r, theta, sr, st / 1000)
+
+
+def other_side_of_the_baseline(path: float, beta: float, baseline: float) -> Any:
+    r = (path**2 - baseline**2) / (2 * (path + baseline * math.cos(beta)))
+    return [r * math.cos(beta), r * math.sin(beta)]
+
+
+def slope_with_a_doubled_term(S_xx: float, S_xy: float, S_yy: float) -> float:
+    """A slip below a square."""
+    return (S_yy - S_xx + math.sqrt((S_xx - 2 * S_yy) ** 2 + 4 * S_xy**2)) / (2 * S_xy)

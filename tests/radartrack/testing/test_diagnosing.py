@@ -64,6 +64,8 @@ def test_mutants_are_never_called_right_and_nearly_always_traced_to_their_slip(n
         (own.without_range, "polar.covariance.linear", "the factor r**2 is missing"),
         (own.lost_product, "ruv.covariance.second_order[2, 2]", "the term r**2*sigma_u**2*sigma_v**2*u**2*v**2"),
         (own.white_noise_velocity, "motion.constant_velocity.process_noise.continuous", "the power 3 is 4 in T**3"),
+        (own.other_side_of_the_baseline, "bistatic.map", "the sign of baseline*cos(beta)"),
+        (own.slope_with_a_doubled_term, "line.slope", "an extra factor 2 in 2*S_yy"),
     ],
 )  # fmt: skip
 def test_slips_of_public_code_are_named(function: Function, name: str, words: str) -> None:
@@ -85,6 +87,15 @@ def test_slips_of_public_code_are_named(function: Function, name: str, words: st
             "motion.constant_velocity.process_noise.continuous",
             "this is motion.constant_velocity.process_noise.piecewise",
         ),
+        (
+            own.wiener_sequence_of_variance,
+            "motion.constant_acceleration.process_noise.continuous",
+            "this is motion.constant_acceleration.process_noise.wiener_sequence with variances in place of sigma_w",
+        ),
+        (own.of_physics, "spherical.map", "beta counted from the other axis and epsilon counted from the zenith"),
+        (own.variances_first, "polar.covariance.linear", "the entries in the order of the diagonal, then the others"),
+        (own.in_kilometres, "polar.map", "the result in kilometres"),
+        (own.milliradians, "polar.covariance.linear", "sigma_beta in milliradians"),
         (own.bearing_in_degrees, "observe.bearing.map", "the result in degrees"),
         (own.bearing_of_compass, "observe.bearing.map", "from the other axis (pi/2 - beta) and the result in degrees"),
     ],
@@ -112,6 +123,28 @@ def test_a_convention_and_a_slip_are_told_together() -> None:
     found = diagnose(turned, "spherical.jacobian")
     assert "from the other axis" in found.convention
     assert found.slip.startswith("entry [1, 2]: the sign")
+
+
+def test_another_quantity_and_a_slip_are_told_together_where_that_leaves_least_to_explain() -> None:
+    name = "motion.constant_acceleration.process_noise"
+    found = diagnose(own.wiener_sequence_with_a_slip, f"{name}.piecewise")
+    assert f"(read as {name}.wiener_sequence): entry [2, 2]: an extra factor T" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("function", "name"),
+    [
+        (own.elevation_by_arcsine, "observe.spherical.map"),
+        (own.gain_by_its_printed_formula, "steady_state.alpha_beta.gain"),
+    ],
+)
+def test_a_right_function_that_cancels_where_the_derived_formula_does_not_is_right(
+    function: Function, name: str
+) -> None:
+    found = diagnose(function, name)
+    assert found.verdict == "loses_digits", str(found)
+    assert found.lost_digits is not None
+    assert found.lost_digits.digits >= 4
 
 
 def test_another_order_of_parameters_is_found_without_their_names() -> None:
@@ -143,7 +176,7 @@ def test_a_function_that_draws_is_told_to_be_no_function() -> None:
     generator = np.random.default_rng(3)
     found = diagnose(lambda r, beta: [r * math.cos(beta) + generator.normal(), r * math.sin(beta)], "polar.map")
     assert not found.agrees
-    assert "not deterministic" in str(found)
+    assert found.differences == ("not deterministic: two calls with the same arguments give different values",)
 
 
 def test_a_function_of_a_shared_library_is_diagnosed() -> None:
@@ -167,6 +200,13 @@ def test_a_covariance_that_single_precision_makes_indefinite_is_told_as_that() -
     assert found.agrees
     assert "indefinite" in str(found)
     assert "single precision" in str(found)
+
+
+def test_single_precision_inside_is_rounding_and_a_constant_of_few_digits_is_none() -> None:
+    found = diagnose(own.single_inside, "polar.map")
+    assert found.agrees
+    assert "it computes in single precision" in str(found)
+    assert diagnose(own.nearly_degrees, "polar.map", degrees=True).verdict == "differs"
 
 
 def test_where_a_function_is_wrong_in_a_half_plane_is_said() -> None:
@@ -209,7 +249,7 @@ def test_a_function_that_does_not_give_the_same_twice_is_told() -> None:
         polar_map(lambda _, __, values: [values[0] * (1 + 1e-13 * chance.random()), values[1]]), "polar.map"
     )
     assert not found.agrees
-    assert "not deterministic" in str(found)
+    assert str(found).startswith("This is polar.map, but not deterministic.")
 
 
 @pytest.mark.parametrize(
@@ -217,7 +257,9 @@ def test_a_function_that_does_not_give_the_same_twice_is_told() -> None:
     [
         (lambda *_: 1.0, "it returns a number"),
         (lambda *_: None, "it returns nothing"),
-        (lambda *_: "xy", "it returns"),
+        (lambda *_: "xy", "it returns a str"),
+        (lambda *_: 1j, "it returns a complex number"),
+        (lambda a, b, c, d: [a, b, c, d], "for it takes a, b, c, d"),
         (lambda r, _: {}[r], "KeyError"),
         (lambda: [1.0, 2.0], "cannot be called with r, beta"),
     ],

@@ -4,6 +4,7 @@ import csv
 import io
 import math
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
@@ -12,16 +13,17 @@ from radartrack.testing.examination import Examination
 from radartrack.testing.function_conventions import AS_ASKED
 from radartrack.testing.value_tables import points_table, tabulated
 from radartrack.testing.wanted import Wanted, wanted_by
+from tests.radartrack.testing import own_functions as own
 
 WANTED = wanted_by("polar.map", {})
 
 
-def filled(wanted: Wanted, formula: Callable[..., tuple[float, float]], spelled: str = "r") -> str:
+def filled(wanted: Wanted, formula: Callable[..., Any], spelled: str = "r") -> str:
     """The table with values in two more columns, written by another program."""
     rows = list(csv.reader(io.StringIO(points_table(wanted))))
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow([*rows[0], "first", "second"])
+    writer.writerow([*rows[0], *(f"entry {n}" for n, _ in enumerate(wanted.places))])
     for row in rows[1:]:
         writer.writerow([_spelled(value, spelled) for value in (*map(float, row), *formula(*map(float, row)))])
     return text.getvalue()
@@ -47,6 +49,14 @@ def test_a_right_table_is_told_to_be_right_however_its_numbers_are_written(spell
     assert found.ulp < 64
 
 
+def test_a_table_that_another_form_has_lost_digits_in_is_right() -> None:
+    wanted = wanted_by("observe.spherical.map", {})
+    text = filled(wanted, own.elevation_by_arcsine)
+    taken = {f"argument {place + 1}": symbol.name for place, symbol in enumerate(wanted.symbols)}
+    found = Examination(tabulated(wanted, text), wanted, taken, AS_ASKED).diagnosis()
+    assert found.verdict == "loses_digits", str(found)
+
+
 def test_degrees_and_slips_are_found_in_tables() -> None:
     degrees = diagnosed(WANTED, filled(WANTED, lambda r, beta: right(r, math.radians(beta))))
     assert (degrees.verdict, degrees.convention) == ("convention", "beta in degrees")
@@ -61,7 +71,7 @@ def test_degrees_and_slips_are_found_in_tables() -> None:
     [
         (lambda _: "", "lines of values"),
         (lambda text: text.rsplit("\r\n", 2)[0], "lines of values"),
-        (lambda text: text.replace("second", "beta"), "1 columns"),
+        (lambda text: text.replace("entry 1", "beta"), "1 columns"),
         (lambda text: text.replace("\r\n", "x\r\n", 2), "is no number"),
         (lambda text: text.replace("\r\n", ",1\r\n").replace(",1", "", 1), "has 5 values"),
         (lambda text: "\r\n".join([text.split("\r\n")[0], *text.split("\r\n")[:0:-1]]), "that point has"),

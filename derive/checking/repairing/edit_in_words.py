@@ -28,7 +28,9 @@ def edit_in_words(derived: Tree, edited: Tree) -> str:
     pairs = list(_differences(derived, edited))
     distinct = list(dict.fromkeys(pairs))
     if len(distinct) == 1:
-        return _words(*distinct[0]) + (" everywhere" if len(pairs) > 1 else "")
+        ((old, new),) = distinct
+        where = f" in {_shown(new)}" if isinstance(old, Name) and old != derived and isinstance(new, Product) else ""
+        return _words(old, new) + where + (" everywhere" if len(pairs) > 1 else "")
     names = {(old.name, new.name) for old, new in distinct if isinstance(old, Name) and isinstance(new, Name)}
     if len(names) == len(distinct) == 2 and {(new, old) for old, new in names} == names:
         return f"{' and '.join(sorted(next(iter(names))))} are swapped"
