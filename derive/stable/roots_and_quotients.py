@@ -13,6 +13,8 @@ from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.symbolic import Expr, PolyElement, Symbol
 
+SHORT = 4  # terms of a sum that is not worth another factorization: the sums of the series have up to fifty
+
 if TYPE_CHECKING:
     from radartrack.derive.symbolic import PolyCoefficient
 
@@ -65,12 +67,40 @@ def _factored(numerator: PolyElement, ring: DifferentialRing, outside: set[Symbo
         groups.setdefault(monomial, {})[rest] = value
     terms = (
         ring.expression(ring.ring.from_dict({monomial: ring.ring.domain.one}))
-        * sp.factor(ring.expression(_shorter(ring.ring.from_dict(rest), ring)))
+        * _in_factors(ring.ring.from_dict(rest), ring)
         for monomial, rest in groups.items()
     )
     return sp.Add(*terms)
 
 
-def _shorter(polynomial: PolyElement, ring: DifferentialRing) -> PolyElement:
-    """With cos² or with sin², whichever has fewer terms: 1 − cos² cancels where sin² does not."""
-    return min((polynomial, without_squares(polynomial, ring, sp.cos)), key=lambda candidate: len(candidate.terms()))
+def _in_factors(polynomial: PolyElement, ring: DifferentialRing) -> Expr:
+    """With cos² or with sin², whichever has fewer terms: 1 − cos² cancels where sin² does not.
+
+    Where that leaves a long sum, and the other falls into shorter factors, the other: the square of a slope that
+    vanishes somewhere is a sum of any size over sines alone, whose terms cancel there, and exact as a square.
+    """
+    forms = sorted((polynomial, without_squares(polynomial, ring, sp.cos)), key=lambda one: len(one.terms()))
+    shorter = sp.factor(ring.expression(forms[0]))
+    if _longest_sum(shorter) <= SHORT:
+        return shorter
+    other = _with_sines(sp.factor(ring.expression(forms[1])))
+    return min((shorter, other), key=_longest_sum)
+
+
+def _longest_sum(expression: Expr) -> int:
+    """The terms of the longest sum among the factors."""
+    bases = [factor.as_base_exp()[0] for factor in sp.Mul.make_args(expression)]
+    return max((len(base.args) for base in bases if isinstance(base, sp.Add)), default=1)
+
+
+def _with_sines(product: Expr) -> Expr:
+    """A product in which −sin² stands for (cos − 1)(cos + 1)."""
+    powers = dict(factor.as_base_exp() for factor in sp.Mul.make_args(product))
+    found = sp.Integer(1)
+    for cosine in sorted(product.atoms(sp.cos), key=str):
+        both = [powers.get(cosine + sign, sp.Integer(0)) for sign in (-1, 1)]
+        if all(power.is_positive for power in both):
+            common = min(both)
+            found *= (-(sp.sin(*cosine.args) ** 2)) ** common
+            powers |= {cosine - 1: both[0] - common, cosine + 1: both[1] - common}
+    return sp.Mul(found, *(base**power for base, power in powers.items()))
