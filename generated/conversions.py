@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation 27a35993fa3d85a0; not to be edited.
+Written by radartrack regenerate, generator 1, derivation dbfe42e6a5d6f17b; not to be edited.
 """
 
 import numpy as np
@@ -50,39 +50,33 @@ def bistatic_linear(
         + sigma_beta * sin_beta * sum_2 * sum_5
     )
     sum_7 = baseline_per_path - cos_beta
+    del term_1, divisor_1, sum_5, baseline_per_path
     sum_8 = (
         4.0 * sigma_beta * sin_beta * sum_2 * sum_7 * term_3
         - 4.0 * (1.0 + cos_beta * sum_3) * rho * sigma_path_per_path * sum_1 * sum_4
     )
-    del term_1, divisor_1, sum_5, sum_3
     sum_9 = (
         4.0 * cos_beta * sigma_path_per_path_squared * sin_beta * sum_4_squared
         + sigma_beta * sum_2 * sum_8
     )
-    sin_beta_squared = sin_beta**2
-    sum_10 = baseline_per_path - 4.0 * cos_beta
-    sum_11 = 6.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_10
-    sum_12 = baseline_per_path * sum_11 - 4.0 * cos_beta
-    del sum_4_squared, sum_8, sum_10, sum_11
-    sum_13 = 1.0 + baseline_per_path * sum_12
-    sum_14 = (
+    sum_10 = (
         4.0 * sigma_beta * sum_2 * sum_7 * term_3
         - 8.0 * rho * sigma_path_per_path * sin_beta * sum_1 * sum_4
     )
-    del baseline_per_path, sum_12, sigma_path_per_path, sum_4, term_3
-    sum_15 = (
-        4.0 * sigma_path_per_path_squared * sin_beta_squared * sum_13
-        + sigma_beta * sum_14 * sum_2 * sum_7
+    del sum_3, sum_8, sigma_path_per_path, sum_4, term_3
+    sum_11 = (
+        4.0 * sigma_path_per_path_squared * sin_beta**2 * sum_4_squared
+        + sigma_beta * sum_10 * sum_2 * sum_7
     )
-    del sigma_path_per_path_squared, sin_beta_squared, sum_13, sum_14, sum_7
+    del sigma_path_per_path_squared, sum_10, sum_4_squared, sum_7
     mean[..., 0] = cos_beta * path * sum_1 * sum_2 * term_2
     mean[..., 1] = path * sin_beta * sum_1 * sum_2 * term_2
     del cos_beta, sin_beta, sum_1, sum_2, term_2
     covariance[..., 0, 0] = path_squared * sum_6 * term_4
     covariance[..., 0, 1] = path_squared * sum_9 * term_4
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_15 * term_4
-    del sum_6, sum_9, path_squared, sum_15, term_4
+    covariance[..., 1, 1] = path_squared * sum_11 * term_4
+    del sum_6, sum_9, path_squared, sum_11, term_4
 
 
 def bistatic_second_order(
@@ -138,157 +132,133 @@ def bistatic_second_order(
         0.5 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared
         + sigma_beta * sum_14
     )
-    del sum_8, sum_10, product_2, sum_14
     sum_16 = sin_beta * sum_1 * sum_2 * term_2 - sum_15 * term_3
+    del sum_8, product_2, sum_14, sum_15, term_2, term_3
     term_4 = 1.0 / (divisor_1**2)**2
-    del sum_15, term_2, term_3, divisor_1
     term_5 = 1.0 / divisor_2**2
     path_squared = path**2
-    sum_17 = 1.0 - sin_beta_squared
-    product_3 = baseline_per_path * sum_17
-    sum_18 = 5.0 - 6.0 * sin_beta_squared - (2.0 * cos_beta + product_3) * baseline_per_path
-    sum_19 = 4.0 * cos_beta + baseline_per_path * sum_18
-    sum_20 = 11.0 - 9.0 * sin_beta_squared - baseline_per_path * sum_19
-    sum_21 = baseline_per_path * sum_20 - 6.0 * cos_beta
-    del divisor_2, sum_18, sum_19, sum_20
-    sum_22 = 1.0 + baseline_per_path * sum_21
-    sum_23 = divisor_1_2
-    sum_23_squared = sum_23**2
-    sum_24 = baseline_per_path - 2.0 * cos_beta
-    sum_25 = 1.0 + baseline_per_path * sum_24
+    sum_17 = divisor_1_2
+    sum_17_squared = sum_17**2
+    del divisor_1, divisor_2, divisor_1_2, sum_17
+    sum_18 = baseline_per_path - 2.0 * cos_beta
+    sum_19 = 1.0 + baseline_per_path * sum_18
     sigma_beta_squared = sigma_beta**2
-    sum_26 = 8.0 * cos_beta * sum_23_squared * sum_25 + 8.0 * sigma_beta_squared * sum_4 * sum_6
-    del sum_21, divisor_1_2, sum_23, sum_6
-    sum_27 = (4.0 + 2.0 * sin_beta_squared) * cos_beta + product_3
-    sum_28 = 7.0 - 8.0 * sin_beta_squared - baseline_per_path * sum_27
-    sum_29 = baseline_per_path * sum_28 + (6.0 + 2.0 * sin_beta_squared) * cos_beta
-    sum_30 = 13.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_29
-    sum_31 = baseline_per_path * sum_30 - 6.0 * cos_beta
-    del sum_27, sum_28, sum_29, sum_30
-    sum_32 = 1.0 + baseline_per_path * sum_31
-    sum_33 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * (cos_beta + product_3)
-    sum_34 = baseline_per_path * sum_33 - cos_beta
-    sum_35 = (
-        16.0 * baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_34
-        - 4.0 * rho * sigma_beta * sum_32
+    sum_20 = 8.0 * cos_beta * sum_17_squared * sum_19 + 8.0 * sigma_beta_squared * sum_4 * sum_6
+    product_3 = cos_beta * sum_18
+    sum_21 = baseline_per_path * (6.0 + product_3) - 8.0 * cos_beta
+    sum_22 = 8.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_21
+    sum_23 = cos_beta * sum_22 - baseline_per_path
+    sum_24 = 2.0 - baseline_per_path * sum_23 + 11.0 * cos_beta_squared
+    del sum_18, sum_21, sum_22, sum_23
+    sum_25 = baseline_per_path * sum_24 - 6.0 * cos_beta
+    sum_26 = 1.0 + baseline_per_path * sum_25
+    sum_27 = (
+        16.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path * sin_beta * sum_4
+        + 4.0 * rho * sigma_beta * sum_26
     )
-    del sum_31, sum_33, sum_32, sum_34
-    sum_36 = sigma_path_per_path * sin_beta * sum_35 + sum_1 * sum_2 * sum_26
-    sum_37 = rho * sum_36 - 4.0 * sigma_beta * sigma_path_per_path * sin_beta * sum_22
-    del sum_26, sum_35, sum_22, sum_36
+    sum_28 = sum_1 * sum_2 * sum_20 - sigma_path_per_path * sin_beta * sum_27
+    del sum_24, sum_25, sum_26, sum_20, sum_27
+    sum_29 = rho * sum_28 - 4.0 * sigma_beta * sigma_path_per_path * sin_beta * sum_4**2
     sum_2_squared = sum_2**2
     term_6 = (baseline_per_path - 1.0)**2
-    sum_38 = 1.0 + (product_3 - 2.0 * cos_beta) * baseline_per_path
-    sum_39 = 4.0 * sigma_beta * sin_beta * sum_2_squared * sum_38 * term_6 - sigma_path_per_path * sum_37
-    sum_40 = (
+    sum_30 = (1.0 - sin_beta_squared) * baseline_per_path - 2.0 * cos_beta
+    sum_31 = 1.0 + baseline_per_path * sum_30
+    sum_32 = 4.0 * sigma_beta * sin_beta * sum_2_squared * sum_31 * term_6 - sigma_path_per_path * sum_29
+    del sum_28, sum_30, sum_29, sum_31
+    sum_33 = (
         2.0 * (cos_beta - baseline_per_path * sum_5)**2 * sigma_beta * sigma_beta_squared * sum_2_squared * term_6
-        + sin_beta * sum_39
+        + sin_beta * sum_32
     )
-    del product_3, sum_37, sum_38, sum_39, sum_5
-    sum_25_squared = sum_25**2
+    sum_19_squared = sum_19**2
     baseline_per_path_squared_squared = baseline_per_path_squared**2
     sin_beta_squared_squared = sin_beta_squared**2
-    sum_41 = (
-        4.0 * cos_beta_squared * sum_23_squared * sum_25_squared
+    sum_34 = (
+        4.0 * cos_beta_squared * sum_17_squared * sum_19_squared
         + 8.0 * (1.0 - sin_beta) * baseline_per_path_squared_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
     )
-    sum_42 = sigma_path_per_path_squared * sum_41 + sigma_beta * sum_40
-    sum_43 = 3.0 - 4.0 * sin_beta_squared - (1.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
-    sum_44 = (3.0 - 6.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_43
-    sum_45 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_44
-    del sum_40, sum_41, sum_43, sum_44
-    sum_46 = (
-        4.0 * (1.0 + cos_beta * sum_24) * sum_1 * sum_2 * sum_23_squared * sum_25
-        + 8.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_45
+    sum_35 = sigma_path_per_path_squared * sum_34 + sigma_beta * sum_33
+    del sum_32, sum_5, sum_33, sum_34
+    sum_36 = 3.0 - 4.0 * sin_beta_squared - (1.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
+    sum_37 = (3.0 - 6.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_36
+    sum_38 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_37
+    sum_39 = (
+        4.0 * (1.0 + product_3) * sum_1 * sum_17_squared * sum_19 * sum_2
+        + 8.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_38
     )
-    sum_47 = cos_beta * (3.0 + sin_beta_squared) - (2.0 + 2.0 * sin_beta_squared) * baseline_per_path
-    sum_48 = 2.0 * sin_beta_squared + baseline_per_path * sum_47
-    sum_49 = baseline_per_path * sum_48 - cos_beta
-    del sum_24, sum_45, sum_47, sum_48
-    sum_50 = baseline_per_path - cos_beta
-    sum_51 = 4.0 * sum_23_squared * sum_50 - 2.0 * sigma_beta_squared * sum_49
-    sum_52 = 3.0 * baseline_per_path - 2.0 * cos_beta
-    sum_53 = cos_beta * (8.0 + cos_beta * sum_52) - 4.0 * baseline_per_path
-    sum_54 = 13.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_53
-    sum_55 = (14.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_54
-    del sum_49, sum_52, sum_53, sum_54
-    sum_56 = 2.0 - baseline_per_path * sum_55 + 11.0 * cos_beta_squared
-    sum_57 = cos_beta * sum_56 - 4.0 * baseline_per_path * baseline_per_path_squared
-    sum_58 = baseline_per_path * sum_57 - 6.0 * cos_beta_squared
+    del sum_36, sum_37, product_3, sum_38
+    sum_40 = baseline_per_path - cos_beta
+    sum_41 = 4.0 * sum_17_squared * sum_40 - 2.0 * sigma_beta_squared * sum_11 * sum_6
+    sum_42 = 3.0 * baseline_per_path - 2.0 * cos_beta
+    sum_43 = cos_beta * (8.0 + cos_beta * sum_42) - 4.0 * baseline_per_path
+    sum_44 = 13.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_43
+    sum_45 = (14.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_44
+    del sum_6, sum_42, sum_43, sum_44
+    sum_46 = 2.0 - baseline_per_path * sum_45 + 11.0 * cos_beta_squared
+    sum_47 = cos_beta * sum_46 - 4.0 * baseline_per_path * baseline_per_path_squared
+    sum_48 = baseline_per_path * sum_47 - 6.0 * cos_beta_squared
     rho_squared = rho**2
-    sum_59 = baseline_per_path * sum_58 + cos_beta
-    del sum_55, sum_56, sum_57, sum_58
-    sum_60 = 4.0 * sum_13 * sum_4 - 4.0 * rho_squared * sum_59
-    sum_61 = sigma_path_per_path_squared * sum_60 + sum_2_squared * sum_51 * term_6
-    del sum_4, sum_59, sum_2_squared, sum_51, sum_60
-    sum_62 = 3.0 + 2.0 * baseline_per_path * cos_beta + 2.0 * sin_beta_squared
-    sum_63 = 1.0 + sin_beta_squared * sum_62
-    sum_64 = (4.0 + 12.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_63
-    sum_65 = 6.0 - baseline_per_path * sum_64 + (1.0 - 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_66 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_65
-    del sum_62, sum_63, sum_64, sum_65
-    sum_67 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_66
-    sum_68 = sin_beta * sum_61 - 4.0 * rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_67
-    sum_69 = sigma_beta * sum_68 - rho * sigma_path_per_path * sum_46
-    del sum_66, sum_61, sum_67, sum_46, sum_68
-    product_4 = 8.0 * baseline_per_path_squared_squared * sigma_path_per_path_squared * sin_beta_squared_squared
-    sum_70 = 4.0 * sum_23_squared * sum_25_squared + product_4
-    sum_71 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_70 + sigma_beta * sum_69
-    del baseline_per_path_squared_squared, sin_beta_squared_squared, sum_25_squared, sum_69, sum_70
-    sum_72 = baseline_per_path * (1.0 + sin_beta_squared) - 3.0 * cos_beta
-    sum_73 = 3.0 - 3.0 * sin_beta_squared + baseline_per_path * sum_72
-    sum_74 = baseline_per_path * sum_73 - cos_beta
-    sum_75 = (
-        8.0 * sum_1 * sum_2 * sum_23_squared * sum_25 * sum_50
-        - 16.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_74
+    sum_49 = baseline_per_path * sum_48 + cos_beta
+    del sum_45, sum_46, sum_47, sum_48
+    sum_50 = 4.0 * sum_13 * sum_4 - 4.0 * rho_squared * sum_49
+    sum_51 = sigma_path_per_path_squared * sum_50 + sum_2_squared * sum_41 * term_6
+    del sum_4, sum_49, sum_2_squared, sum_41, sum_50
+    sum_52 = 3.0 + 2.0 * baseline_per_path * cos_beta + 2.0 * sin_beta_squared
+    sum_53 = 1.0 + sin_beta_squared * sum_52
+    sum_54 = (4.0 + 12.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_53
+    sum_55 = 6.0 - baseline_per_path * sum_54 + (1.0 - 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_56 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_55
+    del sum_52, sum_53, sum_54, sum_55
+    sum_57 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_56
+    sum_58 = sin_beta * sum_51 - 4.0 * rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_57
+    sum_59 = sigma_beta * sum_58 - rho * sigma_path_per_path * sum_39
+    del sum_56, sum_51, sum_57, sum_39, sum_58
+    sum_60 = (
+        4.0 * sum_17_squared * sum_19_squared
+        + 8.0 * baseline_per_path_squared_squared * sigma_path_per_path_squared * sin_beta_squared_squared
     )
-    del sum_72, sum_73, sum_25, sum_74
-    sum_76 = 4.0 * baseline_per_path - 4.0 * cos_beta
-    sum_77 = 3.0 - baseline_per_path * sum_76 + sin_beta_squared
-    sum_78 = baseline_per_path * sum_77 - 2.0 * cos_beta
-    sum_79 = 1.0 - baseline_per_path * sum_78
-    sum_80 = 2.0 * sigma_beta_squared * sin_beta_squared * sum_79 + 4.0 * sum_23_squared * sum_50**2
-    del sum_76, sum_77, sum_78, sigma_beta_squared, sum_23_squared, sum_50, sum_79
-    sum_81 = (
+    sum_61 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_60 + sigma_beta * sum_59
+    del baseline_per_path_squared_squared, sin_beta_squared_squared, sum_19_squared, sum_59
+    sum_62 = (
+        8.0 * sum_1 * sum_17_squared * sum_19 * sum_2 * sum_40
+        - 16.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_13
+    )
+    sum_63 = (
+        2.0 * (baseline_per_path * sum_10 - 1.0)**2 * sigma_beta_squared * sin_beta_squared
+        + 4.0 * sum_17_squared * sum_40**2
+    )
+    del sum_19, sigma_beta_squared, sum_10, sum_17_squared, sum_40
+    sum_64 = (
         8.0 * rho * sigma_beta * sigma_path_per_path * sin_beta * sum_1 * sum_11 * sum_13
-        + sum_2 * sum_80 * term_6
+        + sum_2 * sum_63 * term_6
     )
-    del sum_1, sum_11, sum_13, sum_80, term_6
-    sum_82 = 5.0 * baseline_per_path - 2.0 * cos_beta
-    sum_83 = cos_beta * (10.0 + cos_beta * sum_82) - 12.0 * baseline_per_path
-    sum_84 = 33.0 - 12.0 * cos_beta_squared + baseline_per_path * sum_83
-    sum_85 = (20.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_84
-    sum_86 = 2.0 + 14.0 * baseline_per_path_squared + cos_beta * sum_85
-    del sum_82, sum_83, sum_84, sum_85
-    sum_87 = 6.0 - 8.0 * baseline_per_path_squared
-    sum_88 = baseline_per_path * sum_87 + cos_beta * sum_86
-    sum_89 = 2.0 - baseline_per_path * sum_88 + (2.0 + 11.0 * cos_beta_squared) * cos_beta_squared
-    del baseline_per_path_squared, sum_86, sum_87, sum_88
-    sum_90 = baseline_per_path * sum_89 - 6.0 * cos_beta * cos_beta_squared
-    sum_91 = baseline_per_path * sum_90 + cos_beta_squared
-    sum_92 = 4.0 * (cos_beta - baseline_per_path * sum_12)**2 + 4.0 * rho_squared * sum_91
-    del sum_89, cos_beta_squared, sum_90, rho_squared, sum_12, sum_91
-    sum_93 = sigma_path_per_path_squared * sum_92 + sum_2 * sum_81
-    sum_94 = sigma_beta * sum_93 - rho * sigma_path_per_path * sin_beta * sum_75
-    del sum_2, sum_81, sum_92, sigma_path_per_path, sin_beta, sum_75, sum_93
-    sum_95 = (6.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_17
-    sum_96 = 15.0 - baseline_per_path * sum_95 - (18.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_97 = (20.0 - 12.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_96
-    sum_98 = 15.0 - 13.0 * sin_beta_squared - baseline_per_path * sum_97
-    del sum_17, sum_95, sum_96, sum_97
-    sum_99 = baseline_per_path * sum_98 - 6.0 * cos_beta
-    sum_100 = 4.0 + 4.0 * baseline_per_path * sum_99 + product_4
-    del cos_beta, sum_98, baseline_per_path, product_4, sum_99
-    sum_101 = sigma_path_per_path_squared * sin_beta_squared * sum_100 + sigma_beta * sum_94
-    del sigma_path_per_path_squared, sin_beta_squared, sum_100, sum_94
+    del sum_1, sum_11, sum_13, sum_63, term_6
+    sum_65 = 5.0 * baseline_per_path - 2.0 * cos_beta
+    sum_66 = cos_beta * (10.0 + cos_beta * sum_65) - 12.0 * baseline_per_path
+    sum_67 = 33.0 - 12.0 * cos_beta_squared + baseline_per_path * sum_66
+    sum_68 = (20.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_67
+    sum_69 = 2.0 + 14.0 * baseline_per_path_squared + cos_beta * sum_68
+    del sum_65, sum_66, sum_67, sum_68
+    sum_70 = 6.0 - 8.0 * baseline_per_path_squared
+    sum_71 = baseline_per_path * sum_70 + cos_beta * sum_69
+    sum_72 = 2.0 - baseline_per_path * sum_71 + (2.0 + 11.0 * cos_beta_squared) * cos_beta_squared
+    del baseline_per_path_squared, sum_69, sum_70, sum_71
+    sum_73 = baseline_per_path * sum_72 - 6.0 * cos_beta * cos_beta_squared
+    sum_74 = baseline_per_path * sum_73 + cos_beta_squared
+    sum_75 = 4.0 * (cos_beta - baseline_per_path * sum_12)**2 + 4.0 * rho_squared * sum_74
+    del sum_72, cos_beta_squared, sum_73, baseline_per_path, cos_beta, rho_squared, sum_12, sum_74
+    sum_76 = sigma_path_per_path_squared * sum_75 + sum_2 * sum_64
+    sum_77 = sigma_beta * sum_76 - rho * sigma_path_per_path * sin_beta * sum_62
+    del sum_2, sum_64, sum_75, sigma_path_per_path, sin_beta, sum_62, sum_76
+    sum_78 = sigma_path_per_path_squared * sin_beta_squared * sum_60 + sigma_beta * sum_77
+    del sigma_path_per_path_squared, sin_beta_squared, sum_60, sum_77
     mean[..., 0] = path * sum_9
     mean[..., 1] = path * sum_16
-    covariance[..., 0, 0] = path_squared * sum_42 * term_4 * term_5
-    covariance[..., 0, 1] = path_squared * sum_71 * term_4 * term_5
-    del sum_9, sum_16, sum_42, sum_71
+    covariance[..., 0, 0] = path_squared * sum_35 * term_4 * term_5
+    covariance[..., 0, 1] = path_squared * sum_61 * term_4 * term_5
+    del sum_9, sum_16, sum_35, sum_61
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_101 * term_4 * term_5
-    del path_squared, sum_101, term_4, term_5
+    covariance[..., 1, 1] = path_squared * sum_78 * term_4 * term_5
+    del path_squared, sum_78, term_4, term_5
 
 
 def bistatic_averaged(
@@ -315,644 +285,574 @@ def bistatic_averaged(
     sigma_path_per_path = sigma_path * term_1
     sum_1 = 1.0 - baseline_per_path
     sum_2 = 1.0 + baseline_per_path
-    sigma_path_per_path_squared = sigma_path_per_path**2
-    sin_beta = np.sin(beta)
-    sin_beta_squared = sin_beta**2
-    sum_3 = 1.0 - sin_beta_squared
-    sum_4 = 2.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_3
-    baseline_per_path_squared = baseline_per_path**2
-    sum_5 = (
-        16.0 * baseline_per_path * sum_4
-        - 144.0 * cos_beta * sigma_path_per_path_squared
-        - 16.0 * cos_beta
-    )
     cos_beta_squared = cos_beta**2
     product_2 = (3.0 - cos_beta_squared) * baseline_per_path
-    sum_6 = 1.0 + (product_2 - 3.0 * cos_beta) * cos_beta
+    baseline_per_path_squared = baseline_per_path**2
+    sigma_path_per_path_squared = sigma_path_per_path**2
+    sum_3 = 1.0 + (product_2 - 3.0 * cos_beta) * cos_beta
     product_3 = baseline_per_path * cos_beta
-    sum_7 = product_3 - 1.0
-    sum_7_squared = sum_7**2
-    sum_8 = baseline_per_path * (1.0 + product_3) - 3.0 * cos_beta
-    del term_1, sum_4, sum_7, product_3
-    sum_9 = 1.0 + baseline_per_path * sum_8
-    sum_10 = (
-        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sum_6
-        + 16.0 * sum_7_squared * sum_9
+    sum_4 = product_3 - 1.0
+    sum_4_squared = sum_4**2
+    sum_5 = baseline_per_path * (1.0 + product_3) - 3.0 * cos_beta
+    sum_6 = 1.0 + baseline_per_path * sum_5
+    del term_1, sum_4, product_3, sum_5
+    sin_beta = np.sin(beta)
+    sum_7 = (
+        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sum_3
+        + 16.0 * sum_4_squared * sum_6
     )
     product_4 = (20.0 - cos_beta_squared) * baseline_per_path
-    sum_11 = 20.0 + (product_4 - 11.0 * cos_beta) * cos_beta
-    sum_12 = cos_beta * sum_11 - 24.0 * baseline_per_path
-    del sum_8, sum_6, sum_9, sum_11
-    sum_13 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_12
+    sum_8 = 20.0 + (product_4 - 11.0 * cos_beta) * cos_beta
+    sum_9 = cos_beta * sum_8 - 24.0 * baseline_per_path
+    sum_10 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_9
+    del sum_3, sum_6, sum_8, sum_9
     sigma_beta_squared = sigma_beta**2
-    sum_14 = baseline_per_path * sum_13 - cos_beta
+    sum_11 = baseline_per_path * sum_10 - cos_beta
     product_5 = (2.0 - cos_beta_squared) * baseline_per_path
-    sum_15 = 8.0 * (product_5 - cos_beta) * sum_7_squared - 6.0 * sigma_beta_squared * sum_14
+    sum_12 = 8.0 * (product_5 - cos_beta) * sum_4_squared - 6.0 * sigma_beta_squared * sum_11
     product_6 = (6.0 - cos_beta_squared) * baseline_per_path
-    sum_16 = 29.0 - 3.0 * cos_beta_squared - (product_6 - 11.0 * cos_beta) * baseline_per_path
-    sum_17 = cos_beta * sum_16 - 18.0 * baseline_per_path
-    del sum_12, sum_13, sum_14, sum_16
-    sum_18 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_17
-    sum_19 = baseline_per_path * sum_18 - 5.0 * cos_beta
-    sum_20 = 1.0 + baseline_per_path * sum_19
-    sum_21 = 4.0 * baseline_per_path - 3.0 * cos_beta
-    sum_22 = cos_beta * (13.0 + cos_beta * sum_21) - 6.0 * baseline_per_path
-    del sum_17, sum_18, sum_19, sum_21
-    sum_23 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_22
+    sum_13 = 29.0 - 3.0 * cos_beta_squared - (product_6 - 11.0 * cos_beta) * baseline_per_path
+    sum_14 = cos_beta * sum_13 - 18.0 * baseline_per_path
+    sum_15 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_14
+    del sum_10, sum_11, sum_13, sum_14
+    sum_16 = baseline_per_path * sum_15 - 5.0 * cos_beta
+    sum_17 = 1.0 + baseline_per_path * sum_16
+    sum_18 = 4.0 * baseline_per_path - 3.0 * cos_beta
+    sum_19 = cos_beta * (13.0 + cos_beta * sum_18) - 6.0 * baseline_per_path
+    sum_20 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_19
+    del sum_15, sum_16, sum_18, sum_19
     rho_squared = rho**2
-    sum_24 = cos_beta * sum_23 - 6.0 * baseline_per_path
-    sum_25 = (
-        24.0 * rho * sigma_beta * sin_beta * sum_20
-        + (24.0 + 48.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_24
+    sum_21 = cos_beta * sum_20 - 6.0 * baseline_per_path
+    sum_22 = (
+        24.0 * rho * sigma_beta * sin_beta * sum_17
+        + (24.0 + 48.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_21
     )
-    del sum_22, sum_23, sum_20, sum_24
-    sum_26 = sigma_path_per_path * sum_25 + sum_1 * sum_15 * sum_2
-    sum_27 = sigma_beta * sum_26 - rho * sigma_path_per_path * sin_beta * sum_10
-    del sum_15, sum_25, sum_10, sum_26
+    sum_23 = sigma_path_per_path * sum_22 + sum_1 * sum_12 * sum_2
+    del sum_20, sum_17, sum_21, sum_12, sum_22
+    sum_24 = sigma_beta * sum_23 - rho * sigma_path_per_path * sin_beta * sum_7
+    sin_beta_squared = sin_beta**2
+    sum_25 = 144.0 * sigma_path_per_path_squared + 16.0 * sum_4_squared
     term_2 = 1.0 / (divisor_1**2)**2
-    sum_28 = (
-        baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_5
-        + sigma_beta * sum_27
+    sum_26 = (
+        baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared * sum_25
+        - sigma_beta * sum_24
     )
+    del sum_23, sum_7, sum_24, sum_25
     term_3 = 1.0 / divisor_1
-    sum_29 = cos_beta * sum_1 * sum_2 - sum_28 * term_2
-    sum_30 = baseline_per_path * sum_3 - 2.0 * cos_beta
-    del sum_27, sum_5, sum_28, sum_3
-    sum_31 = 16.0 + 144.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_30
-    sum_32 = 8.0 * baseline_per_path - cos_beta
-    sum_33 = cos_beta * (20.0 + cos_beta * sum_32) - 24.0 * baseline_per_path
-    sum_34 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_33
-    sum_35 = baseline_per_path * sum_34 - 11.0 * cos_beta
-    del sum_30, sum_32, sum_33, sum_34
+    sum_27 = cos_beta * sum_1 * sum_2 + sum_26 * term_2
+    sum_28 = (1.0 - sin_beta_squared) * baseline_per_path - 2.0 * cos_beta
+    sum_29 = 16.0 + 144.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_28
+    sum_30 = 8.0 * baseline_per_path - cos_beta
+    sum_31 = cos_beta * (20.0 + cos_beta * sum_30) - 24.0 * baseline_per_path
+    sum_32 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_31
+    del sum_26, sum_28, sum_30, sum_31
+    sum_33 = baseline_per_path * sum_32 - 11.0 * cos_beta
+    sum_34 = 1.0 - baseline_per_path * sum_33
+    sum_35 = 2.0 * baseline_per_path - cos_beta
     sum_36 = 1.0 - baseline_per_path * sum_35
-    sum_37 = 2.0 * baseline_per_path - cos_beta
-    sum_38 = 1.0 - baseline_per_path * sum_37
-    sum_39 = 8.0 * sum_38 * sum_7_squared - 6.0 * sigma_beta_squared * sum_36
-    sum_40 = cos_beta * (5.0 + cos_beta * sum_37) - 4.0 * baseline_per_path
-    del sum_35, sum_36, sum_38, sum_37
-    sum_41 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_40
-    sum_42 = (
-        sum_1 * sum_2 * sum_39
-        - (72.0 + 144.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path_squared * sum_41
+    sum_37 = 8.0 * sum_36 * sum_4_squared - 6.0 * sigma_beta_squared * sum_34
+    del sum_32, sum_33, sum_34, sum_36
+    sum_38 = cos_beta * (5.0 + cos_beta * sum_35) - 4.0 * baseline_per_path
+    sum_39 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_38
+    sum_40 = (
+        sum_1 * sum_2 * sum_37
+        - (72.0 + 144.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path_squared * sum_39
     )
-    sum_43 = 31.0 - 3.0 * cos_beta_squared - (product_4 - 19.0 * cos_beta) * baseline_per_path
-    del sum_40, sum_39, sum_41, product_4
-    sum_44 = cos_beta * sum_43 - 32.0 * baseline_per_path
-    sum_45 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_44
-    sum_46 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_45
-    sum_47 = baseline_per_path * sum_46 - 5.0 * cos_beta_squared
-    del sum_43, sum_44, sum_45, sum_46
-    sum_48 = baseline_per_path * sum_47 + cos_beta
-    sum_49 = 24.0 * rho * sigma_beta * sigma_path_per_path * sum_48 + sin_beta * sum_42
-    sum_50 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
-    sum_51 = 3.0 * cos_beta_squared + (product_5 - 3.0 * cos_beta) * baseline_per_path
-    sum_52 = baseline_per_path * sum_51 - cos_beta
-    del sum_47, sum_42, sum_48, sum_51
+    del sum_35, sum_38, sum_37, sum_39
+    sum_41 = 31.0 - 3.0 * cos_beta_squared - (product_4 - 19.0 * cos_beta) * baseline_per_path
+    sum_42 = cos_beta * sum_41 - 32.0 * baseline_per_path
+    sum_43 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_42
+    sum_44 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_43
+    del product_4, sum_41, sum_42, sum_43
+    sum_45 = baseline_per_path * sum_44 - 5.0 * cos_beta_squared
+    sum_46 = baseline_per_path * sum_45 + cos_beta
+    sum_47 = 24.0 * rho * sigma_beta * sigma_path_per_path * sum_46 + sin_beta * sum_40
+    del sum_44, sum_45, sum_40, sum_46
+    sum_48 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_49 = 3.0 * cos_beta_squared + (product_5 - 3.0 * cos_beta) * baseline_per_path
+    sum_50 = baseline_per_path * sum_49 - cos_beta
+    sum_51 = (
+        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_48
+        + 16.0 * sum_4_squared * sum_50
+    )
+    sum_52 = rho * sigma_path_per_path * sum_51 + sigma_beta * sum_47
+    del sum_49, sum_48, sum_50, sum_47, sum_51
     sum_53 = (
-        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_50
-        + 16.0 * sum_52 * sum_7_squared
+        baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared * sum_29
+        + sigma_beta * sum_52
     )
-    sum_54 = rho * sigma_path_per_path * sum_53 + sigma_beta * sum_49
-    del sum_50, sum_52, sum_49, sum_53
-    sum_55 = (
-        baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared * sum_31
-        + sigma_beta * sum_54
-    )
-    sum_56 = sin_beta * sum_1 * sum_2 + sum_55 * term_2
-    del sum_31, sum_54, sum_55, term_2
+    sum_54 = sin_beta * sum_1 * sum_2 + sum_53 * term_2
+    del sum_29, sum_52, sum_53, term_2
     term_4 = 1.0 / ((divisor_1**2)**2)**2
     path_squared = path**2
-    sum_57 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
-    sum_58 = 3.0 - 9.0 * cos_beta_squared - (product_2 - 9.0 * cos_beta) * baseline_per_path
-    sum_59 = cos_beta * sum_58 - 3.0 * baseline_per_path
-    sum_60 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_59
-    sum_61 = (
-        768.0 * cos_beta * sum_60 * sum_7_squared
-        - 4608.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_57
+    sum_55 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
+    sum_56 = 3.0 - 9.0 * cos_beta_squared - (product_2 - 9.0 * cos_beta) * baseline_per_path
+    sum_57 = cos_beta * sum_56 - 3.0 * baseline_per_path
+    sum_58 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_57
+    sum_59 = (
+        768.0 * cos_beta * sum_4_squared * sum_58
+        - 4608.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_55
     )
-    del divisor_1, sum_58, sum_59, sum_57, sum_60
-    sum_7_squared_squared = sum_7_squared**2
-    sum_62 = baseline_per_path - 2.0 * cos_beta
-    sum_63 = 1.0 + baseline_per_path * sum_62
-    sum_64 = (
-        128.0 * cos_beta * sum_1 * sum_2 * sum_63 * sum_7_squared_squared
-        - baseline_per_path_squared * sigma_path_per_path_squared * sum_61
+    del divisor_1, sum_56, sum_57, sum_55, sum_58
+    sum_4_squared_squared = sum_4_squared**2
+    sum_60 = baseline_per_path - 2.0 * cos_beta
+    sum_61 = 1.0 + baseline_per_path * sum_60
+    sum_62 = (
+        128.0 * cos_beta * sum_1 * sum_2 * sum_4_squared_squared * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sum_59
     )
     sum_2_squared = sum_2**2
     term_5 = (baseline_per_path - 1.0)**2
-    sum_65 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
-    sum_66 = (40.0 + 8.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_65
-    sum_67 = 6.0 - 18.0 * sin_beta_squared - baseline_per_path * sum_66
-    sum_68 = 8.0 * cos_beta + baseline_per_path * sum_67
-    del sum_61, sum_65, sum_66, sum_67
-    sum_69 = 1.0 + baseline_per_path * sum_68
-    sum_70 = (40.0 - 7.0 * cos_beta_squared) * baseline_per_path - 22.0 * cos_beta
-    sum_71 = cos_beta * (28.0 + cos_beta * sum_70) - 36.0 * baseline_per_path
-    sum_72 = 4.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_71
-    sum_73 = 32.0 * sum_72 * sum_7_squared - 64.0 * sigma_beta_squared * sin_beta_squared * sum_69
-    del sum_68, sum_70, sum_71, sum_69, sum_72
-    sum_74 = 2.0 - sin_beta_squared
-    sum_75 = 1.0 - sin_beta_squared * sum_74
-    sum_76 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_75
-    sum_77 = 6.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_76
-    sum_78 = baseline_per_path * sum_77 - 4.0 * cos_beta
-    sum_79 = 1.0 + baseline_per_path * sum_78
-    del sum_75, sum_76, sum_77, sum_78
-    sum_80 = 64.0 * sin_beta_squared * sum_79 - sigma_beta_squared * sum_73
-    product_7 = (12.0 - 12.0 * sin_beta_squared) * cos_beta
-    sum_81 = 4.0 + 3.0 * sin_beta_squared
-    sum_82 = 7.0 - sin_beta_squared * sum_81
-    sum_83 = (8.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_82
-    sum_84 = 8.0 + baseline_per_path * sum_83 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    del sum_73, sum_79, sum_82, sum_83
-    sum_85 = product_7 - baseline_per_path * sum_84
-    sum_86 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_85
-    sum_87 = 2.0 * baseline_per_path - 3.0 * cos_beta
-    sum_88 = 7.0 - 3.0 * cos_beta_squared - (product_5 - 4.0 * cos_beta) * baseline_per_path
-    sum_89 = cos_beta * sum_88 - 4.0 * baseline_per_path
-    del sum_84, sum_85, product_5, sum_88
-    sum_90 = baseline_per_path * sum_89 - 4.0 * cos_beta_squared
-    sum_91 = baseline_per_path * sum_90 + cos_beta
-    sum_92 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
-    sum_93 = (32.0 - 60.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_92
-    sum_94 = 4.0 - baseline_per_path * sum_93 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
-    del sum_89, sum_90, sum_92, sum_93
-    sum_95 = baseline_per_path * sum_94 + product_7
-    sum_96 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_95
-    sum_97 = (
-        1024.0 * (1.0 + cos_beta * sum_87) * rho * sigma_beta * sum_91
-        + 512.0 * sigma_path_per_path * sin_beta * sum_96
-    )
-    del product_7, sum_94, sum_95, sum_87, sum_96
-    sum_98 = 105.0 - 12.0 * cos_beta_squared
-    sum_99 = 128.0 - 46.0 * cos_beta_squared
-    product_8 = (4.0 - cos_beta_squared) * baseline_per_path
-    sum_100 = 72.0 - 9.0 * cos_beta_squared - (product_8 - 10.0 * cos_beta) * baseline_per_path
-    sum_101 = cos_beta * sum_100 - 38.0 * baseline_per_path
-    sum_102 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_101
-    sum_103 = cos_beta * sum_99 - baseline_per_path * sum_102
-    del sum_100, sum_101, sum_102, sum_99
-    sum_104 = 114.0 - cos_beta_squared * sum_98 + baseline_per_path * sum_103
-    sum_105 = 74.0 - 28.0 * baseline_per_path_squared
-    sum_106 = cos_beta * sum_104 - baseline_per_path * sum_105
-    del sum_103, sum_98, sum_104, sum_105
-    sum_107 = 2.0 - baseline_per_path * sum_106 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
-    sum_108 = 7.0 - 22.0 * baseline_per_path_squared
-    sum_109 = baseline_per_path * sum_108 + cos_beta * sum_107
-    sum_110 = 1.0 - baseline_per_path * sum_109 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
-    del sum_106, sum_107, sum_108, sum_109
-    sum_111 = baseline_per_path * sum_110 - 8.0 * cos_beta * cos_beta_squared
-    sum_112 = baseline_per_path * sum_111 + cos_beta_squared
-    sum_113 = 102.0 - 30.0 * cos_beta_squared
-    sum_114 = 7.0 * baseline_per_path - 14.0 * cos_beta
-    sum_115 = cos_beta * (72.0 + cos_beta * sum_114) - 11.0 * baseline_per_path
-    sum_116 = 111.0 - 88.0 * cos_beta_squared + baseline_per_path * sum_115
-    del sum_110, sum_111, sum_114, sum_115
-    sum_117 = cos_beta * sum_113 - baseline_per_path * sum_116
-    sum_118 = 24.0 - 50.0 * baseline_per_path_squared - cos_beta * sum_117
-    sum_119 = (27.0 - 77.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_118
-    del sum_113, sum_116, sum_117, sum_118
-    sum_120 = 2.0 - 11.0 * baseline_per_path_squared - cos_beta * sum_119
-    sum_121 = baseline_per_path * sum_120 + (18.0 - 42.0 * cos_beta_squared) * cos_beta
-    sum_122 = 3.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_121
-    sum_123 = (
-        512.0 * sigma_beta_squared * sum_112
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_97
-        + 64.0 * sum_122 * sum_7_squared
-    )
-    del sum_119, sum_120, sum_121, sum_112, sum_122, sum_97
-    sum_124 = 5.0 * baseline_per_path - 9.0 * cos_beta
-    sum_125 = cos_beta * (48.0 + cos_beta * sum_124) - 10.0 * baseline_per_path
-    sum_126 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_125
-    sum_127 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
-    sum_128 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_127
-    del sum_124, sum_125, sum_126, sum_127
-    sum_129 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_128
-    sum_130 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_129
-    sum_131 = cos_beta * sum_130 - 10.0 * baseline_per_path * baseline_per_path_squared
-    sum_132 = (
-        512.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_131
-        - rho * sum_123
-    )
-    del sum_128, sum_129, sum_130, sum_123, sum_131
-    sum_133 = 5.0 * baseline_per_path - 4.0 * cos_beta
-    product_9 = cos_beta * sum_133
-    sum_134 = cos_beta * (30.0 + product_9) - 7.0 * baseline_per_path
-    sum_135 = 63.0 - 50.0 * cos_beta_squared + baseline_per_path * sum_134
-    sum_136 = (48.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_135
-    sum_137 = 12.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_136
-    del sum_133, sum_134, sum_135, sum_136
-    sum_138 = (21.0 - 49.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_137
-    sum_139 = 2.0 + 7.0 * baseline_per_path_squared + cos_beta * sum_138
-    sum_140 = (18.0 - 30.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_139
-    sum_141 = 3.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_140
-    del sum_137, sum_138, sum_139, sum_140
-    sum_142 = 120.0 - 72.0 * cos_beta_squared
-    sum_143 = 204.0 - 21.0 * cos_beta_squared
-    sum_144 = 224.0 - 88.0 * cos_beta_squared
-    sum_145 = 162.0 - 18.0 * cos_beta_squared - (product_8 - 16.0 * cos_beta) * baseline_per_path
-    sum_146 = cos_beta * sum_145 - 80.0 * baseline_per_path
-    sum_147 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_146
-    sum_148 = cos_beta * sum_144 - baseline_per_path * sum_147
-    del product_8, sum_145, sum_146, sum_144, sum_147
-    sum_149 = 225.0 - cos_beta_squared * sum_143 + baseline_per_path * sum_148
-    sum_150 = 128.0 - 64.0 * baseline_per_path_squared
-    sum_151 = cos_beta * sum_149 - baseline_per_path * sum_150
-    del sum_143, sum_148, sum_149, sum_150
-    sum_152 = 16.0 - cos_beta_squared * sum_142 + baseline_per_path * sum_151
-    sum_153 = 28.0 - 40.0 * baseline_per_path_squared
-    sum_154 = cos_beta * sum_152 - baseline_per_path * sum_153
-    del sum_142, sum_151, sum_152, sum_153
-    sum_155 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_154
-    sum_156 = baseline_per_path * sum_155 - 8.0 * cos_beta * cos_beta_squared
-    sum_157 = baseline_per_path * sum_156 + cos_beta_squared
-    sum_158 = (
-        64.0 * sigma_beta_squared * sum_157
-        - 256.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_86
-        - rho * sum_132
-        + 64.0 * sum_141 * sum_7_squared
-    )
-    del sum_154, sum_155, sum_156, sum_132, sum_141, sum_157, sum_86
-    sum_159 = 7.0 * baseline_per_path - 2.0 * cos_beta
-    sum_160 = cos_beta * (34.0 + cos_beta * sum_159) - 18.0 * baseline_per_path
-    sum_161 = 37.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_160
-    sum_162 = cos_beta * sum_161 - 18.0 * baseline_per_path
-    sum_163 = 6.0 - baseline_per_path * sum_162 + 16.0 * cos_beta_squared
-    del sum_159, sum_160, sum_161, sum_162
-    sum_164 = baseline_per_path * sum_163 - 7.0 * cos_beta
-    sum_165 = 1.0 - (product_6 - 4.0 * cos_beta) * baseline_per_path
-    sum_166 = 128.0 * sum_164 * sum_7_squared + 384.0 * sigma_beta_squared * sum_165 * sum_91
-    sum_167 = rho * sigma_beta * sin_beta * sum_1 * sum_166 * sum_2 - sigma_path_per_path * sum_158
-    del sum_163, sum_164, sum_91, sum_158, sum_166
-    sum_168 = sum_2_squared * sum_80 * term_5 - sigma_path_per_path * sum_167
-    sum_169 = sigma_beta * sum_168 - rho * sigma_path_per_path * sin_beta * sum_64
-    del sum_167, sum_80, sum_168, sum_64
-    sum_63_squared = sum_63**2
-    sum_170 = 2.0 + (product_2 - 4.0 * cos_beta) * baseline_per_path
-    sum_171 = (
-        2304.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
-        + 384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_170 * sum_7_squared
-    )
-    sum_172 = (
-        64.0 * cos_beta_squared * sum_63_squared * sum_7_squared_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sum_171
-    )
-    sum_173 = sigma_path_per_path_squared * sum_172 + sigma_beta * sum_169
-    del product_2, sum_170, sum_171, sum_169, sum_172
-    sum_174 = 103.0 - 42.0 * sin_beta_squared
-    sum_175 = 62.0 - (77.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    sum_176 = 51.0 - 18.0 * sin_beta_squared - (5.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
-    sum_177 = 33.0 - 7.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_176
-    sum_178 = cos_beta * sum_175 - baseline_per_path * sum_177
-    sum_179 = 58.0 - baseline_per_path * sum_178 - sin_beta_squared * sum_174
-    del sum_176, sum_175, sum_177, sum_174, sum_178
-    sum_180 = (27.0 - 30.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_179
-    sum_181 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
-    sum_182 = (
-        1920.0
-        - 2304.0 * sin_beta_squared
-        - 384.0 * baseline_per_path * sum_180
-        + 2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_181
-    )
-    sum_183 = (
-        64.0 * (1.0 + cos_beta * sum_62) * sum_1 * sum_2 * sum_63 * sum_7_squared_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_182
-    )
-    del sum_179, sum_180, sum_181, sum_182, sum_62
-    sum_184 = 16.0 * baseline_per_path - 7.0 * cos_beta
-    sum_185 = cos_beta * (40.0 + cos_beta * sum_184) - 36.0 * baseline_per_path
-    sum_186 = 16.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_185
-    sum_187 = baseline_per_path * sum_186 - 7.0 * cos_beta
-    sum_188 = baseline_per_path - cos_beta
-    sum_189 = 64.0 * sum_188 * sum_7_squared - 32.0 * sigma_beta_squared * sum_187
-    del sum_184, sum_185, sum_186, sum_187
-    sum_190 = 4.0 * baseline_per_path - cos_beta
-    sum_191 = cos_beta * (4.0 + cos_beta * sum_190) - 6.0 * baseline_per_path
-    sum_192 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_191
-    sum_193 = baseline_per_path * sum_192 - cos_beta
+    sum_63 = (40.0 - 7.0 * cos_beta_squared) * baseline_per_path - 22.0 * cos_beta
+    sum_64 = cos_beta * (28.0 + cos_beta * sum_63) - 36.0 * baseline_per_path
+    sum_65 = 4.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_64
+    sum_66 = 64.0 * sin_beta_squared * sum_4_squared - 32.0 * sigma_beta_squared * sum_65
+    del sum_59, sum_63, sum_64, sum_65
+    sum_67 = 1.0 - (product_6 - 4.0 * cos_beta) * baseline_per_path
     sigma_beta_squared_squared = sigma_beta_squared**2
-    sum_194 = 64.0 * sigma_beta_squared_squared * sum_165 * sum_193 + sum_189 * sum_7_squared
-    del sum_190, sum_191, sum_192, sum_165, sum_189
-    sum_195 = 196.0 - 21.0 * cos_beta_squared
-    sum_196 = 280.0 - 126.0 * cos_beta_squared
-    sum_197 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
-    sum_198 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_197
-    sum_199 = cos_beta * sum_198 - 146.0 * baseline_per_path
-    sum_200 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_199
-    sum_201 = cos_beta * sum_196 - baseline_per_path * sum_200
-    del sum_197, sum_198, sum_199, sum_196, sum_200
-    sum_202 = 121.0 - cos_beta_squared * sum_195 + baseline_per_path * sum_201
-    sum_203 = 74.0 - 72.0 * baseline_per_path_squared
-    sum_204 = cos_beta * sum_202 - baseline_per_path * sum_203
-    del sum_195, sum_201, sum_202, sum_203
-    sum_205 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_204
-    sum_206 = baseline_per_path * sum_205 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
-    sum_207 = baseline_per_path * sum_206 - 8.0 * cos_beta_squared
-    sum_208 = baseline_per_path * sum_207 + cos_beta
-    del sum_204, sum_205, sum_206, sum_207
-    sum_209 = 5.0 + sin_beta_squared
-    sum_210 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_209
-    sum_211 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_210
-    sum_212 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_211
-    sum_213 = baseline_per_path * sum_212 - cos_beta
-    sum_214 = 212.0 - 24.0 * cos_beta_squared
-    sum_215 = 308.0 - 129.0 * cos_beta_squared
-    sum_216 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
-    sum_217 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_216
-    del sum_210, sum_211, sum_212, sum_216
-    sum_218 = cos_beta * sum_217 - 139.0 * baseline_per_path
-    sum_219 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_218
-    sum_220 = cos_beta * sum_215 - baseline_per_path * sum_219
-    del sum_217, sum_218, sum_215, sum_219
-    sum_221 = 104.0 - cos_beta_squared * sum_214 + baseline_per_path * sum_220
-    sum_222 = 55.0 - 72.0 * baseline_per_path_squared
-    sum_223 = cos_beta * sum_221 - baseline_per_path * sum_222
-    del sum_214, sum_220, sum_221, sum_222
-    sum_224 = 1.0 - baseline_per_path * sum_223 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_225 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_224
-    sum_226 = baseline_per_path * sum_225 - 16.0 * cos_beta_squared
-    sum_227 = 2.0 * cos_beta + baseline_per_path * sum_226
-    del sum_223, sum_224, sum_225, sum_226
-    sum_228 = 20.0 - 26.0 * sin_beta_squared - baseline_per_path * cos_beta * (11.0 + sin_beta_squared)
-    sum_229 = (6.0 - 15.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_228
-    sum_230 = 4.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_229
-    sum_231 = baseline_per_path * sum_230 - cos_beta
-    sum_232 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
-    sum_233 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_232
-    del sum_228, sum_229, sum_230, sum_232
-    sum_234 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_233
-    sum_235 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_234
-    sum_236 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_235
-    sum_237 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_236
-    del sum_233, sum_234, sum_235, sum_236
-    sum_238 = 1536.0 * sigma_path_per_path * sin_beta * sum_231 + 512.0 * rho * sigma_beta * sum_237
-    sum_239 = 106.0 - 30.0 * cos_beta_squared
-    sum_240 = 13.0 * baseline_per_path - 14.0 * cos_beta
-    sum_241 = cos_beta * (112.0 + cos_beta * sum_240) - 36.0 * baseline_per_path
-    sum_242 = 83.0 - 110.0 * cos_beta_squared + baseline_per_path * sum_241
-    del sum_231, sum_237, sum_240, sum_241
-    sum_243 = cos_beta * sum_239 - baseline_per_path * sum_242
-    sum_244 = 8.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_243
-    sum_245 = baseline_per_path * sum_244 + (14.0 + 77.0 * cos_beta_squared) * cos_beta
-    del sum_239, sum_242, sum_243, sum_244
-    sum_246 = baseline_per_path * sum_245 - 42.0 * cos_beta_squared
-    sum_247 = 7.0 * cos_beta + baseline_per_path * sum_246
-    sum_248 = (
-        64.0 * sum_247 * sum_7_squared
-        - 256.0 * sigma_beta_squared * sum_227
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_238
+    sum_68 = 64.0 * sigma_beta_squared_squared * sin_beta_squared * sum_67**2 + sum_4_squared * sum_66
+    product_7 = cos_beta * cos_beta_squared
+    sum_69 = (22.0 - 3.0 * cos_beta_squared) * baseline_per_path - 60.0 * cos_beta
+    sum_70 = 45.0 - 45.0 * cos_beta_squared - baseline_per_path * sum_69
+    sum_71 = cos_beta * sum_70 - 28.0 * baseline_per_path
+    sum_72 = 12.0 * product_7 + (4.0 - cos_beta * sum_71) * baseline_per_path
+    del sum_66, sum_69, sum_70, sum_71
+    sum_73 = baseline_per_path * sum_72 - 3.0 * cos_beta_squared
+    sum_74 = 2.0 * baseline_per_path - 3.0 * cos_beta
+    sum_75 = 7.0 - 3.0 * cos_beta_squared - (product_5 - 4.0 * cos_beta) * baseline_per_path
+    sum_76 = cos_beta * sum_75 - 4.0 * baseline_per_path
+    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta_squared
+    del sum_72, product_5, sum_75, sum_76
+    sum_78 = baseline_per_path * sum_77 + cos_beta
+    sum_79 = (
+        1024.0 * (1.0 + cos_beta * sum_74) * rho * sigma_beta * sum_78
+        - 512.0 * sigma_path_per_path * sin_beta * sum_73
     )
-    del sum_245, sum_246, sum_227, sum_238, sum_247
-    sum_249 = 125.0 - 144.0 * sin_beta_squared
-    sum_250 = 112.0 + 96.0 * sin_beta_squared
-    sum_251 = 14.0 - 291.0 * sin_beta_squared
-    sum_252 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
-    sum_253 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_252
-    sum_254 = cos_beta * sum_251 - baseline_per_path * sum_253
-    sum_255 = 172.0 - sin_beta_squared * sum_250 + baseline_per_path * sum_254
-    del sum_252, sum_251, sum_253, sum_250, sum_254
-    sum_256 = cos_beta * sum_249 - baseline_per_path * sum_255
-    sum_257 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_256
-    sum_258 = (
-        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_257
-        - rho * sum_248
+    sum_80 = 105.0 - 12.0 * cos_beta_squared
+    sum_81 = 128.0 - 46.0 * cos_beta_squared
+    product_8 = (4.0 - cos_beta_squared) * baseline_per_path
+    sum_82 = 72.0 - 9.0 * cos_beta_squared - (product_8 - 10.0 * cos_beta) * baseline_per_path
+    sum_83 = cos_beta * sum_82 - 38.0 * baseline_per_path
+    del sum_77, sum_73, sum_74, sum_82
+    sum_84 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_83
+    sum_85 = cos_beta * sum_81 - baseline_per_path * sum_84
+    sum_86 = 114.0 - cos_beta_squared * sum_80 + baseline_per_path * sum_85
+    del sum_83, sum_81, sum_84, sum_80, sum_85
+    sum_87 = 74.0 - 28.0 * baseline_per_path_squared
+    sum_88 = cos_beta * sum_86 - baseline_per_path * sum_87
+    sum_89 = 2.0 - baseline_per_path * sum_88 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
+    sum_90 = 7.0 - 22.0 * baseline_per_path_squared
+    sum_91 = baseline_per_path * sum_90 + cos_beta * sum_89
+    del sum_86, sum_87, sum_88, sum_89, sum_90
+    sum_92 = 1.0 - baseline_per_path * sum_91 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    sum_93 = baseline_per_path * sum_92 - 8.0 * product_7
+    sum_94 = baseline_per_path * sum_93 + cos_beta_squared
+    sum_95 = 102.0 - 30.0 * cos_beta_squared
+    sum_96 = 7.0 * baseline_per_path - 14.0 * cos_beta
+    sum_97 = cos_beta * (72.0 + cos_beta * sum_96) - 11.0 * baseline_per_path
+    del sum_91, sum_92, sum_93, sum_96
+    sum_98 = 111.0 - 88.0 * cos_beta_squared + baseline_per_path * sum_97
+    sum_99 = cos_beta * sum_95 - baseline_per_path * sum_98
+    sum_100 = 24.0 - 50.0 * baseline_per_path_squared - cos_beta * sum_99
+    del sum_97, sum_95, sum_98, sum_99
+    sum_101 = (27.0 - 77.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_100
+    sum_102 = 2.0 - 11.0 * baseline_per_path_squared - cos_beta * sum_101
+    sum_103 = baseline_per_path * sum_102 + (18.0 - 42.0 * cos_beta_squared) * cos_beta
+    sum_104 = 3.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_103
+    del sum_100, sum_101, sum_102, sum_103
+    sum_105 = (
+        512.0 * sigma_beta_squared * sum_94
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_79
+        + 64.0 * sum_104 * sum_4_squared
     )
-    del sum_249, sum_255, sum_256, sum_248, sum_257
-    sum_259 = cos_beta * (56.0 + product_9) - 18.0 * baseline_per_path
-    sum_260 = 49.0 - 58.0 * cos_beta_squared + baseline_per_path * sum_259
-    sum_261 = (62.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_260
-    sum_262 = 2.0 + 18.0 * baseline_per_path_squared + cos_beta * sum_261
-    sum_263 = (16.0 + 49.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_262
-    del sum_259, sum_260, sum_261, sum_262
-    sum_264 = baseline_per_path * sum_263 - 30.0 * cos_beta_squared
-    sum_265 = 5.0 * cos_beta + baseline_per_path * sum_264
-    sum_266 = (
-        64.0 * sum_265 * sum_7_squared
-        - 64.0 * sigma_beta_squared * sum_208
-        - 768.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_213
-        - rho * sum_258
+    sum_106 = 5.0 * baseline_per_path - 9.0 * cos_beta
+    sum_107 = cos_beta * (48.0 + cos_beta * sum_106) - 10.0 * baseline_per_path
+    del sum_104, sum_79, sum_94, sum_106
+    sum_108 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_107
+    sum_109 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_108
+    sum_110 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_109
+    sum_111 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_110
+    del sum_107, sum_108, sum_109, sum_110
+    sum_112 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_111
+    sum_113 = cos_beta * sum_112 - 10.0 * baseline_per_path * baseline_per_path_squared
+    sum_114 = (
+        512.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_113
+        - rho * sum_105
     )
-    del sum_263, sum_264, sum_208, sum_213, sum_258, sum_265
-    sum_267 = sum_194 * sum_2_squared * term_5 - sigma_path_per_path_squared * sum_266
-    sum_268 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_269 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_270 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_271 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
-    sum_272 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_271
-    sum_273 = 3.0 - sin_beta_squared * sum_272 + product_1
-    del sum_194, sum_266, sum_271, sum_272
-    sum_274 = baseline_per_path * sum_273 + cos_beta * sum_270
-    sum_275 = 21.0 - baseline_per_path * sum_274 + sin_beta_squared * sum_269
-    del sum_270, sum_273, sum_269, sum_274
-    sum_276 = cos_beta * sum_268 - baseline_per_path * sum_275
-    sum_277 = 1.0 + baseline_per_path * sum_276 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
-    sum_278 = baseline_per_path * sum_277 - 4.0 * cos_beta
-    del sum_268, sum_275, sum_276, sum_277
-    sum_279 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_278
-    sum_280 = 13.0 * baseline_per_path - 22.0 * cos_beta
-    sum_281 = 107.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_280
-    sum_282 = cos_beta * sum_281 - 83.0 * baseline_per_path
-    sum_283 = 119.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_282
-    del sum_278, sum_280, sum_281, sum_282
-    sum_284 = (91.0 - 50.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_283
-    sum_285 = 1.0 - 54.0 * baseline_per_path_squared - cos_beta * sum_284
-    sum_286 = (3.0 - 32.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_285
-    sum_287 = 7.0 - 14.0 * cos_beta_squared - baseline_per_path * sum_286
-    del sum_283, sum_284, sum_285, sum_286
-    sum_288 = 192.0 * sigma_beta_squared * sum_279 + 64.0 * sum_287 * sum_7_squared
-    sum_289 = rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_288 + sin_beta * sum_267
-    del sum_279, sum_287, sum_267, sum_288
-    sum_290 = sigma_beta * sum_289 - rho * sigma_path_per_path * sum_183
-    sum_291 = 1.0 + sin_beta_squared
-    sum_292 = 10.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_291
-    sum_293 = 8.0 - sin_beta_squared * sum_292 + product_1
-    del sum_183, sum_289, product_1, sum_292
-    sum_294 = (12.0 - 9.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_293
-    sum_295 = 8.0 - 8.0 * sin_beta_squared - baseline_per_path * sum_294
-    sum_296 = (
-        384.0 * baseline_per_path * sum_295
-        - 2304.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
-        - 768.0 * cos_beta
+    del sum_111, sum_112, sum_105, sum_113
+    sum_115 = (10.0 - 3.0 * cos_beta_squared) * baseline_per_path - 24.0 * cos_beta
+    sum_116 = 27.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_115
+    sum_117 = cos_beta * sum_116 - 16.0 * baseline_per_path
+    sum_118 = 12.0 * product_7 + (1.0 - cos_beta * sum_117) * baseline_per_path
+    sum_119 = baseline_per_path * sum_118 - 3.0 * cos_beta_squared
+    del sum_115, sum_116, sum_117, sum_118
+    sum_120 = 5.0 * baseline_per_path - 4.0 * cos_beta
+    product_9 = cos_beta * sum_120
+    sum_121 = cos_beta * (30.0 + product_9) - 7.0 * baseline_per_path
+    sum_122 = 63.0 - 50.0 * cos_beta_squared + baseline_per_path * sum_121
+    sum_123 = (48.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_122
+    sum_124 = 12.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_123
+    del sum_120, sum_121, sum_122, sum_123
+    sum_125 = (21.0 - 49.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_124
+    sum_126 = 2.0 + 7.0 * baseline_per_path_squared + cos_beta * sum_125
+    sum_127 = (18.0 - 30.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
+    sum_128 = 3.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_127
+    del sum_124, sum_125, sum_126, sum_127
+    sum_129 = 120.0 - 72.0 * cos_beta_squared
+    sum_130 = 204.0 - 21.0 * cos_beta_squared
+    sum_131 = 224.0 - 88.0 * cos_beta_squared
+    sum_132 = 162.0 - 18.0 * cos_beta_squared - (product_8 - 16.0 * cos_beta) * baseline_per_path
+    sum_133 = cos_beta * sum_132 - 80.0 * baseline_per_path
+    sum_134 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_133
+    sum_135 = cos_beta * sum_131 - baseline_per_path * sum_134
+    del product_8, sum_132, sum_133, sum_131, sum_134
+    sum_136 = 225.0 - cos_beta_squared * sum_130 + baseline_per_path * sum_135
+    sum_137 = 128.0 - 64.0 * baseline_per_path_squared
+    sum_138 = cos_beta * sum_136 - baseline_per_path * sum_137
+    del sum_130, sum_135, sum_136, sum_137
+    sum_139 = 16.0 - cos_beta_squared * sum_129 + baseline_per_path * sum_138
+    sum_140 = 28.0 - 40.0 * baseline_per_path_squared
+    sum_141 = cos_beta * sum_139 - baseline_per_path * sum_140
+    del sum_129, sum_138, sum_139, sum_140
+    sum_142 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_141
+    sum_143 = baseline_per_path * sum_142 - 8.0 * product_7
+    sum_144 = baseline_per_path * sum_143 + cos_beta_squared
+    del sum_141, product_7, sum_142, sum_143
+    sum_145 = (
+        256.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_119
+        - rho * sum_114
+        + 64.0 * sigma_beta_squared * sum_144
+        + 64.0 * sum_128 * sum_4_squared
     )
-    sum_297 = (
-        64.0 * cos_beta * sum_63_squared * sum_7_squared_squared
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_296
+    del sum_114, sum_119, sum_128, sum_144
+    sum_146 = 7.0 * baseline_per_path - 2.0 * cos_beta
+    sum_147 = cos_beta * (34.0 + cos_beta * sum_146) - 18.0 * baseline_per_path
+    sum_148 = 37.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_147
+    sum_149 = cos_beta * sum_148 - 18.0 * baseline_per_path
+    sum_150 = 6.0 - baseline_per_path * sum_149 + 16.0 * cos_beta_squared
+    del sum_146, sum_147, sum_148, sum_149
+    sum_151 = baseline_per_path * sum_150 - 7.0 * cos_beta
+    sum_152 = 128.0 * sum_151 * sum_4_squared + 384.0 * sigma_beta_squared * sum_67 * sum_78
+    sum_153 = rho * sigma_beta * sin_beta * sum_1 * sum_152 * sum_2 - sigma_path_per_path * sum_145
+    del sum_150, sum_151, sum_78, sum_145, sum_152
+    sum_154 = sum_2_squared * sum_68 * term_5 - sigma_path_per_path * sum_153
+    sum_155 = sigma_beta * sum_154 - rho * sigma_path_per_path * sin_beta * sum_62
+    del sum_153, sum_68, sum_154, sum_62
+    sum_61_squared = sum_61**2
+    sum_156 = 2.0 + (product_2 - 4.0 * cos_beta) * baseline_per_path
+    sum_157 = (
+        2304.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
+        + 384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_156 * sum_4_squared
     )
-    del sum_293, sum_294, sum_295, sum_296, sum_63_squared
-    sum_298 = sigma_path_per_path_squared * sin_beta * sum_297 + sigma_beta * sum_290
-    sum_299 = 5.0 - sin_beta_squared * (4.0 + sin_beta_squared)
-    sum_300 = (23.0 - 11.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_299
-    sum_301 = 42.0 - baseline_per_path * sum_300 - (45.0 - 9.0 * sin_beta_squared) * sin_beta_squared
-    del sum_290, sum_297, sum_299, sum_300
-    sum_302 = (38.0 - 21.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_301
-    sum_303 = 17.0 - 15.0 * sin_beta_squared - baseline_per_path * sum_302
-    sum_304 = (
-        13824.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_188
-        - 2304.0 * cos_beta
-        + 768.0 * baseline_per_path * sum_303
+    sum_158 = (
+        64.0 * cos_beta_squared * sum_4_squared_squared * sum_61_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sum_157
     )
-    sum_305 = (
-        128.0 * sum_1 * sum_188 * sum_2 * sum_63 * sum_7_squared_squared
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_304
+    sum_159 = sigma_path_per_path_squared * sum_158 + sigma_beta * sum_155
+    del product_2, sum_157, sum_155, sum_158
+    sum_160 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    sum_161 = (9.0 - 2.0 * cos_beta_squared) * baseline_per_path - 22.0 * cos_beta
+    sum_162 = 1.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_161
+    sum_163 = cos_beta * sum_162 - 3.0 * baseline_per_path
+    sum_164 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_163
+    sum_165 = (
+        384.0 * sum_164 * sum_4_squared
+        - 2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_160
     )
-    del sum_301, sum_302, sum_303, sum_304, sum_63, sum_7_squared_squared
-    sum_306 = 28.0 * baseline_per_path - 32.0 * cos_beta
-    sum_307 = 47.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_306
-    sum_308 = cos_beta * sum_307 - 52.0 * baseline_per_path
-    sum_309 = 28.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_308
-    sum_310 = (26.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_309
-    del sum_306, sum_307, sum_308, sum_309
-    sum_311 = 3.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_310
-    sum_312 = 32.0 * sigma_beta_squared * sum_311 + 64.0 * sum_188**2 * sum_7_squared
-    sum_313 = 64.0 * sigma_beta_squared_squared * sum_193**2 + sum_312 * sum_7_squared
-    del sum_310, sum_311, sigma_beta_squared_squared, sum_312
-    sum_314 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
-    sum_315 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_314
-    sum_316 = 67.0 - baseline_per_path * sum_315 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_317 = baseline_per_path * sum_316 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
-    sum_318 = 86.0 - baseline_per_path * sum_317 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    del sum_314, sum_315, sum_316, sum_317
-    sum_319 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_318
-    sum_320 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_319
-    sum_321 = baseline_per_path * sum_320 - 8.0 * cos_beta
-    sum_322 = 1.0 + baseline_per_path * sum_321
-    del sum_318, sum_319, sum_320, sum_321
-    sum_323 = 146.0 + 21.0 * sin_beta_squared
-    sum_324 = 112.0 + 164.0 * sin_beta_squared
-    sum_325 = 214.0 + 18.0 * sin_beta_squared
-    sum_326 = 140.0 + 76.0 * sin_beta_squared
-    sum_327 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
-    sum_328 = cos_beta * sum_326 - baseline_per_path * sum_327
-    sum_329 = 76.0 - baseline_per_path * sum_328 - sin_beta_squared * sum_325
-    del sum_326, sum_327, sum_325, sum_328
-    sum_330 = baseline_per_path * sum_329 + cos_beta * sum_324
-    sum_331 = 122.0 - baseline_per_path * sum_330 - sin_beta_squared * sum_323
-    del sum_324, sum_329, sum_323, sum_330
-    sum_332 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_331
-    sum_333 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_332
-    sum_334 = baseline_per_path * sum_333 - 8.0 * cos_beta
-    sum_335 = 64.0 + 512.0 * rho_squared * sum_322 + 64.0 * baseline_per_path * sum_334
-    del sum_331, sum_332, sum_333, sum_322, sum_334
-    sum_336 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
-    sum_337 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_336
-    sum_338 = 4.0 * cos_beta + baseline_per_path * sum_337
-    sum_339 = 1.0 - baseline_per_path * sum_338
-    sum_340 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
-    sum_341 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_340
-    del sum_336, sum_337, sum_338, sum_340
-    sum_342 = baseline_per_path * sum_341 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
-    sum_343 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_342
-    sum_344 = baseline_per_path * sum_343 - 4.0 * cos_beta
-    sum_345 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
-    sum_346 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_345
-    del sum_341, sum_342, sum_343, sum_345
-    sum_347 = 4.0 * cos_beta + baseline_per_path * sum_346
-    sum_348 = 1.0 - baseline_per_path * sum_347
-    sum_349 = cos_beta * (13.0 + sin_beta_squared) - baseline_per_path * sum_209
-    sum_350 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_349
-    del sum_346, sum_347, sum_209, sum_349
-    sum_351 = baseline_per_path * sum_350 + cos_beta * sum_81
-    sum_352 = 5.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_351
-    sum_353 = baseline_per_path * sum_352 - cos_beta
-    del sum_350, sum_81, sum_351, sum_352
-    sum_354 = 1536.0 * sigma_path_per_path * sin_beta * sum_348 + 3072.0 * rho * sigma_beta * sum_353
-    sum_355 = 768.0 * sigma_beta * sum_344 + rho * sum_354
-    del sum_348, sum_353, sum_344, sum_354
-    sum_356 = 768.0 * sigma_path_per_path * sin_beta * sum_339 + rho * sum_355
-    sum_357 = (
-        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_356
-        - sigma_beta_squared * sum_335
+    del sum_161, sum_162, sum_163, sum_160, sum_164
+    sum_166 = (
+        64.0 * (1.0 + cos_beta * sum_60) * sum_1 * sum_2 * sum_4_squared_squared * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_165
     )
-    del sum_339, sum_355, sum_335, sum_356
-    sum_358 = cos_beta * (86.0 + product_9) - 38.0 * baseline_per_path
-    sum_359 = 117.0 - 66.0 * cos_beta_squared + baseline_per_path * sum_358
-    sum_360 = (88.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_359
-    sum_361 = 16.0 - 100.0 * baseline_per_path_squared - cos_beta * sum_360
-    del product_9, sum_358, sum_359, sum_360
-    sum_362 = 6.0 - 36.0 * baseline_per_path_squared
-    sum_363 = cos_beta * sum_361 - baseline_per_path * sum_362
-    sum_364 = 8.0 - baseline_per_path * sum_363 - (4.0 + 49.0 * cos_beta_squared) * cos_beta_squared
-    sum_365 = (12.0 - 30.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_364
-    del sum_361, sum_362, sum_363, sum_364
-    sum_366 = 140.0 - 30.0 * cos_beta_squared
-    sum_367 = 19.0 * baseline_per_path - 14.0 * cos_beta
-    sum_368 = cos_beta * (166.0 + cos_beta * sum_367) - 88.0 * baseline_per_path
-    sum_369 = 207.0 - 132.0 * cos_beta_squared + baseline_per_path * sum_368
-    sum_370 = cos_beta * sum_366 - baseline_per_path * sum_369
-    del sum_367, sum_368, sum_366, sum_369
-    sum_371 = 50.0 - 170.0 * baseline_per_path_squared - cos_beta * sum_370
-    sum_372 = 30.0 - 72.0 * baseline_per_path_squared
-    sum_373 = cos_beta * sum_371 - baseline_per_path * sum_372
-    sum_374 = 10.0 - baseline_per_path * sum_373 + (22.0 - 77.0 * cos_beta_squared) * cos_beta_squared
-    del sum_370, sum_371, sum_372, sum_373
-    sum_375 = (24.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_374
-    sum_376 = 4.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_375
-    sum_377 = (
+    sum_167 = 16.0 * baseline_per_path - 7.0 * cos_beta
+    sum_168 = cos_beta * (40.0 + cos_beta * sum_167) - 36.0 * baseline_per_path
+    sum_169 = 16.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_168
+    del sum_165, sum_60, sum_167, sum_168
+    sum_170 = baseline_per_path * sum_169 - 7.0 * cos_beta
+    sum_171 = baseline_per_path - cos_beta
+    sum_172 = 64.0 * sum_171 * sum_4_squared - 32.0 * sigma_beta_squared * sum_170
+    sum_173 = 4.0 * baseline_per_path - cos_beta
+    sum_174 = cos_beta * (4.0 + cos_beta * sum_173) - 6.0 * baseline_per_path
+    sum_175 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_174
+    del sum_169, sum_170, sum_173, sum_174
+    sum_176 = baseline_per_path * sum_175 - cos_beta
+    sum_177 = 64.0 * sigma_beta_squared_squared * sum_176 * sum_67 + sum_172 * sum_4_squared
+    sum_178 = 196.0 - 21.0 * cos_beta_squared
+    sum_179 = 280.0 - 126.0 * cos_beta_squared
+    sum_180 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
+    sum_181 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_180
+    del sum_175, sum_172, sum_67, sum_180
+    sum_182 = cos_beta * sum_181 - 146.0 * baseline_per_path
+    sum_183 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_182
+    sum_184 = cos_beta * sum_179 - baseline_per_path * sum_183
+    del sum_181, sum_182, sum_179, sum_183
+    sum_185 = 121.0 - cos_beta_squared * sum_178 + baseline_per_path * sum_184
+    sum_186 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_187 = cos_beta * sum_185 - baseline_per_path * sum_186
+    del sum_178, sum_184, sum_185, sum_186
+    sum_188 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_187
+    sum_189 = baseline_per_path * sum_188 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
+    sum_190 = baseline_per_path * sum_189 - 8.0 * cos_beta_squared
+    sum_191 = baseline_per_path * sum_190 + cos_beta
+    del sum_187, sum_188, sum_189, sum_190
+    sum_192 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * (5.0 + sin_beta_squared)
+    sum_193 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_192
+    sum_194 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_193
+    sum_195 = baseline_per_path * sum_194 - cos_beta
+    sum_196 = 212.0 - 24.0 * cos_beta_squared
+    sum_197 = 308.0 - 129.0 * cos_beta_squared
+    sum_198 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
+    sum_199 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_198
+    del sum_192, sum_193, sum_194, sum_198
+    sum_200 = cos_beta * sum_199 - 139.0 * baseline_per_path
+    sum_201 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_200
+    sum_202 = cos_beta * sum_197 - baseline_per_path * sum_201
+    del sum_199, sum_200, sum_197, sum_201
+    sum_203 = 104.0 - cos_beta_squared * sum_196 + baseline_per_path * sum_202
+    sum_204 = 55.0 - 72.0 * baseline_per_path_squared
+    sum_205 = cos_beta * sum_203 - baseline_per_path * sum_204
+    del sum_196, sum_202, sum_203, sum_204
+    sum_206 = 1.0 - baseline_per_path * sum_205 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
+    sum_207 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_206
+    sum_208 = baseline_per_path * sum_207 - 16.0 * cos_beta_squared
+    sum_209 = 2.0 * cos_beta + baseline_per_path * sum_208
+    del sum_205, sum_206, sum_207, sum_208
+    sum_210 = (12.0 - cos_beta_squared) * baseline_per_path - 26.0 * cos_beta
+    sum_211 = 9.0 - 15.0 * cos_beta_squared - baseline_per_path * sum_210
+    sum_212 = cos_beta * sum_211 - 6.0 * baseline_per_path
+    sum_213 = baseline_per_path * sum_212 - 4.0 * cos_beta_squared
+    sum_214 = baseline_per_path * sum_213 + cos_beta
+    del sum_210, sum_211, sum_212, sum_213
+    sum_215 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
+    sum_216 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_215
+    sum_217 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_216
+    sum_218 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_217
+    sum_219 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_218
+    del sum_215, sum_216, sum_217, sum_218
+    sum_220 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_219
+    sum_221 = 512.0 * rho * sigma_beta * sum_220 - 1536.0 * sigma_path_per_path * sin_beta * sum_214
+    sum_222 = 106.0 - 30.0 * cos_beta_squared
+    sum_223 = 13.0 * baseline_per_path - 14.0 * cos_beta
+    sum_224 = cos_beta * (112.0 + cos_beta * sum_223) - 36.0 * baseline_per_path
+    del sum_219, sum_214, sum_220, sum_223
+    sum_225 = 83.0 - 110.0 * cos_beta_squared + baseline_per_path * sum_224
+    sum_226 = cos_beta * sum_222 - baseline_per_path * sum_225
+    sum_227 = 8.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_226
+    del sum_224, sum_222, sum_225, sum_226
+    sum_228 = baseline_per_path * sum_227 + (14.0 + 77.0 * cos_beta_squared) * cos_beta
+    sum_229 = baseline_per_path * sum_228 - 42.0 * cos_beta_squared
+    sum_230 = 7.0 * cos_beta + baseline_per_path * sum_229
+    sum_231 = (
+        64.0 * sum_230 * sum_4_squared
+        - 256.0 * sigma_beta_squared * sum_209
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_221
+    )
+    del sum_227, sum_228, sum_229, sum_209, sum_221, sum_230
+    sum_232 = 125.0 - 144.0 * sin_beta_squared
+    sum_233 = 112.0 + 96.0 * sin_beta_squared
+    sum_234 = 14.0 - 291.0 * sin_beta_squared
+    sum_235 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
+    sum_236 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_235
+    sum_237 = cos_beta * sum_234 - baseline_per_path * sum_236
+    sum_238 = 172.0 - sin_beta_squared * sum_233 + baseline_per_path * sum_237
+    del sum_235, sum_234, sum_236, sum_233, sum_237
+    sum_239 = cos_beta * sum_232 - baseline_per_path * sum_238
+    sum_240 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_239
+    sum_241 = (
+        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_240
+        - rho * sum_231
+    )
+    del sum_232, sum_238, sum_239, sum_231, sum_240
+    sum_242 = cos_beta * (56.0 + product_9) - 18.0 * baseline_per_path
+    sum_243 = 49.0 - 58.0 * cos_beta_squared + baseline_per_path * sum_242
+    sum_244 = (62.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_243
+    sum_245 = 2.0 + 18.0 * baseline_per_path_squared + cos_beta * sum_244
+    sum_246 = (16.0 + 49.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_245
+    del sum_242, sum_243, sum_244, sum_245
+    sum_247 = baseline_per_path * sum_246 - 30.0 * cos_beta_squared
+    sum_248 = 5.0 * cos_beta + baseline_per_path * sum_247
+    sum_249 = (
+        64.0 * sum_248 * sum_4_squared
+        - 64.0 * sigma_beta_squared * sum_191
+        - 768.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_195
+        - rho * sum_241
+    )
+    del sum_246, sum_247, sum_191, sum_195, sum_241, sum_248
+    sum_250 = sum_177 * sum_2_squared * term_5 - sigma_path_per_path_squared * sum_249
+    sum_251 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_252 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_253 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_254 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
+    sum_255 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_254
+    sum_256 = 3.0 - sin_beta_squared * sum_255 + product_1
+    del sum_177, sum_249, sum_254, product_1, sum_255
+    sum_257 = baseline_per_path * sum_256 + cos_beta * sum_253
+    sum_258 = 21.0 - baseline_per_path * sum_257 + sin_beta_squared * sum_252
+    del sum_253, sum_256, sum_252, sum_257
+    sum_259 = cos_beta * sum_251 - baseline_per_path * sum_258
+    sum_260 = 1.0 + baseline_per_path * sum_259 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
+    sum_261 = baseline_per_path * sum_260 - 4.0 * cos_beta
+    del sum_251, sum_258, sum_259, sum_260
+    sum_262 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_261
+    sum_263 = 13.0 * baseline_per_path - 22.0 * cos_beta
+    sum_264 = 107.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_263
+    sum_265 = cos_beta * sum_264 - 83.0 * baseline_per_path
+    sum_266 = 119.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_265
+    del sum_261, sum_263, sum_264, sum_265
+    sum_267 = (91.0 - 50.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_266
+    sum_268 = 1.0 - 54.0 * baseline_per_path_squared - cos_beta * sum_267
+    sum_269 = (3.0 - 32.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_268
+    sum_270 = 7.0 - 14.0 * cos_beta_squared - baseline_per_path * sum_269
+    del sum_266, sum_267, sum_268, sum_269
+    sum_271 = 192.0 * sigma_beta_squared * sum_262 + 64.0 * sum_270 * sum_4_squared
+    sum_272 = rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_271 + sin_beta * sum_250
+    del sum_262, sum_270, sum_250, sum_271
+    sum_273 = sigma_beta * sum_272 - rho * sigma_path_per_path * sum_166
+    sum_274 = (
+        2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
+        + 384.0 * sum_156 * sum_4_squared
+    )
+    sum_275 = (
+        64.0 * sum_4_squared_squared * sum_61_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_274
+    )
+    del sum_166, sum_272, sum_156, sum_274, sum_61_squared
+    sum_276 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_275 + sigma_beta * sum_273
+    sum_277 = 2.0 + 9.0 * cos_beta_squared + (product_6 - 13.0 * cos_beta) * baseline_per_path
+    sum_278 = baseline_per_path * sum_277 - 3.0 * cos_beta
+    sum_279 = (
+        13824.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_171
+        + 768.0 * sum_278 * sum_4_squared
+    )
+    sum_280 = (
+        128.0 * sum_1 * sum_171 * sum_2 * sum_4_squared_squared * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_279
+    )
+    del sum_273, sum_277, sum_278, sum_279, sum_4_squared_squared, sum_61
+    sum_281 = 28.0 * baseline_per_path - 32.0 * cos_beta
+    sum_282 = 47.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_281
+    sum_283 = cos_beta * sum_282 - 52.0 * baseline_per_path
+    sum_284 = 28.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_283
+    sum_285 = (26.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_284
+    del sum_281, sum_282, sum_283, sum_284
+    sum_286 = 3.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_285
+    sum_287 = 32.0 * sigma_beta_squared * sum_286 + 64.0 * sum_171**2 * sum_4_squared
+    sum_288 = 64.0 * sigma_beta_squared_squared * sum_176**2 + sum_287 * sum_4_squared
+    del sum_285, sum_286, sigma_beta_squared_squared, sum_287
+    sum_289 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
+    sum_290 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_289
+    sum_291 = 67.0 - baseline_per_path * sum_290 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
+    sum_292 = baseline_per_path * sum_291 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
+    sum_293 = 86.0 - baseline_per_path * sum_292 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    del sum_289, sum_290, sum_291, sum_292
+    sum_294 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_293
+    sum_295 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_294
+    sum_296 = baseline_per_path * sum_295 - 8.0 * cos_beta
+    sum_297 = 1.0 + baseline_per_path * sum_296
+    del sum_293, sum_294, sum_295, sum_296
+    sum_298 = 146.0 + 21.0 * sin_beta_squared
+    sum_299 = 112.0 + 164.0 * sin_beta_squared
+    sum_300 = 214.0 + 18.0 * sin_beta_squared
+    sum_301 = 140.0 + 76.0 * sin_beta_squared
+    sum_302 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
+    sum_303 = cos_beta * sum_301 - baseline_per_path * sum_302
+    sum_304 = 76.0 - baseline_per_path * sum_303 - sin_beta_squared * sum_300
+    del sum_301, sum_302, sum_300, sum_303
+    sum_305 = baseline_per_path * sum_304 + cos_beta * sum_299
+    sum_306 = 122.0 - baseline_per_path * sum_305 - sin_beta_squared * sum_298
+    del sum_299, sum_304, sum_298, sum_305
+    sum_307 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_306
+    sum_308 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_307
+    sum_309 = baseline_per_path * sum_308 - 8.0 * cos_beta
+    sum_310 = 64.0 + 512.0 * rho_squared * sum_297 + 64.0 * baseline_per_path * sum_309
+    del sum_306, sum_307, sum_308, sum_297, sum_309
+    sum_311 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
+    sum_312 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_311
+    sum_313 = 4.0 * cos_beta + baseline_per_path * sum_312
+    sum_314 = 1.0 - baseline_per_path * sum_313
+    sum_315 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
+    sum_316 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_315
+    del sum_311, sum_312, sum_313, sum_315
+    sum_317 = baseline_per_path * sum_316 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    sum_318 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_317
+    sum_319 = baseline_per_path * sum_318 - 4.0 * cos_beta
+    sum_320 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
+    sum_321 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_320
+    del sum_316, sum_317, sum_318, sum_320
+    sum_322 = 4.0 * cos_beta + baseline_per_path * sum_321
+    sum_323 = 1.0 - baseline_per_path * sum_322
+    sum_324 = 3.0 - 3.0 * cos_beta_squared - (product_6 - 8.0 * cos_beta) * baseline_per_path
+    sum_325 = baseline_per_path * sum_324 - 4.0 * cos_beta
+    del sum_321, sum_322, product_6, sum_324
+    sum_326 = 1.0 + baseline_per_path * sum_325
+    sum_327 = (
+        1536.0 * sigma_path_per_path * sin_beta * sum_323
+        + 3072.0 * rho * sigma_beta * sum_171 * sum_326
+    )
+    sum_328 = 768.0 * sigma_beta * sum_319 + rho * sum_327
+    del sum_325, sum_323, sum_319, sum_327
+    sum_329 = 768.0 * sigma_path_per_path * sin_beta * sum_314 + rho * sum_328
+    sum_330 = (
+        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_329
+        - sigma_beta_squared * sum_310
+    )
+    del sum_314, sum_328, sum_310, sum_329
+    sum_331 = cos_beta * (86.0 + product_9) - 38.0 * baseline_per_path
+    sum_332 = 117.0 - 66.0 * cos_beta_squared + baseline_per_path * sum_331
+    sum_333 = (88.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_332
+    sum_334 = 16.0 - 100.0 * baseline_per_path_squared - cos_beta * sum_333
+    del product_9, sum_331, sum_332, sum_333
+    sum_335 = 6.0 - 36.0 * baseline_per_path_squared
+    sum_336 = cos_beta * sum_334 - baseline_per_path * sum_335
+    sum_337 = 8.0 - baseline_per_path * sum_336 - (4.0 + 49.0 * cos_beta_squared) * cos_beta_squared
+    sum_338 = (12.0 - 30.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_337
+    del sum_334, sum_335, sum_336, sum_337
+    sum_339 = 140.0 - 30.0 * cos_beta_squared
+    sum_340 = 19.0 * baseline_per_path - 14.0 * cos_beta
+    sum_341 = cos_beta * (166.0 + cos_beta * sum_340) - 88.0 * baseline_per_path
+    sum_342 = 207.0 - 132.0 * cos_beta_squared + baseline_per_path * sum_341
+    sum_343 = cos_beta * sum_339 - baseline_per_path * sum_342
+    del sum_340, sum_341, sum_339, sum_342
+    sum_344 = 50.0 - 170.0 * baseline_per_path_squared - cos_beta * sum_343
+    sum_345 = 30.0 - 72.0 * baseline_per_path_squared
+    sum_346 = cos_beta * sum_344 - baseline_per_path * sum_345
+    del sum_343, baseline_per_path_squared, sum_344, sum_345
+    sum_347 = 10.0 - baseline_per_path * sum_346 + (22.0 - 77.0 * cos_beta_squared) * cos_beta_squared
+    sum_348 = (24.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_347
+    sum_349 = 4.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_348
+    sum_350 = (
         128.0
         - 320.0 * cos_beta_squared
-        - 64.0 * baseline_per_path * sum_365
-        + 64.0 * rho_squared * sum_376
+        - 64.0 * baseline_per_path * sum_338
+        + 64.0 * rho_squared * sum_349
     )
-    del sum_374, sum_375, rho_squared, sum_365, sum_376
-    sum_378 = sin_beta_squared * sum_357 + sum_377 * sum_7_squared
-    sum_379 = 3.0 - 3.0 * cos_beta_squared - (product_6 - 8.0 * cos_beta) * baseline_per_path
-    sum_380 = baseline_per_path * sum_379 - 4.0 * cos_beta
-    del sum_357, sum_377, product_6, sum_379
-    sum_381 = 1.0 + baseline_per_path * sum_380
-    sum_382 = 13.0 * baseline_per_path - 2.0 * cos_beta
-    sum_383 = cos_beta * (46.0 + cos_beta * sum_382) - 36.0 * baseline_per_path
-    sum_384 = 13.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_383
-    del sum_380, sum_382, cos_beta_squared, sum_383
-    sum_385 = baseline_per_path * sum_384 - 16.0 * cos_beta
-    sum_386 = 7.0 + baseline_per_path * sum_385
-    sum_387 = 128.0 * sum_188 * sum_386 * sum_7_squared - 384.0 * sigma_beta_squared * sum_193 * sum_381
-    del sum_384, sum_385, sigma_beta_squared, sum_188, sum_193, sum_381, sum_386, sum_7_squared
-    sum_388 = rho * sigma_beta * sin_beta * sum_1 * sum_2 * sum_387 - sigma_path_per_path * sum_378
-    del sum_1, sum_2, sum_378, sum_387
-    sum_389 = sigma_path_per_path * sum_388 + sum_2_squared * sum_313 * term_5
-    del sum_2_squared, sum_313, sum_388, term_5
-    sum_390 = sigma_beta * sum_389 - rho * sigma_path_per_path * sin_beta * sum_305
-    del sigma_path_per_path, sin_beta, sum_305, sum_389
-    sum_391 = 110.0 - 41.0 * sin_beta_squared
-    sum_392 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
-    sum_393 = (12.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_74
-    sum_394 = 54.0 - baseline_per_path * sum_393 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_395 = baseline_per_path - 8.0 * cos_beta
-    sum_396 = 28.0 - sin_beta_squared * sum_394 + baseline_per_path * sum_395
-    del sum_74, sum_393, sum_394, sum_395
-    sum_397 = cos_beta * sum_392 - baseline_per_path * sum_396
-    sum_398 = 70.0 - baseline_per_path * sum_397 - sin_beta_squared * sum_391
-    del sum_392, sum_396, sum_391, sum_397
-    sum_399 = (56.0 - 44.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_398
-    sum_400 = 28.0 - 26.0 * sin_beta_squared - baseline_per_path * sum_399
-    sum_401 = baseline_per_path * sum_400 - 8.0 * cos_beta
-    sum_402 = 2.0 - sin_beta_squared * sum_291
-    del sum_398, sum_399, sum_400, sum_291
-    sum_403 = (8.0 - 2.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_402
-    sum_404 = 12.0 - 9.0 * sin_beta_squared - baseline_per_path * sum_403
-    sum_405 = baseline_per_path * sum_404 - 8.0 * cos_beta
-    del sum_402, sum_403, cos_beta, sum_404
-    sum_406 = (
-        768.0
-        + 2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
-        + 384.0 * baseline_per_path * sum_405
-    )
-    sum_407 = (
-        64.0
-        + 64.0 * baseline_per_path * sum_401
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_406
-    )
-    del sum_405, baseline_per_path, baseline_per_path_squared, sum_401, sum_406
-    sum_408 = sigma_path_per_path_squared * sin_beta_squared * sum_407 + sigma_beta * sum_390
-    del sigma_path_per_path_squared, sin_beta_squared, sum_390, sum_407
-    mean[..., 0] = path * sum_29 * term_3
-    mean[..., 1] = path * sum_56 * term_3
-    covariance[..., 0, 0] = path_squared * sum_173 * term_4
-    del sum_29, sum_56, term_3, sum_173
-    covariance[..., 0, 1] = path_squared * sum_298 * term_4
+    del sum_346, sum_347, sum_348, rho_squared, sum_338, sum_349
+    sum_351 = sin_beta_squared * sum_330 + sum_350 * sum_4_squared
+    sum_352 = 13.0 * baseline_per_path - 2.0 * cos_beta
+    sum_353 = cos_beta * (46.0 + cos_beta * sum_352) - 36.0 * baseline_per_path
+    sum_354 = 13.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_353
+    del sum_330, sum_350, sum_352, cos_beta_squared, sum_353
+    sum_355 = baseline_per_path * sum_354 - 16.0 * cos_beta
+    sum_356 = 7.0 + baseline_per_path * sum_355
+    del cos_beta, sum_354, baseline_per_path, sum_355
+    sum_357 = 128.0 * sum_171 * sum_356 * sum_4_squared - 384.0 * sigma_beta_squared * sum_176 * sum_326
+    del sigma_beta_squared, sum_171, sum_176, sum_326, sum_356, sum_4_squared
+    sum_358 = rho * sigma_beta * sin_beta * sum_1 * sum_2 * sum_357 - sigma_path_per_path * sum_351
+    del sum_1, sum_2, sum_351, sum_357
+    sum_359 = sigma_path_per_path * sum_358 + sum_288 * sum_2_squared * term_5
+    del sum_288, sum_2_squared, sum_358, term_5
+    sum_360 = sigma_beta * sum_359 - rho * sigma_path_per_path * sin_beta * sum_280
+    del sigma_path_per_path, sin_beta, sum_280, sum_359
+    sum_361 = sigma_path_per_path_squared * sin_beta_squared * sum_275 + sigma_beta * sum_360
+    del sigma_path_per_path_squared, sin_beta_squared, sum_275, sum_360
+    mean[..., 0] = path * sum_27 * term_3
+    mean[..., 1] = path * sum_54 * term_3
+    covariance[..., 0, 0] = path_squared * sum_159 * term_4
+    del sum_27, sum_54, term_3, sum_159
+    covariance[..., 0, 1] = path_squared * sum_276 * term_4
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_408 * term_4
-    del sum_298, path_squared, sum_408, term_4
+    covariance[..., 1, 1] = path_squared * sum_361 * term_4
+    del sum_276, path_squared, sum_361, term_4
 
 
 def bistatic_unbiased(
@@ -976,636 +876,568 @@ def bistatic_unbiased(
     cos_beta = np.cos(beta)
     product_1 = -2.0 * baseline_per_path * cos_beta
     divisor_1 = 2.0 + product_1
-    sin_beta = np.sin(beta)
-    sin_beta_squared = sin_beta**2
-    sum_1 = 1.0 - sin_beta_squared
-    sum_2 = 2.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_1
+    product_2 = baseline_per_path * cos_beta
+    sum_1 = product_2 - 1.0
+    sum_1_squared = sum_1**2
+    sum_1_squared_squared = sum_1_squared**2
+    sum_2 = 1.0 - baseline_per_path
+    sum_3 = 1.0 + baseline_per_path
     sigma_path_per_path_squared = sigma_path_per_path**2
     baseline_per_path_squared = baseline_per_path**2
-    sum_3 = 16.0 * baseline_per_path * sum_2 - 16.0 * cos_beta + 48.0 * cos_beta * sigma_path_per_path_squared
-    cos_beta_squared = cos_beta**2
-    sum_4 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
-    product_2 = baseline_per_path * cos_beta
-    sum_5 = product_2 - 1.0
-    sum_5_squared = sum_5**2
-    sum_6 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
-    del term_1, sum_2, sum_5, product_2
-    sum_7 = 1.0 + baseline_per_path * sum_6
-    sum_8 = (
-        16.0 * sum_5_squared * sum_7
-        - 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_4) * sigma_path_per_path_squared
+    sin_beta = np.sin(beta)
+    sin_beta_squared = sin_beta**2
+    sum_4 = 16.0 * sum_1_squared - 48.0 * sigma_path_per_path_squared
+    sum_5 = (
+        16.0 * sum_1_squared_squared * sum_2 * sum_3
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_4
     )
-    sum_9 = 1.0 - baseline_per_path
+    cos_beta_squared = cos_beta**2
+    sum_6 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
+    sum_7 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
+    del term_1, sum_1, sum_4, product_2
+    sum_8 = 1.0 + baseline_per_path * sum_7
+    sum_9 = (
+        16.0 * sum_1_squared * sum_8
+        - 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_6) * sigma_path_per_path_squared
+    )
     product_3 = (20.0 - cos_beta_squared) * baseline_per_path
     sum_10 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
     sum_11 = cos_beta * sum_10 - 24.0 * baseline_per_path
-    del sum_6, sum_4, sum_7, sum_10
+    del sum_7, sum_6, sum_8, sum_10
     sum_12 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_11
     sigma_beta_squared = sigma_beta**2
     sum_13 = baseline_per_path * sum_12 - cos_beta
     product_4 = (2.0 - cos_beta_squared) * baseline_per_path
-    sum_14 = 1.0 + baseline_per_path
-    sum_15 = 2.0 * sigma_beta_squared * sum_13 + 8.0 * (product_4 - cos_beta) * sum_5_squared
+    sum_14 = 2.0 * sigma_beta_squared * sum_13 + 8.0 * (product_4 - cos_beta) * sum_1_squared
     product_5 = (6.0 - cos_beta_squared) * baseline_per_path
-    sum_16 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
-    sum_17 = cos_beta * sum_16 - 18.0 * baseline_per_path
-    del sum_11, sum_12, sum_13, sum_16
-    sum_18 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_17
-    sum_19 = baseline_per_path * sum_18 - 5.0 * cos_beta
-    sum_20 = 1.0 + baseline_per_path * sum_19
-    sum_21 = 4.0 * baseline_per_path - 3.0 * cos_beta
-    sum_22 = cos_beta * (13.0 + cos_beta * sum_21) - 6.0 * baseline_per_path
-    del sum_17, sum_18, sum_19, sum_21
-    sum_23 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_22
+    sum_15 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
+    sum_16 = cos_beta * sum_15 - 18.0 * baseline_per_path
+    del sum_11, sum_12, sum_13, sum_15
+    sum_17 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_16
+    sum_18 = baseline_per_path * sum_17 - 5.0 * cos_beta
+    sum_19 = 1.0 + baseline_per_path * sum_18
+    sum_20 = 4.0 * baseline_per_path - 3.0 * cos_beta
+    sum_21 = cos_beta * (13.0 + cos_beta * sum_20) - 6.0 * baseline_per_path
+    del sum_16, sum_17, sum_18, sum_20
+    sum_22 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_21
     rho_squared = rho**2
-    sum_24 = cos_beta * sum_23 - 6.0 * baseline_per_path
-    sum_25 = (
-        8.0 * rho * sigma_beta * sin_beta * sum_20
-        + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_24
+    sum_23 = cos_beta * sum_22 - 6.0 * baseline_per_path
+    sum_24 = (
+        8.0 * rho * sigma_beta * sin_beta * sum_19
+        + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_23
     )
-    del sum_22, sum_23, sum_20, sum_24
-    sum_26 = sum_14 * sum_15 * sum_9 - sigma_path_per_path * sum_25
-    sum_27 = sigma_beta * sum_26 - rho * sigma_path_per_path * sin_beta * sum_8
-    del sum_15, sum_25, sum_26, sum_8
-    sum_5_squared_squared = sum_5_squared**2
+    del sum_21, sum_22, sum_19, sum_23
+    sum_25 = sum_14 * sum_2 * sum_3 - sigma_path_per_path * sum_24
+    sum_26 = sigma_beta * sum_25 - rho * sigma_path_per_path * sin_beta * sum_9
+    del sum_14, sum_24, sum_25, sum_9
     term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
-    sum_28 = (
-        16.0 * cos_beta * sum_14 * sum_5_squared_squared * sum_9
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_3
-        - sigma_beta * sum_27
-    )
-    sum_29 = 2.0 * baseline_per_path - cos_beta
-    sum_30 = 1.0 - baseline_per_path * sum_29
-    sum_31 = 16.0 * sum_5_squared + 8.0 * sigma_beta_squared * sum_30
-    sum_32 = 8.0 * baseline_per_path - cos_beta
-    sum_33 = cos_beta * (20.0 + cos_beta * sum_32) - 24.0 * baseline_per_path
-    del sum_27, sum_3, sum_30, sum_32
-    sum_34 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_33
-    sum_35 = baseline_per_path * sum_34 - 11.0 * cos_beta
+    sum_27 = cos_beta * sum_5 - sigma_beta * sum_26
+    sum_28 = 2.0 * baseline_per_path - cos_beta
+    sum_29 = 1.0 - baseline_per_path * sum_28
+    sum_30 = 16.0 * sum_1_squared + 8.0 * sigma_beta_squared * sum_29
+    sum_31 = 8.0 * baseline_per_path - cos_beta
+    sum_32 = cos_beta * (20.0 + cos_beta * sum_31) - 24.0 * baseline_per_path
+    del sum_26, sum_5, sum_29, sum_31
+    sum_33 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_32
+    sum_34 = baseline_per_path * sum_33 - 11.0 * cos_beta
     sigma_beta_squared_squared = sigma_beta_squared**2
-    sum_36 = 1.0 - baseline_per_path * sum_35
-    sum_37 = 2.0 * sigma_beta_squared_squared * sum_36 + sum_31 * sum_5_squared
-    del sum_33, sum_34, sum_35, sum_31, sum_36
-    sum_38 = baseline_per_path * sum_1 - 2.0 * cos_beta
-    sum_39 = 16.0 - 48.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_38
-    sum_40 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
-    sum_41 = cos_beta * (5.0 + cos_beta * sum_29) - 4.0 * baseline_per_path
-    sum_42 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_41
-    del sum_1, sum_38, sum_29, sum_41
-    sum_43 = (
-        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_42
-        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_40
+    sum_35 = 1.0 - baseline_per_path * sum_34
+    sum_36 = 2.0 * sigma_beta_squared_squared * sum_35 + sum_1_squared * sum_30
+    del sum_32, sum_33, sum_34, sum_30, sum_35
+    sum_37 = (1.0 - sin_beta_squared) * baseline_per_path - 2.0 * cos_beta
+    sum_38 = 16.0 - 48.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_37
+    sum_39 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_40 = cos_beta * (5.0 + cos_beta * sum_28) - 4.0 * baseline_per_path
+    sum_41 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_40
+    sum_42 = (
+        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_41
+        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_39
     )
-    sum_44 = sin_beta_squared * sum_39 + sigma_beta * sum_43
-    del sum_40, sum_42, sum_39, sum_43
-    sum_45 = baseline_per_path_squared * sigma_path_per_path_squared * sum_44 + sum_14 * sum_37 * sum_9
-    sum_46 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
-    sum_47 = cos_beta * sum_46 - 32.0 * baseline_per_path
-    del sum_37, sum_44, product_3, sum_46
-    sum_48 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_47
-    sum_49 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_48
-    sum_50 = baseline_per_path * sum_49 - 5.0 * cos_beta_squared
-    sum_51 = baseline_per_path * sum_50 + cos_beta
-    del sum_47, sum_48, sum_49, sum_50
-    sum_52 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
-    sum_53 = baseline_per_path * sum_52 - cos_beta
-    sum_54 = 16.0 * sum_53 * sum_5_squared - 8.0 * sigma_beta_squared * sum_51
-    sum_55 = rho * sigma_beta * sigma_path_per_path * sum_54 + sin_beta * sum_45
-    del sum_52, sum_51, sum_53, sum_45, sum_54
+    del sum_37, sum_28, sum_40, sum_39, sum_41
+    sum_43 = sin_beta_squared * sum_38 + sigma_beta * sum_42
+    sum_44 = baseline_per_path_squared * sigma_path_per_path_squared * sum_43 + sum_2 * sum_3 * sum_36
+    del sum_38, sum_42, sum_36, sum_43
+    sum_45 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
+    sum_46 = cos_beta * sum_45 - 32.0 * baseline_per_path
+    sum_47 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_46
+    sum_48 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_47
+    del product_3, sum_45, sum_46, sum_47
+    sum_49 = baseline_per_path * sum_48 - 5.0 * cos_beta_squared
+    sum_50 = baseline_per_path * sum_49 + cos_beta
+    sum_51 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
+    sum_52 = baseline_per_path * sum_51 - cos_beta
+    sum_53 = 16.0 * sum_1_squared * sum_52 - 8.0 * sigma_beta_squared * sum_50
+    del sum_48, sum_49, sum_51, sum_50, sum_52
+    sum_54 = rho * sigma_beta * sigma_path_per_path * sum_53 + sin_beta * sum_44
     term_3 = 1.0 / ((divisor_1**2)**2)**2
     path_squared = path**2
-    sum_56 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
-    sum_57 = 3.0 - 6.0 * cos_beta_squared - (product_4 - 5.0 * cos_beta) * baseline_per_path
-    sum_58 = cos_beta * sum_57 - 2.0 * baseline_per_path
-    sum_59 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_58
-    sum_60 = (
-        768.0 * cos_beta * sum_59 * sum_5_squared
-        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_56
+    sum_55 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
+    sum_56 = 3.0 - 6.0 * cos_beta_squared - (product_4 - 5.0 * cos_beta) * baseline_per_path
+    sum_57 = cos_beta * sum_56 - 2.0 * baseline_per_path
+    del sum_44, sum_53, divisor_1, sum_56
+    sum_58 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_57
+    sum_59 = (
+        768.0 * cos_beta * sum_1_squared * sum_58
+        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_55
     )
-    del divisor_1, sum_57, sum_58, sum_56, sum_59
-    sum_61 = baseline_per_path - 2.0 * cos_beta
-    sum_62 = 1.0 + baseline_per_path * sum_61
-    sum_63 = (
-        128.0 * cos_beta * sum_14 * sum_5_squared_squared * sum_62 * sum_9
-        - baseline_per_path_squared * sigma_path_per_path_squared * sum_60
+    sum_60 = baseline_per_path - 2.0 * cos_beta
+    sum_61 = 1.0 + baseline_per_path * sum_60
+    sum_62 = (
+        128.0 * cos_beta * sum_1_squared_squared * sum_2 * sum_3 * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sum_59
     )
-    sum_14_squared = sum_14**2
+    del sum_57, sum_55, sum_58, sum_59
+    sum_3_squared = sum_3**2
     term_4 = (baseline_per_path - 1.0)**2
-    sum_64 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
-    sum_65 = (40.0 + 8.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_64
-    sum_66 = 6.0 - 18.0 * sin_beta_squared - baseline_per_path * sum_65
-    sum_67 = 8.0 * cos_beta + baseline_per_path * sum_66
-    del sum_60, sum_64, sum_65, sum_66
-    sum_68 = 1.0 + baseline_per_path * sum_67
-    sum_69 = (26.0 - 5.0 * cos_beta_squared) * baseline_per_path - 14.0 * cos_beta
-    sum_70 = cos_beta * (20.0 + cos_beta * sum_69) - 24.0 * baseline_per_path
-    sum_71 = 2.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_70
-    sum_72 = 32.0 * sum_5_squared * sum_71 - 16.0 * sigma_beta_squared * sin_beta_squared * sum_68
-    del sum_67, sum_69, sum_70, sum_68, sum_71
-    sum_73 = 2.0 - sin_beta_squared
-    sum_74 = 1.0 - sin_beta_squared * sum_73
-    sum_75 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_74
-    sum_76 = 6.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_75
-    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta
-    sum_78 = 1.0 + baseline_per_path * sum_77
-    del sum_74, sum_75, sum_76, sum_77
-    sum_79 = 64.0 * sin_beta_squared * sum_78 - sigma_beta_squared * sum_72
-    product_6 = (12.0 - 12.0 * sin_beta_squared) * cos_beta
-    sum_80 = 4.0 + 3.0 * sin_beta_squared
-    sum_81 = 7.0 - sin_beta_squared * sum_80
-    sum_82 = (8.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_81
-    sum_83 = 8.0 + baseline_per_path * sum_82 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    del sum_72, sum_78, sum_81, sum_82
-    sum_84 = product_6 - baseline_per_path * sum_83
-    sum_85 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_84
-    sum_86 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
-    sum_87 = (32.0 - 60.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_86
-    sum_88 = 4.0 - baseline_per_path * sum_87 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
-    del sum_83, sum_84, sum_86, sum_87
-    sum_89 = baseline_per_path * sum_88 + product_6
-    sum_90 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_89
-    sum_91 = 2.0 * baseline_per_path - 3.0 * cos_beta
-    sum_92 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
-    sum_93 = cos_beta * sum_92 - 4.0 * baseline_per_path
-    del product_6, sum_88, sum_89, sum_92
-    sum_94 = baseline_per_path * sum_93 - 4.0 * cos_beta_squared
-    sum_95 = baseline_per_path * sum_94 + cos_beta
-    sum_96 = (
-        128.0 * sigma_path_per_path * sin_beta * sum_90
-        + 256.0 * (1.0 + cos_beta * sum_91) * rho * sigma_beta * sum_95
+    sum_63 = (26.0 - 5.0 * cos_beta_squared) * baseline_per_path - 14.0 * cos_beta
+    sum_64 = cos_beta * (20.0 + cos_beta * sum_63) - 24.0 * baseline_per_path
+    sum_65 = 2.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_64
+    sum_66 = 64.0 * sin_beta_squared * sum_1_squared - 32.0 * sigma_beta_squared * sum_65
+    sum_67 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
+    sum_68 = 16.0 * sigma_beta_squared_squared * sin_beta_squared * sum_67**2 + sum_1_squared * sum_66
+    del sum_63, sum_64, sum_65, sum_66
+    product_6 = cos_beta * cos_beta_squared
+    sum_69 = (22.0 - 3.0 * cos_beta_squared) * baseline_per_path - 60.0 * cos_beta
+    sum_70 = 45.0 - 45.0 * cos_beta_squared - baseline_per_path * sum_69
+    sum_71 = cos_beta * sum_70 - 28.0 * baseline_per_path
+    sum_72 = 12.0 * product_6 + (4.0 - cos_beta * sum_71) * baseline_per_path
+    sum_73 = baseline_per_path * sum_72 - 3.0 * cos_beta_squared
+    del sum_69, sum_70, sum_71, sum_72
+    sum_74 = 2.0 * baseline_per_path - 3.0 * cos_beta
+    sum_75 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
+    sum_76 = cos_beta * sum_75 - 4.0 * baseline_per_path
+    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta_squared
+    sum_78 = baseline_per_path * sum_77 + cos_beta
+    sum_79 = (
+        256.0 * (1.0 + cos_beta * sum_74) * rho * sigma_beta * sum_78
+        - 128.0 * sigma_path_per_path * sin_beta * sum_73
     )
-    del sum_93, sum_94, sum_90, sum_91
-    sum_97 = 105.0 - 12.0 * cos_beta_squared
-    sum_98 = 128.0 - 46.0 * cos_beta_squared
+    del sum_75, sum_76, sum_77, sum_73, sum_74
+    sum_80 = 105.0 - 12.0 * cos_beta_squared
+    sum_81 = 128.0 - 46.0 * cos_beta_squared
     product_7 = (4.0 - cos_beta_squared) * baseline_per_path
-    sum_99 = 72.0 - 9.0 * cos_beta_squared - (product_7 - 10.0 * cos_beta) * baseline_per_path
-    sum_100 = cos_beta * sum_99 - 38.0 * baseline_per_path
-    sum_101 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_100
-    sum_102 = cos_beta * sum_98 - baseline_per_path * sum_101
-    del sum_99, sum_100, sum_101, sum_98
-    sum_103 = 114.0 - cos_beta_squared * sum_97 + baseline_per_path * sum_102
-    sum_104 = 74.0 - 28.0 * baseline_per_path_squared
-    sum_105 = cos_beta * sum_103 - baseline_per_path * sum_104
-    del sum_102, sum_97, sum_103, sum_104
-    sum_106 = 2.0 - baseline_per_path * sum_105 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
-    sum_107 = 7.0 - 22.0 * baseline_per_path_squared
-    sum_108 = baseline_per_path * sum_107 + cos_beta * sum_106
-    sum_109 = 1.0 - baseline_per_path * sum_108 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    sum_82 = 72.0 - 9.0 * cos_beta_squared - (product_7 - 10.0 * cos_beta) * baseline_per_path
+    sum_83 = cos_beta * sum_82 - 38.0 * baseline_per_path
+    sum_84 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_83
+    sum_85 = cos_beta * sum_81 - baseline_per_path * sum_84
+    del sum_82, sum_83, sum_81, sum_84
+    sum_86 = 114.0 - cos_beta_squared * sum_80 + baseline_per_path * sum_85
+    sum_87 = 74.0 - 28.0 * baseline_per_path_squared
+    sum_88 = cos_beta * sum_86 - baseline_per_path * sum_87
+    del sum_80, sum_85, sum_86, sum_87
+    sum_89 = 2.0 - baseline_per_path * sum_88 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
+    sum_90 = 7.0 - 22.0 * baseline_per_path_squared
+    sum_91 = baseline_per_path * sum_90 + cos_beta * sum_89
+    sum_92 = 1.0 - baseline_per_path * sum_91 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    del sum_88, sum_89, sum_90, sum_91
+    sum_93 = baseline_per_path * sum_92 - 8.0 * product_6
+    sum_94 = baseline_per_path * sum_93 + cos_beta_squared
+    sum_95 = 7.0 * baseline_per_path - 6.0 * cos_beta
+    sum_96 = cos_beta * (40.0 + cos_beta * sum_95) - 9.0 * baseline_per_path
+    sum_97 = 79.0 - 64.0 * cos_beta_squared + baseline_per_path * sum_96
+    del sum_92, sum_93, sum_95, sum_96
+    sum_98 = (62.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_97
+    sum_99 = 24.0 - 30.0 * baseline_per_path_squared - cos_beta * sum_98
+    sum_100 = (37.0 - 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_99
+    sum_101 = 6.0 + 9.0 * baseline_per_path_squared + cos_beta * sum_100
+    del sum_97, sum_98, sum_99, sum_100
+    sum_102 = (30.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_101
+    sum_103 = 5.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_102
+    sum_104 = (
+        128.0 * sigma_beta_squared * sum_94
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_79
+        + 64.0 * sum_103 * sum_1_squared
+    )
+    del sum_101, sum_102, sum_103, sum_79, sum_94
+    sum_105 = 5.0 * baseline_per_path - 9.0 * cos_beta
+    sum_106 = cos_beta * (48.0 + cos_beta * sum_105) - 10.0 * baseline_per_path
+    sum_107 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_106
+    sum_108 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_107
+    sum_109 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_108
     del sum_105, sum_106, sum_107, sum_108
-    sum_110 = baseline_per_path * sum_109 - 8.0 * cos_beta * cos_beta_squared
-    sum_111 = baseline_per_path * sum_110 + cos_beta_squared
-    sum_112 = 7.0 * baseline_per_path - 6.0 * cos_beta
-    sum_113 = cos_beta * (40.0 + cos_beta * sum_112) - 9.0 * baseline_per_path
-    sum_114 = 79.0 - 64.0 * cos_beta_squared + baseline_per_path * sum_113
-    del sum_109, sum_110, sum_112, sum_113
-    sum_115 = (62.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_114
-    sum_116 = 24.0 - 30.0 * baseline_per_path_squared - cos_beta * sum_115
-    sum_117 = (37.0 - 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_116
-    sum_118 = 6.0 + 9.0 * baseline_per_path_squared + cos_beta * sum_117
-    del sum_114, sum_115, sum_116, sum_117
-    sum_119 = (30.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_118
-    sum_120 = 5.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_119
-    sum_121 = (
-        128.0 * sigma_beta_squared * sum_111
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_96
-        + 64.0 * sum_120 * sum_5_squared
-    )
-    del sum_118, sum_119, sum_111, sum_120, sum_96
-    sum_122 = 5.0 * baseline_per_path - 9.0 * cos_beta
-    sum_123 = cos_beta * (48.0 + cos_beta * sum_122) - 10.0 * baseline_per_path
-    sum_124 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_123
-    sum_125 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_124
-    sum_126 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_125
-    del sum_122, sum_123, sum_124, sum_125
-    sum_127 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
-    sum_128 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_127
+    sum_110 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_109
+    sum_111 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_110
     product_8 = baseline_per_path * baseline_per_path_squared
-    sum_129 = cos_beta * sum_128 - 10.0 * product_8
-    sum_130 = (
-        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_129
-        - rho * sum_121
+    sum_112 = cos_beta * sum_111 - 10.0 * product_8
+    sum_113 = (
+        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_112
+        - rho * sum_104
     )
-    del sum_126, sum_127, sum_128, sum_121, sum_129
-    sum_131 = 120.0 - 72.0 * cos_beta_squared
-    sum_132 = 204.0 - 21.0 * cos_beta_squared
-    sum_133 = 224.0 - 88.0 * cos_beta_squared
-    sum_134 = 162.0 - 18.0 * cos_beta_squared - (product_7 - 16.0 * cos_beta) * baseline_per_path
-    sum_135 = cos_beta * sum_134 - 80.0 * baseline_per_path
-    sum_136 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_135
-    sum_137 = cos_beta * sum_133 - baseline_per_path * sum_136
-    del product_7, sum_134, sum_135, sum_133, sum_136
-    sum_138 = 225.0 - cos_beta_squared * sum_132 + baseline_per_path * sum_137
-    sum_139 = 128.0 - 64.0 * baseline_per_path_squared
-    sum_140 = cos_beta * sum_138 - baseline_per_path * sum_139
-    del sum_132, sum_137, sum_138, sum_139
-    sum_141 = 16.0 - cos_beta_squared * sum_131 + baseline_per_path * sum_140
-    sum_142 = 28.0 - 40.0 * baseline_per_path_squared
-    sum_143 = cos_beta * sum_141 - baseline_per_path * sum_142
-    del sum_131, sum_140, sum_141, sum_142
-    sum_144 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_143
-    sum_145 = baseline_per_path * sum_144 - 8.0 * cos_beta * cos_beta_squared
-    sum_146 = baseline_per_path * sum_145 + cos_beta_squared
-    sum_147 = 2.0 * baseline_per_path - 6.0 * cos_beta
-    sum_148 = cos_beta * (26.0 + cos_beta * sum_147) - 3.0 * baseline_per_path
-    del sum_143, sum_144, sum_145, sum_147
-    sum_149 = 32.0 - 26.0 * cos_beta_squared + baseline_per_path * sum_148
-    sum_150 = (34.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_149
-    sum_151 = 12.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_150
-    sum_152 = (11.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_151
-    del sum_148, sum_149, sum_150, sum_151
-    sum_153 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_152
-    sum_154 = cos_beta * sum_153 - 3.0 * product_8
-    sum_155 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_154
-    del sum_152, product_8, sum_153, sum_154
+    del sum_109, sum_110, sum_111, sum_104, sum_112
+    sum_114 = 120.0 - 72.0 * cos_beta_squared
+    sum_115 = 204.0 - 21.0 * cos_beta_squared
+    sum_116 = 224.0 - 88.0 * cos_beta_squared
+    sum_117 = 162.0 - 18.0 * cos_beta_squared - (product_7 - 16.0 * cos_beta) * baseline_per_path
+    sum_118 = cos_beta * sum_117 - 80.0 * baseline_per_path
+    sum_119 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_118
+    sum_120 = cos_beta * sum_116 - baseline_per_path * sum_119
+    del sum_117, sum_118, sum_116, sum_119
+    sum_121 = 225.0 - cos_beta_squared * sum_115 + baseline_per_path * sum_120
+    sum_122 = 128.0 - 64.0 * baseline_per_path_squared
+    sum_123 = cos_beta * sum_121 - baseline_per_path * sum_122
+    del sum_115, sum_120, sum_121, sum_122
+    sum_124 = 16.0 - cos_beta_squared * sum_114 + baseline_per_path * sum_123
+    sum_125 = 28.0 - 40.0 * baseline_per_path_squared
+    sum_126 = cos_beta * sum_124 - baseline_per_path * sum_125
+    del sum_114, sum_123, sum_124, sum_125
+    sum_127 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_126
+    sum_128 = baseline_per_path * sum_127 - 8.0 * product_6
+    sum_129 = baseline_per_path * sum_128 + cos_beta_squared
+    sum_130 = 2.0 * baseline_per_path - 6.0 * cos_beta
+    sum_131 = cos_beta * (26.0 + cos_beta * sum_130) - 3.0 * baseline_per_path
+    del sum_126, sum_127, sum_128, sum_130
+    sum_132 = 32.0 - 26.0 * cos_beta_squared + baseline_per_path * sum_131
+    sum_133 = (34.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_132
+    sum_134 = 12.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_133
+    sum_135 = (11.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_134
+    del sum_131, sum_132, sum_133, sum_134
+    sum_136 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_135
+    sum_137 = cos_beta * sum_136 - 3.0 * product_8
+    sum_138 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_137
+    del sum_135, product_8, sum_136, sum_137
+    sum_139 = (10.0 - 3.0 * cos_beta_squared) * baseline_per_path - 24.0 * cos_beta
+    sum_140 = 27.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_139
+    sum_141 = cos_beta * sum_140 - 16.0 * baseline_per_path
+    sum_142 = 12.0 * product_6 + (1.0 - cos_beta * sum_141) * baseline_per_path
+    del sum_139, sum_140, product_6, sum_141
+    sum_143 = baseline_per_path * sum_142 - 3.0 * cos_beta_squared
+    sum_144 = (
+        16.0 * sigma_beta_squared * sum_129
+        - rho * sum_113
+        + 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_143
+        + 64.0 * sum_138 * sum_1_squared
+    )
+    del sum_142, sum_113, sum_129, sum_138, sum_143
+    sum_145 = 5.0 * baseline_per_path - cos_beta
+    sum_146 = cos_beta * (20.0 + cos_beta * sum_145) - 12.0 * baseline_per_path
+    sum_147 = 29.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_146
+    sum_148 = cos_beta * sum_147 - 12.0 * baseline_per_path
+    sum_149 = 6.0 - baseline_per_path * sum_148 + 11.0 * cos_beta_squared
+    del sum_145, sum_146, sum_147, sum_148
+    sum_150 = baseline_per_path * sum_149 - 5.0 * cos_beta
+    sum_151 = 128.0 * sum_150 * sum_1_squared + 96.0 * sigma_beta_squared * sum_67 * sum_78
+    sum_152 = rho * sigma_beta * sin_beta * sum_151 * sum_2 * sum_3 - sigma_path_per_path * sum_144
+    del sum_149, sum_150, sum_78, sum_144, sum_151
+    sum_153 = sum_3_squared * sum_68 * term_4 - sigma_path_per_path * sum_152
+    sum_154 = sigma_beta * sum_153 - rho * sigma_path_per_path * sin_beta * sum_62
+    del sum_152, sum_68, sum_153, sum_62
+    sum_61_squared = sum_61**2
+    sum_155 = 1.0 + (product_4 - 2.0 * cos_beta) * baseline_per_path
     sum_156 = (
-        16.0 * sigma_beta_squared * sum_146
-        - 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_85
-        - rho * sum_130
-        + 64.0 * sum_155 * sum_5_squared
+        384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_155 * sum_1_squared
+        + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
     )
-    del sum_130, sum_146, sum_155, sum_85
-    sum_157 = 5.0 * baseline_per_path - cos_beta
-    sum_158 = cos_beta * (20.0 + cos_beta * sum_157) - 12.0 * baseline_per_path
-    sum_159 = 29.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_158
-    sum_160 = cos_beta * sum_159 - 12.0 * baseline_per_path
-    sum_161 = 6.0 - baseline_per_path * sum_160 + 11.0 * cos_beta_squared
-    del sum_157, sum_158, sum_159, sum_160
-    sum_162 = baseline_per_path * sum_161 - 5.0 * cos_beta
-    sum_163 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
-    sum_164 = 128.0 * sum_162 * sum_5_squared + 96.0 * sigma_beta_squared * sum_163 * sum_95
-    sum_165 = rho * sigma_beta * sin_beta * sum_14 * sum_164 * sum_9 - sigma_path_per_path * sum_156
-    del sum_161, sum_162, sum_95, sum_156, sum_164
-    sum_166 = sum_14_squared * sum_79 * term_4 - sigma_path_per_path * sum_165
-    sum_167 = sigma_beta * sum_166 - rho * sigma_path_per_path * sin_beta * sum_63
-    del sum_165, sum_79, sum_166, sum_63
-    sum_62_squared = sum_62**2
-    sum_168 = 1.0 + (product_4 - 2.0 * cos_beta) * baseline_per_path
-    sin_beta_squared_squared = sin_beta_squared**2
-    sum_169 = (
-        384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_168 * sum_5_squared
-        + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
+    sum_157 = (
+        64.0 * cos_beta_squared * sum_1_squared_squared * sum_61_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sum_156
     )
-    sum_170 = (
-        64.0 * cos_beta_squared * sum_5_squared_squared * sum_62_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sum_169
+    sum_158 = sigma_path_per_path_squared * sum_157 + sigma_beta * sum_154
+    del product_4, sum_156, sum_154, sum_157
+    sum_159 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    sum_160 = (6.0 - 2.0 * cos_beta_squared) * baseline_per_path - 13.0 * cos_beta
+    sum_161 = 2.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_160
+    sum_162 = cos_beta * sum_161 - 2.0 * baseline_per_path
+    sum_163 = 1.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_162
+    sum_164 = (
+        384.0 * sum_163 * sum_1_squared
+        - 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_159
     )
-    sum_171 = sigma_path_per_path_squared * sum_170 + sigma_beta * sum_167
-    del product_4, sum_168, sum_169, sum_167, sum_170
-    sum_172 = 36.0 - (46.0 - 12.0 * sin_beta_squared) * sin_beta_squared
-    sum_173 = 28.0 - 9.0 * sin_beta_squared - (2.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
-    sum_174 = 19.0 - 4.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_173
-    sum_175 = cos_beta * sum_172 - baseline_per_path * sum_174
-    sum_176 = 34.0 - baseline_per_path * sum_175 - (64.0 - 28.0 * sin_beta_squared) * sin_beta_squared
-    del sum_173, sum_172, sum_174, sum_175
-    sum_177 = (16.0 - 20.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_176
-    sum_178 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
-    sum_179 = (
-        1152.0
-        - 1536.0 * sin_beta_squared
-        - 384.0 * baseline_per_path * sum_177
-        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_178
+    del sum_160, sum_161, sum_162, sum_159, sum_163
+    sum_165 = (
+        64.0 * (1.0 + cos_beta * sum_60) * sum_1_squared_squared * sum_2 * sum_3 * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_164
     )
-    sum_180 = (
-        64.0 * (1.0 + cos_beta * sum_61) * sum_14 * sum_5_squared_squared * sum_62 * sum_9
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_179
+    sum_166 = 11.0 * baseline_per_path - 5.0 * cos_beta
+    sum_167 = cos_beta * (26.0 + cos_beta * sum_166) - 24.0 * baseline_per_path
+    sum_168 = 11.0 - 14.0 * cos_beta_squared + baseline_per_path * sum_167
+    del sum_164, sum_60, sum_166, sum_167
+    sum_169 = baseline_per_path * sum_168 - 5.0 * cos_beta
+    sum_170 = baseline_per_path - cos_beta
+    sum_171 = 64.0 * sum_170 * sum_1_squared - 32.0 * sigma_beta_squared * sum_169
+    sum_172 = 4.0 * baseline_per_path - cos_beta
+    sum_173 = cos_beta * (4.0 + cos_beta * sum_172) - 6.0 * baseline_per_path
+    sum_174 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_173
+    del sum_168, sum_169, sum_172, sum_173
+    sum_175 = baseline_per_path * sum_174 - cos_beta
+    sum_176 = 16.0 * sigma_beta_squared_squared * sum_175 * sum_67 + sum_171 * sum_1_squared
+    sum_177 = 196.0 - 21.0 * cos_beta_squared
+    sum_178 = 280.0 - 126.0 * cos_beta_squared
+    sum_179 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
+    sum_180 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_179
+    del sum_174, sum_171, sum_67, sum_179
+    sum_181 = cos_beta * sum_180 - 146.0 * baseline_per_path
+    sum_182 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_181
+    sum_183 = cos_beta * sum_178 - baseline_per_path * sum_182
+    del sum_180, sum_181, sum_178, sum_182
+    sum_184 = 121.0 - cos_beta_squared * sum_177 + baseline_per_path * sum_183
+    sum_185 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_186 = cos_beta * sum_184 - baseline_per_path * sum_185
+    del sum_177, sum_183, sum_184, sum_185
+    sum_187 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_186
+    sum_188 = baseline_per_path * sum_187 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
+    sum_189 = baseline_per_path * sum_188 - 8.0 * cos_beta_squared
+    sum_190 = baseline_per_path * sum_189 + cos_beta
+    del sum_186, sum_187, sum_188, sum_189
+    sum_191 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * (5.0 + sin_beta_squared)
+    sum_192 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_191
+    sum_193 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_192
+    sum_194 = baseline_per_path * sum_193 - cos_beta
+    sum_195 = 212.0 - 24.0 * cos_beta_squared
+    sum_196 = 308.0 - 129.0 * cos_beta_squared
+    sum_197 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
+    sum_198 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_197
+    del sum_191, sum_192, sum_193, sum_197
+    sum_199 = cos_beta * sum_198 - 139.0 * baseline_per_path
+    sum_200 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_199
+    sum_201 = cos_beta * sum_196 - baseline_per_path * sum_200
+    del sum_198, sum_199, sum_196, sum_200
+    sum_202 = 104.0 - cos_beta_squared * sum_195 + baseline_per_path * sum_201
+    sum_203 = 55.0 - 72.0 * baseline_per_path_squared
+    sum_204 = cos_beta * sum_202 - baseline_per_path * sum_203
+    del sum_195, sum_201, sum_202, sum_203
+    sum_205 = 1.0 - baseline_per_path * sum_204 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
+    sum_206 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_205
+    sum_207 = baseline_per_path * sum_206 - 16.0 * cos_beta_squared
+    sum_208 = 2.0 * cos_beta + baseline_per_path * sum_207
+    del sum_204, sum_205, sum_206, sum_207
+    sum_209 = (12.0 - cos_beta_squared) * baseline_per_path - 26.0 * cos_beta
+    sum_210 = 9.0 - 15.0 * cos_beta_squared - baseline_per_path * sum_209
+    sum_211 = cos_beta * sum_210 - 6.0 * baseline_per_path
+    sum_212 = baseline_per_path * sum_211 - 4.0 * cos_beta_squared
+    sum_213 = baseline_per_path * sum_212 + cos_beta
+    del sum_209, sum_210, sum_211, sum_212
+    sum_214 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
+    sum_215 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_214
+    sum_216 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_215
+    sum_217 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_216
+    sum_218 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_217
+    del sum_214, sum_215, sum_216, sum_217
+    sum_219 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_218
+    sum_220 = 128.0 * rho * sigma_beta * sum_219 - 384.0 * sigma_path_per_path * sin_beta * sum_213
+    sum_221 = 9.0 * baseline_per_path - 6.0 * cos_beta
+    sum_222 = cos_beta * (68.0 + cos_beta * sum_221) - 24.0 * baseline_per_path
+    del sum_218, sum_213, sum_219, sum_221
+    sum_223 = 71.0 - 74.0 * cos_beta_squared + baseline_per_path * sum_222
+    sum_224 = (86.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_223
+    sum_225 = 4.0 + 24.0 * baseline_per_path_squared + cos_beta * sum_224
+    sum_226 = (22.0 + 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_225
+    del sum_222, sum_223, sum_224, sum_225
+    sum_227 = baseline_per_path * sum_226 - 42.0 * cos_beta_squared
+    sum_228 = 7.0 * cos_beta + baseline_per_path * sum_227
+    sum_229 = (
+        64.0 * sum_1_squared * sum_228
+        - 64.0 * sigma_beta_squared * sum_208
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_220
     )
-    del sum_176, sum_177, sum_178, sum_179, sum_61
-    sum_181 = 11.0 * baseline_per_path - 5.0 * cos_beta
-    sum_182 = cos_beta * (26.0 + cos_beta * sum_181) - 24.0 * baseline_per_path
-    sum_183 = 11.0 - 14.0 * cos_beta_squared + baseline_per_path * sum_182
-    sum_184 = baseline_per_path * sum_183 - 5.0 * cos_beta
-    sum_185 = baseline_per_path - cos_beta
-    sum_186 = 64.0 * sum_185 * sum_5_squared - 32.0 * sigma_beta_squared * sum_184
-    del sum_181, sum_182, sum_183, sum_184
-    sum_187 = 4.0 * baseline_per_path - cos_beta
-    sum_188 = cos_beta * (4.0 + cos_beta * sum_187) - 6.0 * baseline_per_path
-    sum_189 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_188
-    sum_190 = baseline_per_path * sum_189 - cos_beta
-    sum_191 = 16.0 * sigma_beta_squared_squared * sum_163 * sum_190 + sum_186 * sum_5_squared
-    del sum_187, sum_188, sum_189, sum_163, sum_186
-    sum_192 = 196.0 - 21.0 * cos_beta_squared
-    sum_193 = 280.0 - 126.0 * cos_beta_squared
-    sum_194 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
-    sum_195 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_194
-    sum_196 = cos_beta * sum_195 - 146.0 * baseline_per_path
-    sum_197 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_196
-    sum_198 = cos_beta * sum_193 - baseline_per_path * sum_197
-    del sum_194, sum_195, sum_196, sum_193, sum_197
-    sum_199 = 121.0 - cos_beta_squared * sum_192 + baseline_per_path * sum_198
-    sum_200 = 74.0 - 72.0 * baseline_per_path_squared
-    sum_201 = cos_beta * sum_199 - baseline_per_path * sum_200
-    del sum_192, sum_198, sum_199, sum_200
-    sum_202 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_201
-    sum_203 = baseline_per_path * sum_202 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
-    sum_204 = baseline_per_path * sum_203 - 8.0 * cos_beta_squared
-    sum_205 = baseline_per_path * sum_204 + cos_beta
-    del sum_201, sum_202, sum_203, sum_204
-    sum_206 = 5.0 + sin_beta_squared
-    sum_207 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_206
-    sum_208 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_207
-    sum_209 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_208
-    sum_210 = baseline_per_path * sum_209 - cos_beta
-    sum_211 = 212.0 - 24.0 * cos_beta_squared
-    sum_212 = 308.0 - 129.0 * cos_beta_squared
-    sum_213 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
-    sum_214 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_213
-    del sum_207, sum_208, sum_209, sum_213
-    sum_215 = cos_beta * sum_214 - 139.0 * baseline_per_path
-    sum_216 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_215
-    sum_217 = cos_beta * sum_212 - baseline_per_path * sum_216
-    del sum_214, sum_215, sum_212, sum_216
-    sum_218 = 104.0 - cos_beta_squared * sum_211 + baseline_per_path * sum_217
-    sum_219 = 55.0 - 72.0 * baseline_per_path_squared
-    sum_220 = cos_beta * sum_218 - baseline_per_path * sum_219
-    del sum_211, sum_217, sum_218, sum_219
-    sum_221 = 1.0 - baseline_per_path * sum_220 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_222 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_221
-    sum_223 = baseline_per_path * sum_222 - 16.0 * cos_beta_squared
-    sum_224 = 2.0 * cos_beta + baseline_per_path * sum_223
-    del sum_220, sum_221, sum_222, sum_223
-    sum_225 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
-    sum_226 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_225
-    sum_227 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_226
-    sum_228 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_227
-    sum_229 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_228
-    del sum_225, sum_226, sum_227, sum_228
-    sum_230 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_229
-    sum_231 = 20.0 - 26.0 * sin_beta_squared - baseline_per_path * cos_beta * (11.0 + sin_beta_squared)
-    sum_232 = (6.0 - 15.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_231
-    sum_233 = 4.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_232
-    sum_234 = baseline_per_path * sum_233 - cos_beta
-    del sum_229, sum_231, sum_232, sum_233
-    sum_235 = 128.0 * rho * sigma_beta * sum_230 + 384.0 * sigma_path_per_path * sin_beta * sum_234
-    sum_236 = 9.0 * baseline_per_path - 6.0 * cos_beta
-    sum_237 = cos_beta * (68.0 + cos_beta * sum_236) - 24.0 * baseline_per_path
-    sum_238 = 71.0 - 74.0 * cos_beta_squared + baseline_per_path * sum_237
-    del sum_230, sum_234, sum_236, sum_237
-    sum_239 = (86.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_238
-    sum_240 = 4.0 + 24.0 * baseline_per_path_squared + cos_beta * sum_239
-    sum_241 = (22.0 + 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_240
-    sum_242 = baseline_per_path * sum_241 - 42.0 * cos_beta_squared
-    del sum_238, sum_239, sum_240, sum_241
-    sum_243 = 7.0 * cos_beta + baseline_per_path * sum_242
-    sum_244 = (
-        64.0 * sum_243 * sum_5_squared
-        - 64.0 * sigma_beta_squared * sum_224
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_235
+    del sum_226, sum_227, sum_208, sum_220, sum_228
+    sum_230 = 125.0 - 144.0 * sin_beta_squared
+    sum_231 = 112.0 + 96.0 * sin_beta_squared
+    sum_232 = 14.0 - 291.0 * sin_beta_squared
+    sum_233 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
+    sum_234 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_233
+    sum_235 = cos_beta * sum_232 - baseline_per_path * sum_234
+    sum_236 = 172.0 - sin_beta_squared * sum_231 + baseline_per_path * sum_235
+    del sum_233, sum_232, sum_234, sum_231, sum_235
+    sum_237 = cos_beta * sum_230 - baseline_per_path * sum_236
+    sum_238 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_237
+    sum_239 = (
+        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_238
+        - rho * sum_229
     )
-    del sum_242, sum_224, sum_235, sum_243
-    sum_245 = 125.0 - 144.0 * sin_beta_squared
-    sum_246 = 112.0 + 96.0 * sin_beta_squared
-    sum_247 = 14.0 - 291.0 * sin_beta_squared
-    sum_248 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
-    sum_249 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_248
-    sum_250 = cos_beta * sum_247 - baseline_per_path * sum_249
-    sum_251 = 172.0 - sin_beta_squared * sum_246 + baseline_per_path * sum_250
-    del sum_248, sum_247, sum_249, sum_246, sum_250
-    sum_252 = cos_beta * sum_245 - baseline_per_path * sum_251
-    sum_253 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_252
-    sum_254 = (
-        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_253
-        - rho * sum_244
+    del sum_230, sum_236, sum_237, sum_229, sum_238
+    sum_240 = 3.0 * baseline_per_path - 3.0 * cos_beta
+    sum_241 = cos_beta * (17.0 + cos_beta * sum_240) - 6.0 * baseline_per_path
+    sum_242 = 14.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_241
+    sum_243 = (17.0 - 5.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_242
+    sum_244 = 2.0 - 6.0 * baseline_per_path_squared - cos_beta * sum_243
+    del sum_240, sum_241, sum_242, sum_243
+    sum_245 = baseline_per_path * sum_244 + (1.0 + 12.0 * cos_beta_squared) * cos_beta
+    sum_246 = baseline_per_path * sum_245 - 6.0 * cos_beta_squared
+    sum_247 = baseline_per_path * sum_246 + cos_beta
+    sum_248 = (
+        128.0 * sum_1_squared * sum_247
+        - 16.0 * sigma_beta_squared * sum_190
+        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_194
+        - rho * sum_239
     )
-    del sum_245, sum_251, sum_252, sum_244, sum_253
-    sum_255 = 3.0 * baseline_per_path - 3.0 * cos_beta
-    sum_256 = cos_beta * (17.0 + cos_beta * sum_255) - 6.0 * baseline_per_path
-    sum_257 = 14.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_256
-    sum_258 = (17.0 - 5.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_257
-    sum_259 = 2.0 - 6.0 * baseline_per_path_squared - cos_beta * sum_258
-    del sum_255, sum_256, sum_257, sum_258
-    sum_260 = baseline_per_path * sum_259 + (1.0 + 12.0 * cos_beta_squared) * cos_beta
-    sum_261 = baseline_per_path * sum_260 - 6.0 * cos_beta_squared
-    sum_262 = baseline_per_path * sum_261 + cos_beta
-    sum_263 = (
-        128.0 * sum_262 * sum_5_squared
-        - 16.0 * sigma_beta_squared * sum_205
-        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_210
-        - rho * sum_254
-    )
-    del sum_259, sum_260, sum_261, sum_205, sum_210, sum_254, sum_262
-    sum_264 = sum_14_squared * sum_191 * term_4 - sigma_path_per_path_squared * sum_263
-    sum_265 = 124.0 - 68.0 * cos_beta_squared
-    sum_266 = 19.0 * baseline_per_path - 28.0 * cos_beta
-    sum_267 = 143.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_266
-    sum_268 = cos_beta * sum_267 - 104.0 * baseline_per_path
-    del sum_191, sum_263, sum_266, sum_267
-    sum_269 = 167.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_268
-    sum_270 = cos_beta * sum_265 - baseline_per_path * sum_269
-    sum_271 = 2.0 + 72.0 * baseline_per_path_squared + cos_beta * sum_270
-    del sum_268, sum_265, sum_269, sum_270
-    sum_272 = baseline_per_path * sum_271 + (3.0 - 44.0 * cos_beta_squared) * cos_beta
-    sum_273 = 10.0 - 20.0 * cos_beta_squared - baseline_per_path * sum_272
-    sum_274 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_275 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_276 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_277 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
-    sum_278 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_277
-    sum_279 = 3.0 - sin_beta_squared * sum_278 + product_1
-    del sum_271, sum_272, sum_277, product_1, sum_278
-    sum_280 = baseline_per_path * sum_279 + cos_beta * sum_276
-    sum_281 = 21.0 - baseline_per_path * sum_280 + sin_beta_squared * sum_275
-    del sum_276, sum_279, sum_275, sum_280
-    sum_282 = cos_beta * sum_274 - baseline_per_path * sum_281
-    sum_283 = 1.0 + baseline_per_path * sum_282 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
-    sum_284 = baseline_per_path * sum_283 - 4.0 * cos_beta
-    del sum_274, sum_281, sum_282, sum_283
-    sum_285 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_284
-    sum_286 = 32.0 * sum_273 * sum_5_squared + 48.0 * sigma_beta_squared * sum_285
-    sum_287 = rho * sigma_beta * sigma_path_per_path * sum_14 * sum_286 * sum_9 + sin_beta * sum_264
-    del sum_284, sum_273, sum_285, sum_264, sum_286
-    sum_288 = sigma_beta * sum_287 - rho * sigma_path_per_path * sum_180
-    sum_289 = 1.0 - sin_beta_squared_squared
-    sum_290 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_289
-    sum_291 = (6.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_290
-    del sum_180, sum_287, sin_beta_squared_squared, sum_290
-    sum_292 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_291
-    sum_293 = (
-        384.0 * baseline_per_path * sum_292
-        - 384.0 * cos_beta
-        - 576.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
-    )
-    sum_294 = (
-        64.0 * cos_beta * sum_5_squared_squared * sum_62_squared
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_293
-    )
-    del sum_291, sum_292, sum_293, sum_62_squared
-    sum_295 = sigma_path_per_path_squared * sin_beta * sum_294 + sigma_beta * sum_288
-    sum_296 = 3.0 - sin_beta_squared * (2.0 + sin_beta_squared)
-    sum_297 = (14.0 - 6.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_296
-    sum_298 = 26.0 - baseline_per_path * sum_297 - (28.0 - 6.0 * sin_beta_squared) * sin_beta_squared
-    del sum_288, sum_294, sum_296, sum_297
-    sum_299 = (24.0 - 14.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_298
-    sum_300 = 11.0 - 10.0 * sin_beta_squared - baseline_per_path * sum_299
-    sum_301 = (
-        3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_185
-        - 1536.0 * cos_beta
-        + 768.0 * baseline_per_path * sum_300
-    )
-    sum_302 = (
-        128.0 * sum_14 * sum_185 * sum_5_squared_squared * sum_62 * sum_9
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_301
-    )
-    del sum_298, sum_299, sum_300, sum_301, sum_5_squared_squared, sum_62
-    sum_303 = 20.0 * baseline_per_path - 22.0 * cos_beta
-    sum_304 = 31.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_303
-    sum_305 = cos_beta * sum_304 - 32.0 * baseline_per_path
-    sum_306 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_305
-    sum_307 = (16.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_306
-    del sum_303, sum_304, sum_305, sum_306
-    sum_308 = 3.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_307
-    sum_309 = 32.0 * sigma_beta_squared * sum_308 + 64.0 * sum_185**2 * sum_5_squared
-    sum_310 = 16.0 * sigma_beta_squared_squared * sum_190**2 + sum_309 * sum_5_squared
-    del sum_307, sum_185, sum_308, sigma_beta_squared_squared, sum_309
-    sum_311 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
-    sum_312 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_311
-    sum_313 = 67.0 - baseline_per_path * sum_312 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_314 = baseline_per_path * sum_313 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
-    sum_315 = 86.0 - baseline_per_path * sum_314 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    del sum_311, sum_312, sum_313, sum_314
-    sum_316 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_315
-    sum_317 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_316
-    sum_318 = baseline_per_path * sum_317 - 8.0 * cos_beta
-    sum_319 = 1.0 + baseline_per_path * sum_318
-    del sum_315, sum_316, sum_317, sum_318
-    sum_320 = 146.0 + 21.0 * sin_beta_squared
-    sum_321 = 112.0 + 164.0 * sin_beta_squared
-    sum_322 = 214.0 + 18.0 * sin_beta_squared
-    sum_323 = 140.0 + 76.0 * sin_beta_squared
-    sum_324 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
-    sum_325 = cos_beta * sum_323 - baseline_per_path * sum_324
-    sum_326 = 76.0 - baseline_per_path * sum_325 - sin_beta_squared * sum_322
-    del sum_323, sum_324, sum_322, sum_325
-    sum_327 = baseline_per_path * sum_326 + cos_beta * sum_321
-    sum_328 = 122.0 - baseline_per_path * sum_327 - sin_beta_squared * sum_320
-    del sum_321, sum_326, sum_320, sum_327
-    sum_329 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_328
-    sum_330 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_329
-    sum_331 = baseline_per_path * sum_330 - 8.0 * cos_beta
-    sum_332 = 16.0 + 128.0 * rho_squared * sum_319 + 16.0 * baseline_per_path * sum_331
-    del sum_328, sum_329, sum_330, sum_319, sum_331
-    sum_333 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
-    sum_334 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_333
-    sum_335 = 4.0 * cos_beta + baseline_per_path * sum_334
-    sum_336 = 1.0 - baseline_per_path * sum_335
-    sum_337 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
-    sum_338 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_337
-    del sum_333, sum_334, sum_335, sum_337
-    sum_339 = baseline_per_path * sum_338 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
-    sum_340 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_339
-    sum_341 = baseline_per_path * sum_340 - 4.0 * cos_beta
-    sum_342 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
-    sum_343 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_342
-    del sum_338, sum_339, sum_340, sum_342
-    sum_344 = 4.0 * cos_beta + baseline_per_path * sum_343
-    sum_345 = 1.0 - baseline_per_path * sum_344
-    sum_346 = cos_beta * (13.0 + sin_beta_squared) - baseline_per_path * sum_206
-    sum_347 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_346
-    del sum_343, sum_344, sum_206, sum_346
-    sum_348 = baseline_per_path * sum_347 + cos_beta * sum_80
-    sum_349 = 5.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_348
-    sum_350 = baseline_per_path * sum_349 - cos_beta
-    del sum_347, sum_80, sum_348, sum_349
-    sum_351 = 384.0 * sigma_path_per_path * sin_beta * sum_345 + 768.0 * rho * sigma_beta * sum_350
-    sum_352 = 192.0 * sigma_beta * sum_341 + rho * sum_351
-    del sum_345, sum_350, sum_341, sum_351
-    sum_353 = 192.0 * sigma_path_per_path * sin_beta * sum_336 + rho * sum_352
-    sum_354 = (
-        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_353
-        - sigma_beta_squared * sum_332
-    )
-    del sum_336, sum_352, sum_332, sum_353
-    sum_355 = 10.0 * baseline_per_path - 6.0 * cos_beta
-    sum_356 = cos_beta * (48.0 + cos_beta * sum_355) - 33.0 * baseline_per_path
-    sum_357 = 72.0 - 42.0 * cos_beta_squared + baseline_per_path * sum_356
-    sum_358 = (44.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_357
-    sum_359 = 14.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_358
-    del sum_355, sum_356, sum_357, sum_358
-    sum_360 = 15.0 - 24.0 * baseline_per_path_squared
-    sum_361 = cos_beta * sum_359 - baseline_per_path * sum_360
-    sum_362 = (9.0 - 24.0 * cos_beta_squared) * cos_beta_squared - baseline_per_path * sum_361
-    sum_363 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_362
-    del sum_359, sum_360, sum_361, sum_362
-    sum_364 = 124.0 - 14.0 * cos_beta_squared
-    sum_365 = 11.0 * baseline_per_path - 6.0 * cos_beta
-    sum_366 = cos_beta * (102.0 + cos_beta * sum_365) - 54.0 * baseline_per_path
-    sum_367 = 171.0 - 84.0 * cos_beta_squared + baseline_per_path * sum_366
-    sum_368 = cos_beta * sum_364 - baseline_per_path * sum_367
-    del sum_365, sum_366, sum_364, sum_367
-    sum_369 = 10.0 - 126.0 * baseline_per_path_squared - cos_beta * sum_368
-    sum_370 = 12.0 - 48.0 * baseline_per_path_squared
-    sum_371 = cos_beta * sum_369 - baseline_per_path * sum_370
-    sum_372 = 6.0 - baseline_per_path * sum_371 - (12.0 + 69.0 * cos_beta_squared) * cos_beta_squared
-    del sum_368, sum_369, sum_370, sum_371
-    sum_373 = (12.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_372
-    sum_374 = 2.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_373
-    sum_375 = (
-        64.0
-        - 128.0 * cos_beta_squared
-        - 64.0 * baseline_per_path * sum_363
-        + 64.0 * rho_squared * sum_374
-    )
-    del sum_372, sum_373, rho_squared, sum_363, sum_374
-    sum_376 = sin_beta_squared * sum_354 + sum_375 * sum_5_squared
-    sum_377 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
-    sum_378 = baseline_per_path * sum_377 - 4.0 * cos_beta
-    del sum_354, sum_375, product_5, sum_377
-    sum_379 = 1.0 + baseline_per_path * sum_378
-    sum_380 = 19.0 * baseline_per_path - 18.0 * cos_beta
-    sum_381 = 101.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_380
-    sum_382 = cos_beta * sum_381 - 106.0 * baseline_per_path
-    sum_383 = 19.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_382
-    del sum_378, sum_380, sum_381, sum_382
-    sum_384 = (32.0 - 34.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_383
-    sum_385 = 7.0 - baseline_per_path * sum_384 + 22.0 * cos_beta_squared
-    sum_386 = baseline_per_path * sum_385 - 10.0 * cos_beta
-    del sum_383, cos_beta_squared, sum_384, sum_385
-    sum_387 = 64.0 * sum_386 * sum_5_squared - 96.0 * sigma_beta_squared * sum_190 * sum_379
-    del sigma_beta_squared, sum_190, sum_379, sum_386, sum_5_squared
-    sum_388 = rho * sigma_beta * sin_beta * sum_14 * sum_387 * sum_9 - sigma_path_per_path * sum_376
-    del sum_14, sum_376, sum_387, sum_9
-    sum_389 = sigma_path_per_path * sum_388 + sum_14_squared * sum_310 * term_4
-    del sum_14_squared, sum_310, sum_388, term_4
-    sum_390 = sigma_beta * sum_389 - rho * sigma_path_per_path * sin_beta * sum_302
-    del sigma_path_per_path, sin_beta, sum_302, sum_389
-    sum_391 = 110.0 - 41.0 * sin_beta_squared
-    sum_392 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
-    sum_393 = (12.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_73
-    sum_394 = 54.0 - baseline_per_path * sum_393 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_395 = baseline_per_path - 8.0 * cos_beta
-    sum_396 = 28.0 - sin_beta_squared * sum_394 + baseline_per_path * sum_395
-    del sum_73, sum_393, sum_394, sum_395
-    sum_397 = cos_beta * sum_392 - baseline_per_path * sum_396
-    sum_398 = 70.0 - baseline_per_path * sum_397 - sin_beta_squared * sum_391
-    del sum_392, sum_396, sum_391, sum_397
-    sum_399 = (56.0 - 44.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_398
-    sum_400 = 28.0 - 26.0 * sin_beta_squared - baseline_per_path * sum_399
-    sum_401 = baseline_per_path * sum_400 - 8.0 * cos_beta
-    sum_402 = baseline_per_path * sum_289 - 4.0 * cos_beta
-    del sum_398, sum_399, sum_400, sum_289
-    sum_403 = 6.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_402
-    sum_404 = baseline_per_path * sum_403 - 4.0 * cos_beta
-    sum_405 = (
-        384.0
-        + 384.0 * baseline_per_path * sum_404
+    del sum_244, sum_245, sum_246, sum_190, sum_194, sum_239, sum_247
+    sum_249 = sum_176 * sum_3_squared * term_4 - sigma_path_per_path_squared * sum_248
+    sum_250 = 124.0 - 68.0 * cos_beta_squared
+    sum_251 = 19.0 * baseline_per_path - 28.0 * cos_beta
+    sum_252 = 143.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_251
+    sum_253 = cos_beta * sum_252 - 104.0 * baseline_per_path
+    del sum_176, sum_248, sum_251, sum_252
+    sum_254 = 167.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_253
+    sum_255 = cos_beta * sum_250 - baseline_per_path * sum_254
+    sum_256 = 2.0 + 72.0 * baseline_per_path_squared + cos_beta * sum_255
+    del sum_253, sum_250, sum_254, sum_255
+    sum_257 = baseline_per_path * sum_256 + (3.0 - 44.0 * cos_beta_squared) * cos_beta
+    sum_258 = 10.0 - 20.0 * cos_beta_squared - baseline_per_path * sum_257
+    sum_259 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_260 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_261 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_262 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
+    sum_263 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_262
+    sum_264 = 3.0 - sin_beta_squared * sum_263 + product_1
+    del sum_256, sum_257, sum_262, product_1, sum_263
+    sum_265 = baseline_per_path * sum_264 + cos_beta * sum_261
+    sum_266 = 21.0 - baseline_per_path * sum_265 + sin_beta_squared * sum_260
+    del sum_261, sum_264, sum_260, sum_265
+    sum_267 = cos_beta * sum_259 - baseline_per_path * sum_266
+    sum_268 = 1.0 + baseline_per_path * sum_267 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
+    sum_269 = baseline_per_path * sum_268 - 4.0 * cos_beta
+    del sum_259, sum_266, sum_267, sum_268
+    sum_270 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_269
+    sum_271 = 32.0 * sum_1_squared * sum_258 + 48.0 * sigma_beta_squared * sum_270
+    sum_272 = rho * sigma_beta * sigma_path_per_path * sum_2 * sum_271 * sum_3 + sin_beta * sum_249
+    del sum_269, sum_258, sum_270, sum_249, sum_271
+    sum_273 = sigma_beta * sum_272 - rho * sigma_path_per_path * sum_165
+    sum_274 = (
+        384.0 * sum_155 * sum_1_squared
         + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
     )
-    del sum_402, cos_beta, sum_403, sum_404
-    sum_406 = (
-        64.0
-        + 64.0 * baseline_per_path * sum_401
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_405
+    sum_275 = (
+        64.0 * sum_1_squared_squared * sum_61_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_274
     )
-    del baseline_per_path, baseline_per_path_squared, sum_401, sum_405
-    sum_407 = sigma_path_per_path_squared * sin_beta_squared * sum_406 + sigma_beta * sum_390
-    del sigma_path_per_path_squared, sin_beta_squared, sum_390, sum_406
-    mean[..., 0] = path * sum_28 * term_2
-    mean[..., 1] = path * sum_55 * term_2
-    covariance[..., 0, 0] = path_squared * sum_171 * term_3
-    del sum_28, sum_55, term_2, sum_171
-    covariance[..., 0, 1] = path_squared * sum_295 * term_3
+    del sum_165, sum_272, sum_155, sum_274, sum_61_squared
+    sum_276 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_275 + sigma_beta * sum_273
+    sum_277 = 1.0 + 6.0 * cos_beta_squared + (product_7 - 8.0 * cos_beta) * baseline_per_path
+    sum_278 = baseline_per_path * sum_277 - 2.0 * cos_beta
+    sum_279 = (
+        3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_170
+        + 768.0 * sum_1_squared * sum_278
+    )
+    del sum_273, product_7, sum_277, sum_278
+    sum_280 = (
+        128.0 * sum_170 * sum_1_squared_squared * sum_2 * sum_3 * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_279
+    )
+    sum_281 = 20.0 * baseline_per_path - 22.0 * cos_beta
+    sum_282 = 31.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_281
+    del sum_1_squared_squared, sum_279, sum_61, sum_281
+    sum_283 = cos_beta * sum_282 - 32.0 * baseline_per_path
+    sum_284 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_283
+    sum_285 = (16.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_284
+    sum_286 = 3.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_285
+    del sum_282, sum_283, sum_284, sum_285
+    sum_287 = 32.0 * sigma_beta_squared * sum_286 + 64.0 * sum_170**2 * sum_1_squared
+    sum_288 = 16.0 * sigma_beta_squared_squared * sum_175**2 + sum_1_squared * sum_287
+    sum_289 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
+    sum_290 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_289
+    del sum_286, sigma_beta_squared_squared, sum_287, sum_289
+    sum_291 = 67.0 - baseline_per_path * sum_290 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
+    sum_292 = baseline_per_path * sum_291 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
+    sum_293 = 86.0 - baseline_per_path * sum_292 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    sum_294 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_293
+    del sum_290, sum_291, sum_292, sum_293
+    sum_295 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_294
+    sum_296 = baseline_per_path * sum_295 - 8.0 * cos_beta
+    sum_297 = 1.0 + baseline_per_path * sum_296
+    sum_298 = 146.0 + 21.0 * sin_beta_squared
+    sum_299 = 112.0 + 164.0 * sin_beta_squared
+    sum_300 = 214.0 + 18.0 * sin_beta_squared
+    sum_301 = 140.0 + 76.0 * sin_beta_squared
+    sum_302 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
+    sum_303 = cos_beta * sum_301 - baseline_per_path * sum_302
+    del sum_294, sum_295, sum_296, sum_301, sum_302
+    sum_304 = 76.0 - baseline_per_path * sum_303 - sin_beta_squared * sum_300
+    sum_305 = baseline_per_path * sum_304 + cos_beta * sum_299
+    del sum_300, sum_303, sum_299, sum_304
+    sum_306 = 122.0 - baseline_per_path * sum_305 - sin_beta_squared * sum_298
+    sum_307 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_306
+    sum_308 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_307
+    del sum_298, sum_305, sum_306, sum_307
+    sum_309 = baseline_per_path * sum_308 - 8.0 * cos_beta
+    sum_310 = 16.0 + 128.0 * rho_squared * sum_297 + 16.0 * baseline_per_path * sum_309
+    sum_311 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
+    sum_312 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_311
+    del sum_308, sum_297, sum_309, sum_311
+    sum_313 = 4.0 * cos_beta + baseline_per_path * sum_312
+    sum_314 = 1.0 - baseline_per_path * sum_313
+    sum_315 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
+    sum_316 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_315
+    sum_317 = baseline_per_path * sum_316 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    del sum_312, sum_313, sum_315, sum_316
+    sum_318 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_317
+    sum_319 = baseline_per_path * sum_318 - 4.0 * cos_beta
+    sum_320 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
+    sum_321 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_320
+    sum_322 = 4.0 * cos_beta + baseline_per_path * sum_321
+    del sum_317, sum_318, sum_320, sum_321
+    sum_323 = 1.0 - baseline_per_path * sum_322
+    sum_324 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
+    sum_325 = baseline_per_path * sum_324 - 4.0 * cos_beta
+    sum_326 = 1.0 + baseline_per_path * sum_325
+    del sum_322, product_5, sum_324, sum_325
+    sum_327 = 384.0 * sigma_path_per_path * sin_beta * sum_323 + 768.0 * rho * sigma_beta * sum_170 * sum_326
+    sum_328 = 192.0 * sigma_beta * sum_319 + rho * sum_327
+    del sum_170, sum_323, sum_319, sum_327
+    sum_329 = 192.0 * sigma_path_per_path * sin_beta * sum_314 + rho * sum_328
+    sum_330 = (
+        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_329
+        - sigma_beta_squared * sum_310
+    )
+    del sum_314, sum_328, sum_310, sum_329
+    sum_331 = 10.0 * baseline_per_path - 6.0 * cos_beta
+    sum_332 = cos_beta * (48.0 + cos_beta * sum_331) - 33.0 * baseline_per_path
+    sum_333 = 72.0 - 42.0 * cos_beta_squared + baseline_per_path * sum_332
+    sum_334 = (44.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_333
+    sum_335 = 14.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_334
+    del sum_331, sum_332, sum_333, sum_334
+    sum_336 = 15.0 - 24.0 * baseline_per_path_squared
+    sum_337 = cos_beta * sum_335 - baseline_per_path * sum_336
+    sum_338 = (9.0 - 24.0 * cos_beta_squared) * cos_beta_squared - baseline_per_path * sum_337
+    sum_339 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_338
+    del sum_335, sum_336, sum_337, sum_338
+    sum_340 = 124.0 - 14.0 * cos_beta_squared
+    sum_341 = 11.0 * baseline_per_path - 6.0 * cos_beta
+    sum_342 = cos_beta * (102.0 + cos_beta * sum_341) - 54.0 * baseline_per_path
+    sum_343 = 171.0 - 84.0 * cos_beta_squared + baseline_per_path * sum_342
+    sum_344 = cos_beta * sum_340 - baseline_per_path * sum_343
+    del sum_341, sum_342, sum_340, sum_343
+    sum_345 = 10.0 - 126.0 * baseline_per_path_squared - cos_beta * sum_344
+    sum_346 = 12.0 - 48.0 * baseline_per_path_squared
+    sum_347 = cos_beta * sum_345 - baseline_per_path * sum_346
+    sum_348 = 6.0 - baseline_per_path * sum_347 - (12.0 + 69.0 * cos_beta_squared) * cos_beta_squared
+    del sum_344, sum_345, sum_346, sum_347
+    sum_349 = (12.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_348
+    sum_350 = 2.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_349
+    sum_351 = (
+        64.0
+        - 128.0 * cos_beta_squared
+        - 64.0 * baseline_per_path * sum_339
+        + 64.0 * rho_squared * sum_350
+    )
+    del sum_348, sum_349, rho_squared, sum_339, sum_350
+    sum_352 = sin_beta_squared * sum_330 + sum_1_squared * sum_351
+    sum_353 = 19.0 * baseline_per_path - 18.0 * cos_beta
+    sum_354 = 101.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_353
+    sum_355 = cos_beta * sum_354 - 106.0 * baseline_per_path
+    del sum_330, sum_351, sum_353, sum_354
+    sum_356 = 19.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_355
+    sum_357 = (32.0 - 34.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_356
+    sum_358 = 7.0 - baseline_per_path * sum_357 + 22.0 * cos_beta_squared
+    del baseline_per_path_squared, sum_355, sum_356, cos_beta_squared, sum_357
+    sum_359 = baseline_per_path * sum_358 - 10.0 * cos_beta
+    sum_360 = 64.0 * sum_1_squared * sum_359 - 96.0 * sigma_beta_squared * sum_175 * sum_326
+    del baseline_per_path, cos_beta, sum_358, sigma_beta_squared, sum_175, sum_1_squared, sum_326, sum_359
+    sum_361 = rho * sigma_beta * sin_beta * sum_2 * sum_3 * sum_360 - sigma_path_per_path * sum_352
+    del sum_2, sum_3, sum_352, sum_360
+    sum_362 = sigma_path_per_path * sum_361 + sum_288 * sum_3_squared * term_4
+    del sum_288, sum_361, sum_3_squared, term_4
+    sum_363 = sigma_beta * sum_362 - rho * sigma_path_per_path * sin_beta * sum_280
+    del sigma_path_per_path, sin_beta, sum_280, sum_362
+    sum_364 = sigma_path_per_path_squared * sin_beta_squared * sum_275 + sigma_beta * sum_363
+    del sigma_path_per_path_squared, sin_beta_squared, sum_275, sum_363
+    mean[..., 0] = path * sum_27 * term_2
+    mean[..., 1] = path * sum_54 * term_2
+    covariance[..., 0, 0] = path_squared * sum_158 * term_3
+    del sum_27, sum_54, term_2, sum_158
+    covariance[..., 0, 1] = path_squared * sum_276 * term_3
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_407 * term_3
-    del sum_295, path_squared, sum_407, term_3
+    covariance[..., 1, 1] = path_squared * sum_364 * term_3
+    del sum_276, path_squared, sum_364, term_3
 
 
 def bistatic_posterior(
@@ -1629,638 +1461,565 @@ def bistatic_posterior(
     cos_beta = np.cos(beta)
     product_1 = -2.0 * baseline_per_path * cos_beta
     divisor_1 = 2.0 + product_1
+    term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
     product_2 = baseline_per_path * cos_beta
     sum_1 = product_2 - 1.0
     sum_1_squared = sum_1**2
-    sum_1_squared_squared = sum_1_squared**2
-    sum_2 = 1.0 - baseline_per_path
-    sum_3 = 1.0 + baseline_per_path
     sigma_path_per_path_squared = sigma_path_per_path**2
+    baseline_per_path_squared = baseline_per_path**2
     sin_beta = np.sin(beta)
     sin_beta_squared = sin_beta**2
-    sum_4 = 1.0 - sin_beta_squared
-    sum_5 = 2.0 - 2.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_4
-    baseline_per_path_squared = baseline_per_path**2
-    sum_6 = 16.0 * baseline_per_path * sum_5 - 16.0 * cos_beta - 48.0 * cos_beta * sigma_path_per_path_squared
-    sum_7 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
-    del term_1, sum_1, sum_5, product_2
-    sum_8 = 1.0 + baseline_per_path * sum_7
+    sum_2 = 16.0 * sum_1_squared + 48.0 * sigma_path_per_path_squared
+    sum_1_squared_squared = sum_1_squared**2
+    sum_3 = 1.0 - baseline_per_path
+    sum_4 = 1.0 + baseline_per_path
+    sum_5 = (
+        16.0 * sum_1_squared_squared * sum_3 * sum_4
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_2
+    )
+    sum_6 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
+    del term_1, sum_1, sum_2, product_2
+    sum_7 = 1.0 + baseline_per_path * sum_6
     cos_beta_squared = cos_beta**2
-    sum_9 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
-    sum_10 = (
-        16.0 * sum_1_squared * sum_8
-        + 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_9) * sigma_path_per_path_squared
+    sum_8 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
+    sum_9 = (
+        16.0 * sum_1_squared * sum_7
+        + 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_8) * sigma_path_per_path_squared
     )
     product_3 = (20.0 - cos_beta_squared) * baseline_per_path
-    sum_11 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
-    sum_12 = cos_beta * sum_11 - 24.0 * baseline_per_path
-    del sum_7, sum_8, sum_9, sum_11
-    sum_13 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_12
+    sum_10 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
+    sum_11 = cos_beta * sum_10 - 24.0 * baseline_per_path
+    del sum_6, sum_7, sum_8, sum_10
+    sum_12 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_11
     sigma_beta_squared = sigma_beta**2
-    sum_14 = baseline_per_path * sum_13 - cos_beta
+    sum_13 = baseline_per_path * sum_12 - cos_beta
     product_4 = (2.0 - cos_beta_squared) * baseline_per_path
-    sum_15 = 8.0 * (product_4 - cos_beta) * sum_1_squared - 2.0 * sigma_beta_squared * sum_14
+    sum_14 = 8.0 * (product_4 - cos_beta) * sum_1_squared - 2.0 * sigma_beta_squared * sum_13
     product_5 = (6.0 - cos_beta_squared) * baseline_per_path
-    sum_16 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
-    sum_17 = cos_beta * sum_16 - 18.0 * baseline_per_path
-    del sum_12, sum_13, sum_14, sum_16
-    sum_18 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_17
-    sum_19 = baseline_per_path * sum_18 - 5.0 * cos_beta
-    sum_20 = 1.0 + baseline_per_path * sum_19
-    sum_21 = 4.0 * baseline_per_path - 3.0 * cos_beta
-    sum_22 = cos_beta * (13.0 + cos_beta * sum_21) - 6.0 * baseline_per_path
-    del sum_17, sum_18, sum_19, sum_21
-    sum_23 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_22
+    sum_15 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
+    sum_16 = cos_beta * sum_15 - 18.0 * baseline_per_path
+    del sum_11, sum_12, sum_13, sum_15
+    sum_17 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_16
+    sum_18 = baseline_per_path * sum_17 - 5.0 * cos_beta
+    sum_19 = 1.0 + baseline_per_path * sum_18
+    sum_20 = 4.0 * baseline_per_path - 3.0 * cos_beta
+    sum_21 = cos_beta * (13.0 + cos_beta * sum_20) - 6.0 * baseline_per_path
+    del sum_16, sum_17, sum_18, sum_20
+    sum_22 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_21
     rho_squared = rho**2
-    sum_24 = cos_beta * sum_23 - 6.0 * baseline_per_path
-    sum_25 = (
-        8.0 * rho * sigma_beta * sin_beta * sum_20
-        + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_24
+    sum_23 = cos_beta * sum_22 - 6.0 * baseline_per_path
+    sum_24 = (
+        8.0 * rho * sigma_beta * sin_beta * sum_19
+        + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_23
     )
-    del sum_22, sum_23, sum_20, sum_24
-    sum_26 = sigma_path_per_path * sum_25 + sum_15 * sum_2 * sum_3
-    sum_27 = sigma_beta * sum_26 - rho * sigma_path_per_path * sin_beta * sum_10
-    del sum_15, sum_25, sum_10, sum_26
-    term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
-    sum_28 = (
-        16.0 * cos_beta * sum_1_squared_squared * sum_2 * sum_3
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_6
-        + sigma_beta * sum_27
-    )
-    sum_29 = 2.0 * baseline_per_path - cos_beta
-    sum_30 = 1.0 - baseline_per_path * sum_29
-    sum_31 = 16.0 * sum_1_squared - 8.0 * sigma_beta_squared * sum_30
-    sum_32 = 8.0 * baseline_per_path - cos_beta
-    sum_33 = cos_beta * (20.0 + cos_beta * sum_32) - 24.0 * baseline_per_path
-    del sum_27, sum_6, sum_30, sum_32
-    sum_34 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_33
-    sum_35 = baseline_per_path * sum_34 - 11.0 * cos_beta
+    del sum_21, sum_22, sum_19, sum_23
+    sum_25 = sigma_path_per_path * sum_24 + sum_14 * sum_3 * sum_4
+    sum_26 = sigma_beta * sum_25 - rho * sigma_path_per_path * sin_beta * sum_9
+    del sum_14, sum_24, sum_25, sum_9
+    sum_27 = cos_beta * sum_5 + sigma_beta * sum_26
+    sum_28 = 2.0 * baseline_per_path - cos_beta
+    sum_29 = 1.0 - baseline_per_path * sum_28
+    sum_30 = 16.0 * sum_1_squared - 8.0 * sigma_beta_squared * sum_29
+    sum_31 = 8.0 * baseline_per_path - cos_beta
+    sum_32 = cos_beta * (20.0 + cos_beta * sum_31) - 24.0 * baseline_per_path
+    del sum_26, sum_5, sum_29, sum_31
+    sum_33 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_32
+    sum_34 = baseline_per_path * sum_33 - 11.0 * cos_beta
     sigma_beta_squared_squared = sigma_beta_squared**2
-    sum_36 = 1.0 - baseline_per_path * sum_35
-    sum_37 = 2.0 * sigma_beta_squared_squared * sum_36 + sum_1_squared * sum_31
-    del sum_33, sum_34, sum_35, sum_31, sum_36
-    sum_38 = baseline_per_path * sum_4 - 2.0 * cos_beta
-    sum_39 = 16.0 + 16.0 * baseline_per_path * sum_38 + 48.0 * sigma_path_per_path_squared
-    sum_40 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
-    sum_41 = cos_beta * (5.0 + cos_beta * sum_29) - 4.0 * baseline_per_path
-    sum_42 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_41
-    del sum_4, sum_38, sum_29, sum_41
-    sum_43 = (
-        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_42
-        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_40
+    sum_35 = 1.0 - baseline_per_path * sum_34
+    sum_36 = 2.0 * sigma_beta_squared_squared * sum_35 + sum_1_squared * sum_30
+    del sum_32, sum_33, sum_34, sum_30, sum_35
+    sum_37 = (1.0 - sin_beta_squared) * baseline_per_path - 2.0 * cos_beta
+    sum_38 = 16.0 + 16.0 * baseline_per_path * sum_37 + 48.0 * sigma_path_per_path_squared
+    sum_39 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
+    sum_40 = cos_beta * (5.0 + cos_beta * sum_28) - 4.0 * baseline_per_path
+    sum_41 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_40
+    sum_42 = (
+        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_41
+        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_39
     )
-    sum_44 = sin_beta_squared * sum_39 - sigma_beta * sum_43
-    del sum_40, sum_42, sum_39, sum_43
-    sum_45 = sum_2 * sum_3 * sum_37 - baseline_per_path_squared * sigma_path_per_path_squared * sum_44
-    sum_46 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
-    sum_47 = baseline_per_path * sum_46 - cos_beta
-    sum_48 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
-    del sum_37, sum_44, sum_46, product_3
-    sum_49 = cos_beta * sum_48 - 32.0 * baseline_per_path
-    sum_50 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_49
-    sum_51 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_50
-    sum_52 = baseline_per_path * sum_51 - 5.0 * cos_beta_squared
-    del sum_48, sum_49, sum_50, sum_51
-    sum_53 = baseline_per_path * sum_52 + cos_beta
-    sum_54 = 16.0 * sum_1_squared * sum_47 + 8.0 * sigma_beta_squared * sum_53
-    sum_55 = sin_beta * sum_45 - rho * sigma_beta * sigma_path_per_path * sum_54
-    del sum_52, sum_47, sum_53, sum_45, sum_54
+    del sum_37, sum_28, sum_40, sum_39, sum_41
+    sum_43 = sin_beta_squared * sum_38 - sigma_beta * sum_42
+    sum_44 = sum_3 * sum_36 * sum_4 - baseline_per_path_squared * sigma_path_per_path_squared * sum_43
+    del sum_38, sum_42, sum_36, sum_43
+    sum_45 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
+    sum_46 = baseline_per_path * sum_45 - cos_beta
+    sum_47 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
+    sum_48 = cos_beta * sum_47 - 32.0 * baseline_per_path
+    sum_49 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_48
+    del sum_45, product_3, sum_47, sum_48
+    sum_50 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_49
+    sum_51 = baseline_per_path * sum_50 - 5.0 * cos_beta_squared
+    sum_52 = baseline_per_path * sum_51 + cos_beta
+    sum_53 = 16.0 * sum_1_squared * sum_46 + 8.0 * sigma_beta_squared * sum_52
+    del sum_49, sum_50, sum_51, sum_46, sum_52
+    sum_54 = sin_beta * sum_44 - rho * sigma_beta * sigma_path_per_path * sum_53
     term_3 = 1.0 / ((divisor_1**2)**2)**2
     path_squared = path**2
-    sum_56 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
+    sum_55 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
     product_6 = (4.0 - cos_beta_squared) * baseline_per_path
-    sum_57 = 3.0 - 12.0 * cos_beta_squared - (product_6 - 13.0 * cos_beta) * baseline_per_path
-    sum_58 = cos_beta * sum_57 - 4.0 * baseline_per_path
-    sum_59 = 1.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_58
-    sum_60 = (
-        256.0 * cos_beta * sum_1_squared * sum_59
-        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_56
+    sum_56 = 3.0 - 12.0 * cos_beta_squared - (product_6 - 13.0 * cos_beta) * baseline_per_path
+    sum_57 = cos_beta * sum_56 - 4.0 * baseline_per_path
+    del sum_44, sum_53, divisor_1, sum_56
+    sum_58 = 1.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_57
+    sum_59 = (
+        256.0 * cos_beta * sum_1_squared * sum_58
+        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_55
     )
-    del divisor_1, sum_57, sum_58, sum_56, sum_59
-    sum_61 = baseline_per_path - 2.0 * cos_beta
-    sum_62 = 1.0 + baseline_per_path * sum_61
-    sum_63 = (
-        128.0 * cos_beta * sum_1_squared_squared * sum_2 * sum_3 * sum_62
-        - baseline_per_path_squared * sigma_path_per_path_squared * sum_60
+    sum_60 = baseline_per_path - 2.0 * cos_beta
+    sum_61 = 1.0 + baseline_per_path * sum_60
+    sum_62 = (
+        128.0 * cos_beta * sum_1_squared_squared * sum_3 * sum_4 * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sum_59
     )
-    sum_3_squared = sum_3**2
+    del sum_57, sum_55, sum_58, sum_59
+    sum_4_squared = sum_4**2
     term_4 = (baseline_per_path - 1.0)**2
-    sum_64 = 25.0 + sin_beta_squared * (10.0 + sin_beta_squared)
-    sum_65 = (40.0 + 8.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_64
-    sum_66 = 6.0 - 18.0 * sin_beta_squared - baseline_per_path * sum_65
-    sum_67 = 8.0 * cos_beta + baseline_per_path * sum_66
-    del sum_60, sum_64, sum_65, sum_66
-    sum_68 = 1.0 + baseline_per_path * sum_67
-    sum_69 = (18.0 - 3.0 * cos_beta_squared) * baseline_per_path - 10.0 * cos_beta
-    sum_70 = cos_beta * (12.0 + cos_beta * sum_69) - 16.0 * baseline_per_path
-    sum_71 = 2.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_70
-    sum_72 = 32.0 * sum_1_squared * sum_71 - 16.0 * sigma_beta_squared * sin_beta_squared * sum_68
-    del sum_67, sum_69, sum_70, sum_68, sum_71
-    sum_73 = 2.0 - sin_beta_squared
-    sum_74 = 1.0 - sin_beta_squared * sum_73
-    sum_75 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_74
-    sum_76 = 6.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_75
-    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta
-    sum_78 = 1.0 + baseline_per_path * sum_77
-    del sum_74, sum_75, sum_76, sum_77
-    sum_79 = 64.0 * sin_beta_squared * sum_78 - sigma_beta_squared * sum_72
-    product_7 = (12.0 - 12.0 * sin_beta_squared) * cos_beta
-    sum_80 = 4.0 + 3.0 * sin_beta_squared
-    sum_81 = 7.0 - sin_beta_squared * sum_80
-    sum_82 = (8.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_81
-    sum_83 = 8.0 + baseline_per_path * sum_82 + (9.0 - 18.0 * sin_beta_squared) * sin_beta_squared
-    del sum_72, sum_78, sum_81, sum_82
-    sum_84 = product_7 - baseline_per_path * sum_83
-    sum_85 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_84
-    sum_86 = 19.0 - (16.0 + 3.0 * sin_beta_squared) * sin_beta_squared
-    sum_87 = (32.0 - 60.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_86
-    sum_88 = 4.0 - baseline_per_path * sum_87 - (45.0 - 45.0 * sin_beta_squared) * sin_beta_squared
-    del sum_83, sum_84, sum_86, sum_87
-    sum_89 = baseline_per_path * sum_88 + product_7
-    sum_90 = 3.0 - 3.0 * sin_beta_squared - baseline_per_path * sum_89
-    sum_91 = 2.0 * baseline_per_path - 3.0 * cos_beta
-    sum_92 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
-    del product_7, sum_88, sum_89, product_4
-    sum_93 = cos_beta * sum_92 - 4.0 * baseline_per_path
-    sum_94 = baseline_per_path * sum_93 - 4.0 * cos_beta_squared
-    sum_95 = baseline_per_path * sum_94 + cos_beta
-    sum_96 = (
-        128.0 * sigma_path_per_path * sin_beta * sum_90
-        + 256.0 * (1.0 + cos_beta * sum_91) * rho * sigma_beta * sum_95
+    sum_63 = (18.0 - 3.0 * cos_beta_squared) * baseline_per_path - 10.0 * cos_beta
+    sum_64 = cos_beta * (12.0 + cos_beta * sum_63) - 16.0 * baseline_per_path
+    sum_65 = 2.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_64
+    sum_66 = 64.0 * sin_beta_squared * sum_1_squared - 32.0 * sigma_beta_squared * sum_65
+    sum_67 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
+    sum_68 = 16.0 * sigma_beta_squared_squared * sin_beta_squared * sum_67**2 + sum_1_squared * sum_66
+    del sum_63, sum_64, sum_65, sum_66
+    product_7 = cos_beta * cos_beta_squared
+    sum_69 = (22.0 - 3.0 * cos_beta_squared) * baseline_per_path - 60.0 * cos_beta
+    sum_70 = 45.0 - 45.0 * cos_beta_squared - baseline_per_path * sum_69
+    sum_71 = cos_beta * sum_70 - 28.0 * baseline_per_path
+    sum_72 = 12.0 * product_7 + (4.0 - cos_beta * sum_71) * baseline_per_path
+    sum_73 = baseline_per_path * sum_72 - 3.0 * cos_beta_squared
+    del sum_69, sum_70, sum_71, sum_72
+    sum_74 = 2.0 * baseline_per_path - 3.0 * cos_beta
+    sum_75 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
+    sum_76 = cos_beta * sum_75 - 4.0 * baseline_per_path
+    sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta_squared
+    sum_78 = baseline_per_path * sum_77 + cos_beta
+    del product_4, sum_75, sum_76, sum_77
+    sum_79 = (
+        256.0 * (1.0 + cos_beta * sum_74) * rho * sigma_beta * sum_78
+        - 128.0 * sigma_path_per_path * sin_beta * sum_73
     )
-    del sum_92, sum_93, sum_94, sum_90, sum_91
-    sum_97 = 105.0 - 12.0 * cos_beta_squared
-    sum_98 = 128.0 - 46.0 * cos_beta_squared
-    sum_99 = 72.0 - 9.0 * cos_beta_squared - (product_6 - 10.0 * cos_beta) * baseline_per_path
-    sum_100 = cos_beta * sum_99 - 38.0 * baseline_per_path
-    sum_101 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_100
-    sum_102 = cos_beta * sum_98 - baseline_per_path * sum_101
-    del sum_99, sum_100, sum_101, sum_98
-    sum_103 = 114.0 - cos_beta_squared * sum_97 + baseline_per_path * sum_102
-    sum_104 = 74.0 - 28.0 * baseline_per_path_squared
-    sum_105 = cos_beta * sum_103 - baseline_per_path * sum_104
-    del sum_102, sum_97, sum_103, sum_104
-    sum_106 = 2.0 - baseline_per_path * sum_105 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
-    sum_107 = 7.0 - 22.0 * baseline_per_path_squared
-    sum_108 = baseline_per_path * sum_107 + cos_beta * sum_106
-    sum_109 = 1.0 - baseline_per_path * sum_108 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
-    del sum_105, sum_106, sum_107, sum_108
-    sum_110 = baseline_per_path * sum_109 - 8.0 * cos_beta * cos_beta_squared
-    sum_111 = baseline_per_path * sum_110 + cos_beta_squared
+    sum_80 = 105.0 - 12.0 * cos_beta_squared
+    sum_81 = 128.0 - 46.0 * cos_beta_squared
+    sum_82 = 72.0 - 9.0 * cos_beta_squared - (product_6 - 10.0 * cos_beta) * baseline_per_path
+    sum_83 = cos_beta * sum_82 - 38.0 * baseline_per_path
+    sum_84 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_83
+    del sum_73, sum_74, sum_82, sum_83
+    sum_85 = cos_beta * sum_81 - baseline_per_path * sum_84
+    sum_86 = 114.0 - cos_beta_squared * sum_80 + baseline_per_path * sum_85
+    del sum_81, sum_84, sum_80, sum_85
+    sum_87 = 74.0 - 28.0 * baseline_per_path_squared
+    sum_88 = cos_beta * sum_86 - baseline_per_path * sum_87
+    sum_89 = 2.0 - baseline_per_path * sum_88 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
+    sum_90 = 7.0 - 22.0 * baseline_per_path_squared
+    sum_91 = baseline_per_path * sum_90 + cos_beta * sum_89
+    del sum_86, sum_87, sum_88, sum_89, sum_90
+    sum_92 = 1.0 - baseline_per_path * sum_91 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    sum_93 = baseline_per_path * sum_92 - 8.0 * product_7
+    sum_94 = baseline_per_path * sum_93 + cos_beta_squared
     product_8 = (46.0 - 14.0 * cos_beta_squared) * cos_beta
-    sum_112 = 3.0 * baseline_per_path - 6.0 * cos_beta
-    sum_113 = cos_beta * (32.0 + cos_beta * sum_112) - 5.0 * baseline_per_path
-    sum_114 = 51.0 - 40.0 * cos_beta_squared + baseline_per_path * sum_113
-    del sum_109, sum_110, sum_112, sum_113
-    sum_115 = product_8 - baseline_per_path * sum_114
-    sum_116 = 8.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_115
-    sum_117 = (9.0 - 33.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_116
-    sum_118 = 2.0 - 5.0 * baseline_per_path_squared - cos_beta * sum_117
-    del sum_114, sum_115, sum_116, sum_117
-    sum_119 = baseline_per_path * sum_118 + (6.0 - 18.0 * cos_beta_squared) * cos_beta
-    sum_120 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_119
-    sum_121 = (
-        128.0 * sigma_beta_squared * sum_111
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_96
-        + 64.0 * sum_120 * sum_1_squared
+    sum_95 = 3.0 * baseline_per_path - 6.0 * cos_beta
+    sum_96 = cos_beta * (32.0 + cos_beta * sum_95) - 5.0 * baseline_per_path
+    del sum_91, sum_92, sum_93, sum_95
+    sum_97 = 51.0 - 40.0 * cos_beta_squared + baseline_per_path * sum_96
+    sum_98 = product_8 - baseline_per_path * sum_97
+    sum_99 = 8.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_98
+    sum_100 = (9.0 - 33.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_99
+    del sum_96, sum_97, sum_98, sum_99
+    sum_101 = 2.0 - 5.0 * baseline_per_path_squared - cos_beta * sum_100
+    sum_102 = baseline_per_path * sum_101 + (6.0 - 18.0 * cos_beta_squared) * cos_beta
+    sum_103 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_102
+    sum_104 = (
+        128.0 * sigma_beta_squared * sum_94
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_79
+        + 64.0 * sum_103 * sum_1_squared
     )
-    del sum_118, sum_119, sum_111, sum_120, sum_96
-    sum_122 = 5.0 * baseline_per_path - 9.0 * cos_beta
-    sum_123 = cos_beta * (48.0 + cos_beta * sum_122) - 10.0 * baseline_per_path
-    sum_124 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_123
-    sum_125 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_124
-    sum_126 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_125
-    del sum_122, sum_123, sum_124, sum_125
-    sum_127 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_126
-    sum_128 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_127
+    del sum_100, sum_101, sum_102, sum_103, sum_79, sum_94
+    sum_105 = 5.0 * baseline_per_path - 9.0 * cos_beta
+    sum_106 = cos_beta * (48.0 + cos_beta * sum_105) - 10.0 * baseline_per_path
+    sum_107 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_106
+    sum_108 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_107
+    sum_109 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_108
+    del sum_105, sum_106, sum_107, sum_108
+    sum_110 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_109
+    sum_111 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_110
     product_9 = baseline_per_path * baseline_per_path_squared
-    sum_129 = cos_beta * sum_128 - 10.0 * product_9
-    sum_130 = (
-        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_129
-        - rho * sum_121
+    sum_112 = cos_beta * sum_111 - 10.0 * product_9
+    sum_113 = (
+        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_112
+        - rho * sum_104
     )
-    del sum_126, sum_127, sum_128, sum_121, sum_129
-    sum_131 = 120.0 - 72.0 * cos_beta_squared
-    sum_132 = 204.0 - 21.0 * cos_beta_squared
-    sum_133 = 224.0 - 88.0 * cos_beta_squared
-    sum_134 = 162.0 - 18.0 * cos_beta_squared - (product_6 - 16.0 * cos_beta) * baseline_per_path
-    sum_135 = cos_beta * sum_134 - 80.0 * baseline_per_path
-    sum_136 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_135
-    sum_137 = cos_beta * sum_133 - baseline_per_path * sum_136
-    del sum_134, sum_135, sum_133, sum_136
-    sum_138 = 225.0 - cos_beta_squared * sum_132 + baseline_per_path * sum_137
-    sum_139 = 128.0 - 64.0 * baseline_per_path_squared
-    sum_140 = cos_beta * sum_138 - baseline_per_path * sum_139
-    del sum_132, sum_137, sum_138, sum_139
-    sum_141 = 16.0 - cos_beta_squared * sum_131 + baseline_per_path * sum_140
-    sum_142 = 28.0 - 40.0 * baseline_per_path_squared
-    sum_143 = cos_beta * sum_141 - baseline_per_path * sum_142
-    del sum_131, sum_140, sum_141, sum_142
-    sum_144 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_143
-    sum_145 = baseline_per_path * sum_144 - 8.0 * cos_beta * cos_beta_squared
-    sum_146 = baseline_per_path * sum_145 + cos_beta_squared
-    sum_147 = 2.0 * baseline_per_path - 2.0 * cos_beta
-    product_10 = cos_beta * sum_147
-    del sum_143, sum_144, sum_145, sum_147
-    sum_148 = cos_beta * (14.0 + product_10) - 3.0 * baseline_per_path
-    sum_149 = 28.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_148
-    sum_150 = (22.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_149
-    sum_151 = 4.0 - 10.0 * baseline_per_path_squared - cos_beta * sum_150
-    sum_152 = (7.0 - 20.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_151
-    del sum_148, sum_149, sum_150, sum_151
-    sum_153 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_152
-    sum_154 = cos_beta * sum_153 - 3.0 * product_9
-    sum_155 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_154
+    del sum_109, sum_110, sum_111, sum_104, sum_112
+    sum_114 = 120.0 - 72.0 * cos_beta_squared
+    sum_115 = 204.0 - 21.0 * cos_beta_squared
+    sum_116 = 224.0 - 88.0 * cos_beta_squared
+    sum_117 = 162.0 - 18.0 * cos_beta_squared - (product_6 - 16.0 * cos_beta) * baseline_per_path
+    sum_118 = cos_beta * sum_117 - 80.0 * baseline_per_path
+    sum_119 = 192.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_118
+    sum_120 = cos_beta * sum_116 - baseline_per_path * sum_119
+    del sum_117, sum_118, sum_116, sum_119
+    sum_121 = 225.0 - cos_beta_squared * sum_115 + baseline_per_path * sum_120
+    sum_122 = 128.0 - 64.0 * baseline_per_path_squared
+    sum_123 = cos_beta * sum_121 - baseline_per_path * sum_122
+    del sum_115, sum_120, sum_121, sum_122
+    sum_124 = 16.0 - cos_beta_squared * sum_114 + baseline_per_path * sum_123
+    sum_125 = 28.0 - 40.0 * baseline_per_path_squared
+    sum_126 = cos_beta * sum_124 - baseline_per_path * sum_125
+    del sum_114, sum_123, sum_124, sum_125
+    sum_127 = 4.0 - (2.0 - 22.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_126
+    sum_128 = baseline_per_path * sum_127 - 8.0 * product_7
+    sum_129 = baseline_per_path * sum_128 + cos_beta_squared
+    sum_130 = 2.0 * baseline_per_path - 2.0 * cos_beta
+    product_10 = cos_beta * sum_130
+    del sum_126, sum_127, sum_128, sum_130
+    sum_131 = cos_beta * (14.0 + product_10) - 3.0 * baseline_per_path
+    sum_132 = 28.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_131
+    sum_133 = (22.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_132
+    sum_134 = 4.0 - 10.0 * baseline_per_path_squared - cos_beta * sum_133
+    sum_135 = (7.0 - 20.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_134
+    del sum_131, sum_132, sum_133, sum_134
+    sum_136 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_135
+    sum_137 = cos_beta * sum_136 - 3.0 * product_9
+    sum_138 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_137
+    sum_139 = (10.0 - 3.0 * cos_beta_squared) * baseline_per_path - 24.0 * cos_beta
+    sum_140 = 27.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_139
+    del sum_135, sum_136, sum_137, sum_139
+    sum_141 = cos_beta * sum_140 - 16.0 * baseline_per_path
+    sum_142 = 12.0 * product_7 + (1.0 - cos_beta * sum_141) * baseline_per_path
+    sum_143 = baseline_per_path * sum_142 - 3.0 * cos_beta_squared
+    sum_144 = (
+        16.0 * sigma_beta_squared * sum_129
+        - rho * sum_113
+        + 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_143
+        + 64.0 * sum_138 * sum_1_squared
+    )
+    del sum_140, sum_141, sum_142, sum_113, sum_129, sum_138, sum_143
+    sum_145 = 3.0 * baseline_per_path - cos_beta
+    sum_146 = cos_beta * (16.0 + cos_beta * sum_145) - 8.0 * baseline_per_path
+    sum_147 = 15.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_146
+    sum_148 = cos_beta * sum_147 - 8.0 * baseline_per_path
+    sum_149 = 2.0 - baseline_per_path * sum_148 + 7.0 * cos_beta_squared
+    del sum_145, sum_146, sum_147, sum_148
+    sum_150 = baseline_per_path * sum_149 - 3.0 * cos_beta
+    sum_151 = 128.0 * sum_150 * sum_1_squared + 96.0 * sigma_beta_squared * sum_67 * sum_78
+    sum_152 = rho * sigma_beta * sin_beta * sum_151 * sum_3 * sum_4 - sigma_path_per_path * sum_144
+    del sum_149, sum_150, sum_78, sum_144, sum_151
+    sum_153 = sum_4_squared * sum_68 * term_4 - sigma_path_per_path * sum_152
+    sum_154 = sigma_beta * sum_153 - rho * sigma_path_per_path * sin_beta * sum_62
+    del sum_152, sum_68, sum_153, sum_62
+    sum_61_squared = sum_61**2
+    sum_155 = 3.0 + (product_6 - 6.0 * cos_beta) * baseline_per_path
     sum_156 = (
-        16.0 * sigma_beta_squared * sum_146
-        - 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_85
-        - rho * sum_130
-        + 64.0 * sum_155 * sum_1_squared
-    )
-    del sum_152, sum_153, sum_154, sum_130, sum_146, sum_155, sum_85
-    sum_157 = 3.0 * baseline_per_path - cos_beta
-    sum_158 = cos_beta * (16.0 + cos_beta * sum_157) - 8.0 * baseline_per_path
-    sum_159 = 15.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_158
-    sum_160 = cos_beta * sum_159 - 8.0 * baseline_per_path
-    sum_161 = 2.0 - baseline_per_path * sum_160 + 7.0 * cos_beta_squared
-    del sum_157, sum_158, sum_159, sum_160
-    sum_162 = baseline_per_path * sum_161 - 3.0 * cos_beta
-    sum_163 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
-    sum_164 = 128.0 * sum_162 * sum_1_squared + 96.0 * sigma_beta_squared * sum_163 * sum_95
-    sum_165 = rho * sigma_beta * sin_beta * sum_164 * sum_2 * sum_3 - sigma_path_per_path * sum_156
-    del sum_161, sum_162, sum_95, sum_156, sum_164
-    sum_166 = sum_3_squared * sum_79 * term_4 - sigma_path_per_path * sum_165
-    sum_167 = sigma_beta * sum_166 - rho * sigma_path_per_path * sin_beta * sum_63
-    del sum_165, sum_79, sum_166, sum_63
-    sum_62_squared = sum_62**2
-    sum_168 = 3.0 + (product_6 - 6.0 * cos_beta) * baseline_per_path
-    sum_169 = (
-        128.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_168 * sum_1_squared
+        128.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_155 * sum_1_squared
         + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
     )
-    sum_170 = (
-        64.0 * cos_beta_squared * sum_1_squared_squared * sum_62_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sum_169
+    sum_157 = (
+        64.0 * cos_beta_squared * sum_1_squared_squared * sum_61_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sum_156
     )
-    sum_171 = sigma_path_per_path_squared * sum_170 + sigma_beta * sum_167
-    del product_6, sum_168, sum_169, sum_167, sum_170
-    sum_172 = 142.0 - 56.0 * sin_beta_squared
-    sum_173 = 108.0 - 24.0 * sin_beta_squared
-    sum_174 = 88.0 - sin_beta_squared * sum_173
-    sum_175 = 74.0 - 27.0 * sin_beta_squared - (8.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
-    sum_176 = 47.0 - 10.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_175
-    sum_177 = cos_beta * sum_174 - baseline_per_path * sum_176
-    del sum_173, sum_175, sum_174, sum_176
-    sum_178 = 82.0 - baseline_per_path * sum_177 - sin_beta_squared * sum_172
-    sum_179 = (38.0 - 40.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_178
-    sum_180 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
-    sum_181 = (
-        896.0
-        - 1024.0 * sin_beta_squared
-        - 128.0 * baseline_per_path * sum_179
-        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_180
+    sum_158 = sigma_path_per_path_squared * sum_157 + sigma_beta * sum_154
+    del product_6, sum_156, sum_154, sum_157
+    sum_159 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    sum_160 = (12.0 - 2.0 * cos_beta_squared) * baseline_per_path - 31.0 * cos_beta
+    sum_161 = 24.0 * product_7 + baseline_per_path * (4.0 + cos_beta * sum_160)
+    sum_162 = 1.0 - 8.0 * cos_beta_squared + baseline_per_path * sum_161
+    sum_163 = (
+        128.0 * sum_162 * sum_1_squared
+        - 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_159
     )
-    del sum_172, sum_177, sum_178, sum_179, sum_180
-    sum_182 = (
-        64.0 * (1.0 + cos_beta * sum_61) * sum_1_squared_squared * sum_2 * sum_3 * sum_62
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_181
+    del product_7, sum_160, sum_161, sum_159, sum_162
+    sum_164 = (
+        64.0 * (1.0 + cos_beta * sum_60) * sum_1_squared_squared * sum_3 * sum_4 * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_163
     )
-    sum_183 = 7.0 * baseline_per_path - 3.0 * cos_beta
-    sum_184 = cos_beta * (18.0 + cos_beta * sum_183) - 16.0 * baseline_per_path
-    sum_185 = 7.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_184
-    del sum_181, sum_61, sum_183, sum_184
-    sum_186 = baseline_per_path * sum_185 - 3.0 * cos_beta
-    sum_187 = baseline_per_path - cos_beta
-    sum_188 = 64.0 * sum_187 * sum_1_squared - 32.0 * sigma_beta_squared * sum_186
-    sum_189 = 4.0 * baseline_per_path - cos_beta
-    sum_190 = cos_beta * (4.0 + cos_beta * sum_189) - 6.0 * baseline_per_path
-    sum_191 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_190
-    del sum_185, sum_186, sum_189, sum_190
-    sum_192 = baseline_per_path * sum_191 - cos_beta
-    sum_193 = 16.0 * sigma_beta_squared_squared * sum_163 * sum_192 + sum_188 * sum_1_squared
-    sum_194 = 196.0 - 21.0 * cos_beta_squared
-    sum_195 = 280.0 - 126.0 * cos_beta_squared
-    sum_196 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
-    sum_197 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_196
-    del sum_191, sum_163, sum_188, sum_196
-    sum_198 = cos_beta * sum_197 - 146.0 * baseline_per_path
-    sum_199 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_198
+    sum_165 = 7.0 * baseline_per_path - 3.0 * cos_beta
+    sum_166 = cos_beta * (18.0 + cos_beta * sum_165) - 16.0 * baseline_per_path
+    sum_167 = 7.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_166
+    del sum_163, sum_60, sum_165, sum_166
+    sum_168 = baseline_per_path * sum_167 - 3.0 * cos_beta
+    sum_169 = baseline_per_path - cos_beta
+    sum_170 = 64.0 * sum_169 * sum_1_squared - 32.0 * sigma_beta_squared * sum_168
+    sum_171 = 4.0 * baseline_per_path - cos_beta
+    sum_172 = cos_beta * (4.0 + cos_beta * sum_171) - 6.0 * baseline_per_path
+    sum_173 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_172
+    del sum_167, sum_168, sum_171, sum_172
+    sum_174 = baseline_per_path * sum_173 - cos_beta
+    sum_175 = 16.0 * sigma_beta_squared_squared * sum_174 * sum_67 + sum_170 * sum_1_squared
+    sum_176 = 196.0 - 21.0 * cos_beta_squared
+    sum_177 = 280.0 - 126.0 * cos_beta_squared
+    sum_178 = (24.0 - cos_beta_squared) * baseline_per_path - 46.0 * cos_beta
+    sum_179 = 190.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_178
+    del sum_173, sum_170, sum_67, sum_178
+    sum_180 = cos_beta * sum_179 - 146.0 * baseline_per_path
+    sum_181 = 188.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_180
+    sum_182 = cos_beta * sum_177 - baseline_per_path * sum_181
+    del sum_179, sum_180, sum_177, sum_181
+    sum_183 = 121.0 - cos_beta_squared * sum_176 + baseline_per_path * sum_182
+    sum_184 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_185 = cos_beta * sum_183 - baseline_per_path * sum_184
+    del sum_176, sum_182, sum_183, sum_184
+    sum_186 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_185
+    sum_187 = baseline_per_path * sum_186 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
+    sum_188 = baseline_per_path * sum_187 - 8.0 * cos_beta_squared
+    sum_189 = baseline_per_path * sum_188 + cos_beta
+    del sum_185, sum_186, sum_187, sum_188
+    sum_190 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * (5.0 + sin_beta_squared)
+    sum_191 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_190
+    sum_192 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_191
+    sum_193 = baseline_per_path * sum_192 - cos_beta
+    sum_194 = 212.0 - 24.0 * cos_beta_squared
+    sum_195 = 308.0 - 129.0 * cos_beta_squared
+    sum_196 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
+    sum_197 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_196
+    del sum_190, sum_191, sum_192, sum_196
+    sum_198 = cos_beta * sum_197 - 139.0 * baseline_per_path
+    sum_199 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_198
     sum_200 = cos_beta * sum_195 - baseline_per_path * sum_199
     del sum_197, sum_198, sum_195, sum_199
-    sum_201 = 121.0 - cos_beta_squared * sum_194 + baseline_per_path * sum_200
-    sum_202 = 74.0 - 72.0 * baseline_per_path_squared
+    sum_201 = 104.0 - cos_beta_squared * sum_194 + baseline_per_path * sum_200
+    sum_202 = 55.0 - 72.0 * baseline_per_path_squared
     sum_203 = cos_beta * sum_201 - baseline_per_path * sum_202
     del sum_194, sum_200, sum_201, sum_202
-    sum_204 = 10.0 - (94.0 - 72.0 * cos_beta_squared) * cos_beta_squared + baseline_per_path * sum_203
-    sum_205 = baseline_per_path * sum_204 + (2.0 + 22.0 * cos_beta_squared) * cos_beta
-    sum_206 = baseline_per_path * sum_205 - 8.0 * cos_beta_squared
-    sum_207 = baseline_per_path * sum_206 + cos_beta
+    sum_204 = 1.0 - baseline_per_path * sum_203 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
+    sum_205 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_204
+    sum_206 = baseline_per_path * sum_205 - 16.0 * cos_beta_squared
+    sum_207 = 2.0 * cos_beta + baseline_per_path * sum_206
     del sum_203, sum_204, sum_205, sum_206
-    sum_208 = 5.0 + sin_beta_squared
-    sum_209 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_208
-    sum_210 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_209
-    sum_211 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_210
-    sum_212 = baseline_per_path * sum_211 - cos_beta
-    sum_213 = 212.0 - 24.0 * cos_beta_squared
-    sum_214 = 308.0 - 129.0 * cos_beta_squared
-    sum_215 = (24.0 - 2.0 * cos_beta_squared) * baseline_per_path - 41.0 * cos_beta
-    sum_216 = 194.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_215
-    del sum_209, sum_210, sum_211, sum_215
-    sum_217 = cos_beta * sum_216 - 139.0 * baseline_per_path
-    sum_218 = 214.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_217
-    sum_219 = cos_beta * sum_214 - baseline_per_path * sum_218
-    del sum_216, sum_217, sum_214, sum_218
-    sum_220 = 104.0 - cos_beta_squared * sum_213 + baseline_per_path * sum_219
-    sum_221 = 55.0 - 72.0 * baseline_per_path_squared
-    sum_222 = cos_beta * sum_220 - baseline_per_path * sum_221
-    del sum_213, sum_219, sum_220, sum_221
-    sum_223 = 1.0 - baseline_per_path * sum_222 + (89.0 - 72.0 * cos_beta_squared) * cos_beta_squared
-    sum_224 = (16.0 + 26.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_223
-    sum_225 = baseline_per_path * sum_224 - 16.0 * cos_beta_squared
-    sum_226 = 2.0 * cos_beta + baseline_per_path * sum_225
-    del sum_222, sum_223, sum_224, sum_225
-    sum_227 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
-    sum_228 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_227
-    sum_229 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_228
-    sum_230 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_229
-    sum_231 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_230
-    del sum_227, sum_228, sum_229, sum_230
-    sum_232 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_231
-    sum_233 = 20.0 - 26.0 * sin_beta_squared - baseline_per_path * cos_beta * (11.0 + sin_beta_squared)
-    sum_234 = (6.0 - 15.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_233
-    sum_235 = 4.0 - 4.0 * sin_beta_squared + baseline_per_path * sum_234
-    sum_236 = baseline_per_path * sum_235 - cos_beta
-    del sum_231, sum_233, sum_234, sum_235
-    sum_237 = 128.0 * rho * sigma_beta * sum_232 + 384.0 * sigma_path_per_path * sin_beta * sum_236
-    sum_238 = 5.0 * baseline_per_path - 6.0 * cos_beta
-    sum_239 = cos_beta * (52.0 + cos_beta * sum_238) - 16.0 * baseline_per_path
-    sum_240 = 35.0 - 50.0 * cos_beta_squared + baseline_per_path * sum_239
-    del sum_232, sum_236, sum_238, sum_239
-    sum_241 = product_8 - baseline_per_path * sum_240
-    sum_242 = 4.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_241
-    sum_243 = baseline_per_path * sum_242 + (6.0 + 33.0 * cos_beta_squared) * cos_beta
-    del product_8, sum_240, sum_241, sum_242
-    sum_244 = baseline_per_path * sum_243 - 18.0 * cos_beta_squared
-    sum_245 = 3.0 * cos_beta + baseline_per_path * sum_244
+    sum_208 = (12.0 - cos_beta_squared) * baseline_per_path - 26.0 * cos_beta
+    sum_209 = 9.0 - 15.0 * cos_beta_squared - baseline_per_path * sum_208
+    sum_210 = cos_beta * sum_209 - 6.0 * baseline_per_path
+    sum_211 = baseline_per_path * sum_210 - 4.0 * cos_beta_squared
+    sum_212 = baseline_per_path * sum_211 + cos_beta
+    del sum_208, sum_209, sum_210, sum_211
+    sum_213 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
+    sum_214 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_213
+    sum_215 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_214
+    sum_216 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_215
+    sum_217 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_216
+    del sum_213, sum_214, sum_215, sum_216
+    sum_218 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_217
+    sum_219 = 128.0 * rho * sigma_beta * sum_218 - 384.0 * sigma_path_per_path * sin_beta * sum_212
+    sum_220 = 5.0 * baseline_per_path - 6.0 * cos_beta
+    sum_221 = cos_beta * (52.0 + cos_beta * sum_220) - 16.0 * baseline_per_path
+    del sum_217, sum_212, sum_218, sum_220
+    sum_222 = 35.0 - 50.0 * cos_beta_squared + baseline_per_path * sum_221
+    sum_223 = product_8 - baseline_per_path * sum_222
+    sum_224 = 4.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_223
+    del sum_221, product_8, sum_222, sum_223
+    sum_225 = baseline_per_path * sum_224 + (6.0 + 33.0 * cos_beta_squared) * cos_beta
+    sum_226 = baseline_per_path * sum_225 - 18.0 * cos_beta_squared
+    sum_227 = 3.0 * cos_beta + baseline_per_path * sum_226
+    sum_228 = (
+        64.0 * sum_1_squared * sum_227
+        - 64.0 * sigma_beta_squared * sum_207
+        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_219
+    )
+    del sum_224, sum_225, sum_226, sum_207, sum_219, sum_227
+    sum_229 = 125.0 - 144.0 * sin_beta_squared
+    sum_230 = 112.0 + 96.0 * sin_beta_squared
+    sum_231 = 14.0 - 291.0 * sin_beta_squared
+    sum_232 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
+    sum_233 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_232
+    sum_234 = cos_beta * sum_231 - baseline_per_path * sum_233
+    sum_235 = 172.0 - sin_beta_squared * sum_230 + baseline_per_path * sum_234
+    del sum_232, sum_231, sum_233, sum_230, sum_234
+    sum_236 = cos_beta * sum_229 - baseline_per_path * sum_235
+    sum_237 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_236
+    sum_238 = (
+        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_237
+        - rho * sum_228
+    )
+    del sum_229, sum_235, sum_236, sum_228, sum_237
+    sum_239 = cos_beta * (13.0 + cos_beta * sum_169) - 4.0 * baseline_per_path
+    sum_240 = 10.0 - 13.0 * cos_beta_squared + baseline_per_path * sum_239
+    sum_241 = (13.0 - 3.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_240
+    sum_242 = 3.0 - baseline_per_path * sum_241 + 10.0 * cos_beta_squared
+    sum_243 = cos_beta * sum_242 - 4.0 * product_9
+    del sum_239, sum_240, sum_241, product_9, sum_242
+    sum_244 = baseline_per_path * sum_243 - 6.0 * cos_beta_squared
+    sum_245 = baseline_per_path * sum_244 + cos_beta
     sum_246 = (
-        64.0 * sum_1_squared * sum_245
-        - 64.0 * sigma_beta_squared * sum_226
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_237
+        128.0 * sum_1_squared * sum_245
+        - 16.0 * sigma_beta_squared * sum_189
+        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_193
+        - rho * sum_238
     )
-    del sum_243, sum_244, sum_226, sum_237, sum_245
-    sum_247 = 125.0 - 144.0 * sin_beta_squared
-    sum_248 = 112.0 + 96.0 * sin_beta_squared
-    sum_249 = 14.0 - 291.0 * sin_beta_squared
-    sum_250 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
-    sum_251 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_250
-    sum_252 = cos_beta * sum_249 - baseline_per_path * sum_251
-    sum_253 = 172.0 - sin_beta_squared * sum_248 + baseline_per_path * sum_252
-    del sum_250, sum_249, sum_251, sum_248, sum_252
-    sum_254 = cos_beta * sum_247 - baseline_per_path * sum_253
-    sum_255 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_254
-    sum_256 = (
-        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_255
-        - rho * sum_246
-    )
-    del sum_247, sum_253, sum_254, sum_246, sum_255
-    sum_257 = cos_beta * (13.0 + cos_beta * sum_187) - 4.0 * baseline_per_path
-    sum_258 = 10.0 - 13.0 * cos_beta_squared + baseline_per_path * sum_257
-    sum_259 = (13.0 - 3.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_258
-    sum_260 = 3.0 - baseline_per_path * sum_259 + 10.0 * cos_beta_squared
-    sum_261 = cos_beta * sum_260 - 4.0 * product_9
-    del sum_257, sum_258, sum_259, product_9, sum_260
-    sum_262 = baseline_per_path * sum_261 - 6.0 * cos_beta_squared
-    sum_263 = baseline_per_path * sum_262 + cos_beta
-    sum_264 = (
-        128.0 * sum_1_squared * sum_263
-        - 16.0 * sigma_beta_squared * sum_207
-        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_212
-        - rho * sum_256
-    )
-    del sum_261, sum_262, sum_207, sum_212, sum_256, sum_263
-    sum_265 = sum_193 * sum_3_squared * term_4 - sigma_path_per_path_squared * sum_264
-    sum_266 = 11.0 * baseline_per_path - 20.0 * cos_beta
-    sum_267 = 95.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_266
-    sum_268 = cos_beta * sum_267 - 76.0 * baseline_per_path
-    del sum_193, sum_264, sum_266, sum_267
-    sum_269 = 103.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_268
-    sum_270 = (80.0 - 44.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_269
-    sum_271 = 2.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_270
-    sum_272 = (3.0 - 28.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_271
-    del sum_268, sum_269, sum_270, sum_271
-    sum_273 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_272
-    sum_274 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_275 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
-    sum_276 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_277 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
-    sum_278 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_277
-    sum_279 = 3.0 - sin_beta_squared * sum_278 + product_1
-    del sum_272, sum_277, product_1, sum_278
-    sum_280 = baseline_per_path * sum_279 + cos_beta * sum_276
-    sum_281 = 21.0 - baseline_per_path * sum_280 + sin_beta_squared * sum_275
-    del sum_276, sum_279, sum_275, sum_280
-    sum_282 = cos_beta * sum_274 - baseline_per_path * sum_281
-    sum_283 = 1.0 + baseline_per_path * sum_282 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
-    sum_284 = baseline_per_path * sum_283 - 4.0 * cos_beta
-    del sum_274, sum_281, sum_282, sum_283
-    sum_285 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_284
-    sum_286 = 32.0 * sum_1_squared * sum_273 + 48.0 * sigma_beta_squared * sum_285
-    sum_287 = rho * sigma_beta * sigma_path_per_path * sum_2 * sum_286 * sum_3 + sin_beta * sum_265
-    del sum_284, sum_273, sum_285, sum_265, sum_286
-    sum_288 = sigma_beta * sum_287 - rho * sigma_path_per_path * sum_182
-    sum_289 = 2.0 + sin_beta_squared
-    sum_290 = 16.0 - 4.0 * sin_beta_squared - baseline_per_path * cos_beta * sum_289
-    sum_291 = 12.0 - 3.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_290
-    sum_292 = (18.0 - 14.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_291
-    del sum_182, sum_287, sum_290, sum_291
-    sum_293 = 12.0 - 12.0 * sin_beta_squared - baseline_per_path * sum_292
-    sum_294 = (
-        128.0 * baseline_per_path * sum_293
-        - 384.0 * cos_beta
-        - 576.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
-    )
-    sum_295 = (
-        64.0 * cos_beta * sum_1_squared_squared * sum_62_squared
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_294
-    )
-    del sum_292, sum_293, sum_294, sum_62_squared
-    sum_296 = sigma_path_per_path_squared * sin_beta * sum_295 + sigma_beta * sum_288
-    sum_297 = 7.0 - sin_beta_squared * (6.0 + sin_beta_squared)
-    sum_298 = (32.0 - 16.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_297
-    sum_299 = 58.0 - baseline_per_path * sum_298 - (62.0 - 12.0 * sin_beta_squared) * sin_beta_squared
-    del sum_288, sum_295, sum_297, sum_298
-    sum_300 = (52.0 - 28.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_299
-    sum_301 = 23.0 - 20.0 * sin_beta_squared - baseline_per_path * sum_300
-    sum_302 = (
-        256.0 * baseline_per_path * sum_301
-        - 1024.0 * cos_beta
-        + 3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_187
-    )
-    sum_303 = (
-        128.0 * sum_187 * sum_1_squared_squared * sum_2 * sum_3 * sum_62
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_302
-    )
-    del sum_299, sum_300, sum_301, sum_1_squared_squared, sum_302, sum_62
-    sum_304 = 12.0 * baseline_per_path - 14.0 * cos_beta
-    sum_305 = 21.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_304
-    sum_306 = cos_beta * sum_305 - 24.0 * baseline_per_path
-    sum_307 = 12.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_306
-    sum_308 = (12.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_307
-    del sum_304, sum_305, sum_306, sum_307
-    sum_309 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_308
-    sum_310 = 32.0 * sigma_beta_squared * sum_309 + 64.0 * sum_187**2 * sum_1_squared
-    sum_311 = 16.0 * sigma_beta_squared_squared * sum_192**2 + sum_1_squared * sum_310
-    del sum_308, sum_187, sum_309, sigma_beta_squared_squared, sum_310
-    sum_312 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
-    sum_313 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_312
-    sum_314 = 67.0 - baseline_per_path * sum_313 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
-    sum_315 = baseline_per_path * sum_314 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
-    sum_316 = 86.0 - baseline_per_path * sum_315 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    del sum_312, sum_313, sum_314, sum_315
-    sum_317 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_316
-    sum_318 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_317
-    sum_319 = baseline_per_path * sum_318 - 8.0 * cos_beta
-    sum_320 = 1.0 + baseline_per_path * sum_319
-    del sum_316, sum_317, sum_318, sum_319
-    sum_321 = 146.0 + 21.0 * sin_beta_squared
-    sum_322 = 112.0 + 164.0 * sin_beta_squared
-    sum_323 = 214.0 + 18.0 * sin_beta_squared
-    sum_324 = 140.0 + 76.0 * sin_beta_squared
-    sum_325 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
-    sum_326 = cos_beta * sum_324 - baseline_per_path * sum_325
-    sum_327 = 76.0 - baseline_per_path * sum_326 - sin_beta_squared * sum_323
-    del sum_324, sum_325, sum_323, sum_326
-    sum_328 = baseline_per_path * sum_327 + cos_beta * sum_322
-    sum_329 = 122.0 - baseline_per_path * sum_328 - sin_beta_squared * sum_321
-    del sum_322, sum_327, sum_321, sum_328
-    sum_330 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_329
-    sum_331 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_330
-    sum_332 = baseline_per_path * sum_331 - 8.0 * cos_beta
-    sum_333 = 16.0 + 128.0 * rho_squared * sum_320 + 16.0 * baseline_per_path * sum_332
-    del sum_329, sum_330, sum_331, sum_320, sum_332
-    sum_334 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
-    sum_335 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_334
-    sum_336 = 4.0 * cos_beta + baseline_per_path * sum_335
-    sum_337 = 1.0 - baseline_per_path * sum_336
-    sum_338 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
-    sum_339 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_338
-    del sum_334, sum_335, sum_336, sum_338
-    sum_340 = baseline_per_path * sum_339 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
-    sum_341 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_340
-    sum_342 = baseline_per_path * sum_341 - 4.0 * cos_beta
-    sum_343 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
-    sum_344 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_343
-    del sum_339, sum_340, sum_341, sum_343
-    sum_345 = 4.0 * cos_beta + baseline_per_path * sum_344
-    sum_346 = 1.0 - baseline_per_path * sum_345
-    sum_347 = cos_beta * (13.0 + sin_beta_squared) - baseline_per_path * sum_208
-    sum_348 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * sum_347
-    del sum_344, sum_345, sum_208, sum_347
-    sum_349 = baseline_per_path * sum_348 + cos_beta * sum_80
-    sum_350 = 5.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_349
-    sum_351 = baseline_per_path * sum_350 - cos_beta
-    del sum_348, sum_80, sum_349, sum_350
-    sum_352 = 384.0 * sigma_path_per_path * sin_beta * sum_346 + 768.0 * rho * sigma_beta * sum_351
-    sum_353 = 192.0 * sigma_beta * sum_342 + rho * sum_352
-    del sum_346, sum_351, sum_342, sum_352
-    sum_354 = 192.0 * sigma_path_per_path * sin_beta * sum_337 + rho * sum_353
-    sum_355 = (
-        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_354
-        - sigma_beta_squared * sum_333
-    )
-    del sum_337, sum_353, sum_333, sum_354
-    sum_356 = cos_beta * (40.0 + product_10) - 17.0 * baseline_per_path
-    sum_357 = 48.0 - 30.0 * cos_beta_squared + baseline_per_path * sum_356
-    sum_358 = (36.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_357
-    sum_359 = 10.0 - 44.0 * baseline_per_path_squared - cos_beta * sum_358
-    del product_10, sum_356, sum_357, sum_358
-    sum_360 = 3.0 - 16.0 * baseline_per_path_squared
-    sum_361 = cos_beta * sum_359 - baseline_per_path * sum_360
-    sum_362 = 4.0 - baseline_per_path * sum_361 + (1.0 - 20.0 * cos_beta_squared) * cos_beta_squared
-    sum_363 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_362
-    del sum_359, sum_360, sum_361, sum_362
-    sum_364 = 7.0 * baseline_per_path - 6.0 * cos_beta
-    sum_365 = cos_beta * (78.0 + cos_beta * sum_364) - 38.0 * baseline_per_path
-    sum_366 = 87.0 - 60.0 * cos_beta_squared + baseline_per_path * sum_365
-    sum_367 = (60.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_366
-    sum_368 = 26.0 - 78.0 * baseline_per_path_squared - cos_beta * sum_367
-    del sum_364, sum_365, sum_366, sum_367
-    sum_369 = 12.0 - 32.0 * baseline_per_path_squared
-    sum_370 = cos_beta * sum_368 - baseline_per_path * sum_369
-    sum_371 = 6.0 - baseline_per_path * sum_370 + (12.0 - 33.0 * cos_beta_squared) * cos_beta_squared
-    sum_372 = (12.0 - 18.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_371
-    del sum_368, sum_369, sum_370, sum_371
-    sum_373 = 2.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_372
-    sum_374 = (
-        64.0
-        - 128.0 * cos_beta_squared
-        - 64.0 * baseline_per_path * sum_363
-        + 64.0 * rho_squared * sum_373
-    )
-    del sum_372, rho_squared, sum_363, sum_373
-    sum_375 = sin_beta_squared * sum_355 + sum_1_squared * sum_374
-    sum_376 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
-    sum_377 = baseline_per_path * sum_376 - 4.0 * cos_beta
-    del sum_355, sum_374, product_5, sum_376
-    sum_378 = 1.0 + baseline_per_path * sum_377
-    sum_379 = 11.0 * baseline_per_path - 14.0 * cos_beta
-    sum_380 = 61.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_379
-    sum_381 = cos_beta * sum_380 - 74.0 * baseline_per_path
-    sum_382 = 11.0 - 32.0 * baseline_per_path_squared - cos_beta * sum_381
-    del sum_377, sum_379, sum_380, sum_381
-    sum_383 = (28.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_382
-    sum_384 = 7.0 - baseline_per_path * sum_383 + 14.0 * cos_beta_squared
-    sum_385 = baseline_per_path * sum_384 - 6.0 * cos_beta
-    del sum_382, cos_beta_squared, sum_383, sum_384
-    sum_386 = 64.0 * sum_1_squared * sum_385 - 96.0 * sigma_beta_squared * sum_192 * sum_378
-    del sigma_beta_squared, sum_192, sum_1_squared, sum_378, sum_385
-    sum_387 = rho * sigma_beta * sin_beta * sum_2 * sum_3 * sum_386 - sigma_path_per_path * sum_375
-    del sum_2, sum_3, sum_375, sum_386
-    sum_388 = sigma_path_per_path * sum_387 + sum_311 * sum_3_squared * term_4
-    del sum_311, sum_387, sum_3_squared, term_4
-    sum_389 = sigma_beta * sum_388 - rho * sigma_path_per_path * sin_beta * sum_303
-    del sigma_path_per_path, sin_beta, sum_303, sum_388
-    sum_390 = 110.0 - 41.0 * sin_beta_squared
-    sum_391 = 56.0 - (72.0 - 20.0 * sin_beta_squared) * sin_beta_squared
-    product_11 = (12.0 - 4.0 * sin_beta_squared) * cos_beta
-    sum_392 = product_11 - baseline_per_path * sum_73
-    sum_393 = 54.0 - baseline_per_path * sum_392 - (30.0 - 4.0 * sin_beta_squared) * sin_beta_squared
-    sum_394 = baseline_per_path - 8.0 * cos_beta
-    sum_395 = 28.0 - sin_beta_squared * sum_393 + baseline_per_path * sum_394
-    del sum_73, sum_392, sum_393, sum_394
-    sum_396 = cos_beta * sum_391 - baseline_per_path * sum_395
-    sum_397 = 70.0 - baseline_per_path * sum_396 - sin_beta_squared * sum_390
-    del sum_391, sum_395, sum_390, sum_396
-    sum_398 = (56.0 - 44.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_397
-    sum_399 = 28.0 - 26.0 * sin_beta_squared - baseline_per_path * sum_398
-    sum_400 = baseline_per_path * sum_399 - 8.0 * cos_beta
-    sum_401 = 3.0 - sin_beta_squared * sum_289
-    del sum_397, sum_398, sum_399, sum_289
-    sum_402 = product_11 - baseline_per_path * sum_401
-    sum_403 = 18.0 - 14.0 * sin_beta_squared - baseline_per_path * sum_402
-    sum_404 = baseline_per_path * sum_403 - 12.0 * cos_beta
-    del product_11, sum_401, sum_402, cos_beta, sum_403
-    sum_405 = (
-        384.0
-        + 128.0 * baseline_per_path * sum_404
+    del sum_243, sum_244, sum_189, sum_193, sum_238, sum_245
+    sum_247 = sum_175 * sum_4_squared * term_4 - sigma_path_per_path_squared * sum_246
+    sum_248 = 11.0 * baseline_per_path - 20.0 * cos_beta
+    sum_249 = 95.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_248
+    sum_250 = cos_beta * sum_249 - 76.0 * baseline_per_path
+    del sum_175, sum_246, sum_248, sum_249
+    sum_251 = 103.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_250
+    sum_252 = (80.0 - 44.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_251
+    sum_253 = 2.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_252
+    sum_254 = (3.0 - 28.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_253
+    del sum_250, sum_251, sum_252, sum_253
+    sum_255 = 6.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_254
+    sum_256 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_257 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
+    sum_258 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
+    sum_259 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
+    sum_260 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_259
+    sum_261 = 3.0 - sin_beta_squared * sum_260 + product_1
+    del sum_254, sum_259, product_1, sum_260
+    sum_262 = baseline_per_path * sum_261 + cos_beta * sum_258
+    sum_263 = 21.0 - baseline_per_path * sum_262 + sin_beta_squared * sum_257
+    del sum_258, sum_261, sum_257, sum_262
+    sum_264 = cos_beta * sum_256 - baseline_per_path * sum_263
+    sum_265 = 1.0 + baseline_per_path * sum_264 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
+    sum_266 = baseline_per_path * sum_265 - 4.0 * cos_beta
+    del sum_256, sum_263, sum_264, sum_265
+    sum_267 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_266
+    sum_268 = 32.0 * sum_1_squared * sum_255 + 48.0 * sigma_beta_squared * sum_267
+    sum_269 = rho * sigma_beta * sigma_path_per_path * sum_268 * sum_3 * sum_4 + sin_beta * sum_247
+    del sum_266, sum_255, sum_267, sum_247, sum_268
+    sum_270 = sigma_beta * sum_269 - rho * sigma_path_per_path * sum_164
+    sum_271 = (
+        128.0 * sum_155 * sum_1_squared
         + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
     )
-    sum_406 = (
-        64.0
-        + 64.0 * baseline_per_path * sum_400
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_405
+    sum_272 = (
+        64.0 * sum_1_squared_squared * sum_61_squared
+        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_271
     )
-    del sum_404, baseline_per_path, baseline_per_path_squared, sum_400, sum_405
-    sum_407 = sigma_path_per_path_squared * sin_beta_squared * sum_406 + sigma_beta * sum_389
-    del sigma_path_per_path_squared, sin_beta_squared, sum_389, sum_406
-    mean[..., 0] = path * sum_28 * term_2
-    mean[..., 1] = path * sum_55 * term_2
-    covariance[..., 0, 0] = path_squared * sum_171 * term_3
-    del sum_28, sum_55, term_2, sum_171
-    covariance[..., 0, 1] = path_squared * sum_296 * term_3
+    del sum_164, sum_269, sum_155, sum_271, sum_61_squared
+    sum_273 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_272 + sigma_beta * sum_270
+    sum_274 = (8.0 - cos_beta_squared) * baseline_per_path - 18.0 * cos_beta
+    sum_275 = 3.0 + 12.0 * cos_beta_squared + baseline_per_path * sum_274
+    sum_276 = baseline_per_path * sum_275 - 4.0 * cos_beta
+    sum_277 = (
+        256.0 * sum_1_squared * sum_276
+        + 3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_169
+    )
+    del sum_270, sum_274, sum_275, sum_276
+    sum_278 = (
+        128.0 * sum_169 * sum_1_squared_squared * sum_3 * sum_4 * sum_61
+        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_277
+    )
+    sum_279 = 12.0 * baseline_per_path - 14.0 * cos_beta
+    sum_280 = 21.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_279
+    del sum_1_squared_squared, sum_277, sum_61, sum_279
+    sum_281 = cos_beta * sum_280 - 24.0 * baseline_per_path
+    sum_282 = 12.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_281
+    sum_283 = (12.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_282
+    sum_284 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_283
+    del sum_280, sum_281, sum_282, sum_283
+    sum_285 = 32.0 * sigma_beta_squared * sum_284 + 64.0 * sum_169**2 * sum_1_squared
+    sum_286 = 16.0 * sigma_beta_squared_squared * sum_174**2 + sum_1_squared * sum_285
+    sum_287 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
+    sum_288 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_287
+    del sum_284, sigma_beta_squared_squared, sum_285, sum_287
+    sum_289 = 67.0 - baseline_per_path * sum_288 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
+    sum_290 = baseline_per_path * sum_289 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
+    sum_291 = 86.0 - baseline_per_path * sum_290 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    sum_292 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_291
+    del sum_288, sum_289, sum_290, sum_291
+    sum_293 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_292
+    sum_294 = baseline_per_path * sum_293 - 8.0 * cos_beta
+    sum_295 = 1.0 + baseline_per_path * sum_294
+    sum_296 = 146.0 + 21.0 * sin_beta_squared
+    sum_297 = 112.0 + 164.0 * sin_beta_squared
+    sum_298 = 214.0 + 18.0 * sin_beta_squared
+    sum_299 = 140.0 + 76.0 * sin_beta_squared
+    sum_300 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
+    sum_301 = cos_beta * sum_299 - baseline_per_path * sum_300
+    del sum_292, sum_293, sum_294, sum_299, sum_300
+    sum_302 = 76.0 - baseline_per_path * sum_301 - sin_beta_squared * sum_298
+    sum_303 = baseline_per_path * sum_302 + cos_beta * sum_297
+    del sum_298, sum_301, sum_297, sum_302
+    sum_304 = 122.0 - baseline_per_path * sum_303 - sin_beta_squared * sum_296
+    sum_305 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_304
+    sum_306 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_305
+    del sum_296, sum_303, sum_304, sum_305
+    sum_307 = baseline_per_path * sum_306 - 8.0 * cos_beta
+    sum_308 = 16.0 + 128.0 * rho_squared * sum_295 + 16.0 * baseline_per_path * sum_307
+    sum_309 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
+    sum_310 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_309
+    del sum_306, sum_295, sum_307, sum_309
+    sum_311 = 4.0 * cos_beta + baseline_per_path * sum_310
+    sum_312 = 1.0 - baseline_per_path * sum_311
+    sum_313 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
+    sum_314 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_313
+    sum_315 = baseline_per_path * sum_314 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    del sum_310, sum_311, sum_313, sum_314
+    sum_316 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_315
+    sum_317 = baseline_per_path * sum_316 - 4.0 * cos_beta
+    sum_318 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
+    sum_319 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_318
+    sum_320 = 4.0 * cos_beta + baseline_per_path * sum_319
+    del sum_315, sum_316, sum_318, sum_319
+    sum_321 = 1.0 - baseline_per_path * sum_320
+    sum_322 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
+    sum_323 = baseline_per_path * sum_322 - 4.0 * cos_beta
+    sum_324 = 1.0 + baseline_per_path * sum_323
+    del sum_320, product_5, sum_322, sum_323
+    sum_325 = 384.0 * sigma_path_per_path * sin_beta * sum_321 + 768.0 * rho * sigma_beta * sum_169 * sum_324
+    sum_326 = 192.0 * sigma_beta * sum_317 + rho * sum_325
+    del sum_169, sum_321, sum_317, sum_325
+    sum_327 = 192.0 * sigma_path_per_path * sin_beta * sum_312 + rho * sum_326
+    sum_328 = (
+        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_327
+        - sigma_beta_squared * sum_308
+    )
+    del sum_312, sum_326, sum_308, sum_327
+    sum_329 = cos_beta * (40.0 + product_10) - 17.0 * baseline_per_path
+    sum_330 = 48.0 - 30.0 * cos_beta_squared + baseline_per_path * sum_329
+    sum_331 = (36.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_330
+    sum_332 = 10.0 - 44.0 * baseline_per_path_squared - cos_beta * sum_331
+    del product_10, sum_329, sum_330, sum_331
+    sum_333 = 3.0 - 16.0 * baseline_per_path_squared
+    sum_334 = cos_beta * sum_332 - baseline_per_path * sum_333
+    sum_335 = 4.0 - baseline_per_path * sum_334 + (1.0 - 20.0 * cos_beta_squared) * cos_beta_squared
+    sum_336 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_335
+    del sum_332, sum_333, sum_334, sum_335
+    sum_337 = 7.0 * baseline_per_path - 6.0 * cos_beta
+    sum_338 = cos_beta * (78.0 + cos_beta * sum_337) - 38.0 * baseline_per_path
+    sum_339 = 87.0 - 60.0 * cos_beta_squared + baseline_per_path * sum_338
+    sum_340 = (60.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_339
+    sum_341 = 26.0 - 78.0 * baseline_per_path_squared - cos_beta * sum_340
+    del sum_337, sum_338, sum_339, sum_340
+    sum_342 = 12.0 - 32.0 * baseline_per_path_squared
+    sum_343 = cos_beta * sum_341 - baseline_per_path * sum_342
+    sum_344 = 6.0 - baseline_per_path * sum_343 + (12.0 - 33.0 * cos_beta_squared) * cos_beta_squared
+    sum_345 = (12.0 - 18.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_344
+    del sum_341, sum_342, sum_343, sum_344
+    sum_346 = 2.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_345
+    sum_347 = (
+        64.0
+        - 128.0 * cos_beta_squared
+        - 64.0 * baseline_per_path * sum_336
+        + 64.0 * rho_squared * sum_346
+    )
+    del sum_345, rho_squared, sum_336, sum_346
+    sum_348 = sin_beta_squared * sum_328 + sum_1_squared * sum_347
+    sum_349 = 11.0 * baseline_per_path - 14.0 * cos_beta
+    sum_350 = 61.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_349
+    sum_351 = cos_beta * sum_350 - 74.0 * baseline_per_path
+    del sum_328, sum_347, sum_349, sum_350
+    sum_352 = 11.0 - 32.0 * baseline_per_path_squared - cos_beta * sum_351
+    sum_353 = (28.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_352
+    sum_354 = 7.0 - baseline_per_path * sum_353 + 14.0 * cos_beta_squared
+    del baseline_per_path_squared, sum_351, sum_352, cos_beta_squared, sum_353
+    sum_355 = baseline_per_path * sum_354 - 6.0 * cos_beta
+    sum_356 = 64.0 * sum_1_squared * sum_355 - 96.0 * sigma_beta_squared * sum_174 * sum_324
+    del baseline_per_path, cos_beta, sum_354, sigma_beta_squared, sum_174, sum_1_squared, sum_324, sum_355
+    sum_357 = rho * sigma_beta * sin_beta * sum_3 * sum_356 * sum_4 - sigma_path_per_path * sum_348
+    del sum_3, sum_348, sum_356, sum_4
+    sum_358 = sigma_path_per_path * sum_357 + sum_286 * sum_4_squared * term_4
+    del sum_286, sum_357, sum_4_squared, term_4
+    sum_359 = sigma_beta * sum_358 - rho * sigma_path_per_path * sin_beta * sum_278
+    del sigma_path_per_path, sin_beta, sum_278, sum_358
+    sum_360 = sigma_path_per_path_squared * sin_beta_squared * sum_272 + sigma_beta * sum_359
+    del sigma_path_per_path_squared, sin_beta_squared, sum_272, sum_359
+    mean[..., 0] = path * sum_27 * term_2
+    mean[..., 1] = path * sum_54 * term_2
+    covariance[..., 0, 0] = path_squared * sum_158 * term_3
+    del sum_27, sum_54, term_2, sum_158
+    covariance[..., 0, 1] = path_squared * sum_273 * term_3
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_407 * term_3
-    del sum_296, path_squared, sum_407, term_3
+    covariance[..., 1, 1] = path_squared * sum_360 * term_3
+    del sum_273, path_squared, sum_360, term_3
 
 
 def polar_linear(
