@@ -96,7 +96,7 @@ def _longest_sum(expression: Expr) -> int:
 def _with_sines(product: Expr) -> Expr:
     """A product in which −sin² stands for (cos − 1)(cos + 1)."""
     powers = dict(factor.as_base_exp() for factor in sp.Mul.make_args(product))
-    found = sp.Integer(1)
+    found: Expr = sp.Integer(1)
     for cosine in sorted(product.atoms(sp.cos), key=str):
         both = [powers.get(cosine + sign, sp.Integer(0)) for sign in (-1, 1)]
         if all(power.is_positive for power in both):
