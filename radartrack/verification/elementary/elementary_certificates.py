@@ -30,7 +30,7 @@ Row = dict[str, Any]
 
 def kept() -> dict[str, dict[str, Row]]:
     """What the package holds: by precision and function a bound in ulp, and the cells that prove it."""
-    found: dict[str, dict[str, Row]] = json.loads(files(__package__).joinpath(RECORD).read_text())["functions"]
+    found: dict[str, dict[str, Row]] = json.loads(files(__package__).joinpath(RECORD).read_text("utf-8"))["functions"]
     return found
 
 

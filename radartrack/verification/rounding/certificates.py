@@ -42,7 +42,7 @@ Row = dict[str, Any]
 
 def kept() -> dict[str, Row]:
     """What the package holds: by quantity a bound and the boxes that prove it, or why there is none."""
-    found: dict[str, Row] = json.loads(files(__package__).joinpath(RECORD).read_text())["functions"]
+    found: dict[str, Row] = json.loads(files(__package__).joinpath(RECORD).read_text("utf-8"))["functions"]
     return found
 
 

@@ -25,7 +25,7 @@ Row = dict[str, Any]
 
 def kept() -> dict[str, Row]:
     """What the package holds: by quantity the worst point that was found, and the error there in ulp."""
-    found: dict[str, Row] = json.loads(files(__package__).joinpath(RECORD).read_text())
+    found: dict[str, Row] = json.loads(files(__package__).joinpath(RECORD).read_text("utf-8"))
     return found
 
 
