@@ -110,6 +110,9 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     declared = _declared(model)
     chosen = _chosen(names or [], declared.quantities or catalogue())
     of_rounding = {"--prove": (prove, _prove), "--worst": (worst, _search), "--plot": (plot, _draw)}
+    asked_for = [option for option, (path, _) in of_rounding.items() if path is not None]
+    if len(asked_for) > 1:
+        raise typer.BadParameter(f"{' and '.join(asked_for)} are done one at a time; give one of them")
     for option, (path, task) in of_rounding.items():
         if path is None:
             continue

@@ -10,6 +10,7 @@ from typing import Any
 
 from radartrack.verification.rounding.certificate_checker import boxes_of, cases_of, figure
 from radartrack.verification.rounding.checked_numbers import Refused
+from radartrack.verification.rounding.domain_boxes import tree_of
 
 Ends = dict[str, tuple[float, float]]
 HOPELESS = 300.0  # of a logarithm: what a box without any bound counts
@@ -59,14 +60,7 @@ class _Case:
     @property
     def tree(self) -> str:
         """In preorder."""
-        stack, letters = [""], []
-        while stack:
-            path = stack.pop()
-            axis = self.splits.get(path)
-            letters.append("." if axis is None else chr(ord("a") + axis))
-            if axis is not None:
-                stack += [path + "1", path + "0"]
-        return "".join(letters)
+        return tree_of(self.splits)
 
 
 def bisected(source: str, claim: Mapping[str, Any], enough: float, most: int, seconds: float) -> dict[str, str]:

@@ -172,3 +172,15 @@ def _sine(distance: Enclosure, function: str) -> Enclosure:
         return np.asarray(x / np.tan(x) if function == "sin" else -x * np.tan(x))
 
     return curve(distance, logarithm, slope, concave=True)
+
+
+def tree_of(splits: Mapping[str, int]) -> str:
+    """In preorder: a box by its path of halves, with the coordinate at whose middle it is halved, or a dot."""
+    stack, letters = [""], []
+    while stack:
+        path = stack.pop()
+        axis = splits.get(path)
+        letters.append("." if axis is None else chr(ord("a") + axis))
+        if axis is not None:
+            stack += [path + "1", path + "0"]
+    return "".join(letters)

@@ -16,6 +16,7 @@ from radartrack.verification.rounding.domain_boxes import (
     cases,
     coordinates,
     given,
+    tree_of,
 )
 from radartrack.verification.rounding.enclosures import Array, total
 from radartrack.verification.rounding.error_rules import Atom, Parts, Value
@@ -217,14 +218,7 @@ class _Forest:
     @property
     def text(self) -> str:
         """The tree in preorder."""
-        stack, letters = [""], []
-        while stack:
-            path = stack.pop()
-            axis = self.splits.get(path)
-            letters.append("." if axis is None else chr(ord("a") + axis))
-            if axis is not None:
-                stack += [path + "1", path + "0"]
-        return "".join(letters)
+        return tree_of(self.splits)
 
     def split(self, target: float, most: int) -> None:
         """Halve the boxes above the target, worst first, until none is left or there are too many."""

@@ -37,3 +37,11 @@ def test_what_cannot_be_drawn_is_told(file: str, names: list[str], tmp_path: Pat
     result = CliRunner().invoke(app, ["verify", *names, "--plot", str(tmp_path / file)])
     assert result.exit_code == 2
     assert not (tmp_path / file).exists()
+
+
+def test_what_is_asked_for_beside_a_plot_is_refused_and_not_left_out(tmp_path: Path):
+    asked = ["--plot", str(tmp_path / "f.svg"), "--worst", str(tmp_path / "worst.json")]
+    result = CliRunner().invoke(app, ["verify", NAME, *asked])
+    assert result.exit_code == 2
+    assert "one at a time" in result.output
+    assert not list(tmp_path.iterdir())
