@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from radartrack import convert
-from radartrack._regeneration.regeneration import written
+from radartrack._regeneration.numpy_modules import written
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.finite_sample.least_squares_filter import FiniteSample

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import sympy
 
-from radartrack._regeneration import regeneration
+from radartrack._regeneration import numpy_modules
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
 
@@ -62,7 +62,7 @@ def in_a_process(statements: str) -> None:
 def ours(names: tuple[str, ...]) -> None:
     """What `regenerate` does with each quantity."""
     for name in names:
-        regeneration.written(catalogue()[name])
+        numpy_modules.written(catalogue()[name])
 
 
 def plain(names: tuple[str, ...]) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from radartrack._regeneration import regeneration
-from radartrack._regeneration.regeneration import Files, NotDerived, Record, Step, Writer
+from radartrack._regeneration.accuracy import RECORD, Record, record_text
+from radartrack._regeneration.deriving import NotDerived, Step, Writer, worked_out
+from radartrack._regeneration.output_directory import Files
 from radartrack._system import written_files
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.stable.quantity_form import form_of
@@ -36,7 +38,7 @@ class CDerivation:
 
 def derive(quantities: Mapping[str, Quantity], step: Step) -> CDerivation:
     """The code of all quantities and their conversions; `step` is told each name as its turn comes."""
-    done = regeneration.worked_out(quantities, step, Writer(written, c_header.conversion_in_c))
+    done = worked_out(quantities, step, Writer(written, c_header.conversion_in_c))
     found = [one for one in done.values() if isinstance(one, ConversionInC)]
     in_c = [
         QuantityInC(quantity, Function(quantity, done[name][0]), done[name][1]) for name, quantity in quantities.items()
@@ -57,7 +59,7 @@ def names(quantities: Mapping[str, Quantity]) -> set[str]:
         {c_header.CONVERSIONS} if conversions else set()
     )
     example = {EXAMPLE} if ("polar", "unbiased") in conversions else set()
-    fixed = {c_header.ALL, c_elementary.NAME, regeneration.RECORD, written_files.RECORD}
+    fixed = {c_header.ALL, c_elementary.NAME, RECORD, written_files.RECORD}
     return fixed | PACKAGE | example | {c_header.header_name(family) for family in families}
 
 
@@ -74,6 +76,14 @@ def texts(derivation: CDerivation, record: Record) -> Files:
         raise NotDerived(str(error)) from None
     every = [one.written for one in derivation.quantities] + [one.written for one in derivation.conversions]
     defined = frozenset(name for one in every for name in one.names)
-    files |= c_package.package(regeneration.own_version(), defined)
-    files[regeneration.RECORD] = regeneration.record_text(record)
+    files |= c_package.package(own_version(), defined)
+    files[RECORD] = record_text(record)
     return files | {written_files.RECORD: written_files.record(files)}
+
+
+def own_version() -> str:
+    """Of the installed package."""
+    try:
+        return importlib.metadata.version("radartrack")
+    except importlib.metadata.PackageNotFoundError:
+        return "0"

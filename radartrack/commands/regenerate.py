@@ -39,7 +39,9 @@ def regenerate(
 
     With --model, what is derived is your models alone, and it wants --out; so does --language c.
     """
-    from radartrack._regeneration import regeneration
+    from radartrack._regeneration import accuracy, output_directory
+    from radartrack._regeneration.deriving import NotDerived
+    from radartrack._regeneration.measuring import with_measured
     from radartrack.derive.language.stable_form import NotProved
 
     directory = _directory(out, model, language)
@@ -51,31 +53,31 @@ def regenerate(
         with _progress(len(quantities)) as step:
             derivation = target.derive(quantities, step)
             functions = derivation.functions
-            known = regeneration.read_records(directory, quantities)
-            measured = regeneration.as_recorded(functions, known)
+            known = accuracy.read_records(directory, quantities)
+            measured = accuracy.as_recorded(functions, known)
             if not check:
-                measured = regeneration.with_measured(functions, known, step)
+                measured = with_measured(functions, known, step)
         files = target.texts(derivation, measured)
-    except regeneration.NotDerived as error:
+    except NotDerived as error:
         _refuse(f"Nothing was written: {error}")
     except NotProved as error:
         terminal.complain(f"Nothing was written: {error}")
         raise typer.Exit(2 if model else 1) from None
-    found = [difference for difference in regeneration.differences(directory, files) if difference]
+    found = [difference for difference in output_directory.differences(directory, files) if difference]
     if check:
         _report(found, directory)
     elif found:
         _write(directory, files)
-    _tell_kept(regeneration.kept(directory, files))
+    _tell_kept(output_directory.kept(directory, files))
     done = "written to" if found else "derived, as they stand in"
     terminal.say(f"{len(functions)} functions {done} {terminal.one_line(str(directory))}")
 
 
 def _target(language: Language) -> Any:
     """The module that names, derives and writes the files of a language."""
-    from radartrack._regeneration import c_headers, regeneration
+    from radartrack._regeneration import c_headers, numpy_modules
 
-    return c_headers if language is Language.C else regeneration
+    return c_headers if language is Language.C else numpy_modules
 
 
 def _directory(out: Path | None, model: Path | None, language: Language) -> Path:
@@ -84,21 +86,21 @@ def _directory(out: Path | None, model: Path | None, language: Language) -> Path
     Raises:
         typer.Exit: when that is not said, or is a place with files that no derivation wrote.
     """
-    from radartrack._regeneration import regeneration
+    from radartrack._regeneration import output_directory
 
     if out is None and language is Language.C:
         _refuse("--language c wants --out DIR, the directory for the headers.")
     if out is None:
-        source = None if model else regeneration.source_directory()
+        source = None if model else output_directory.source_directory()
         if source is None:
             reason = "A model of your own" if model else "This is no source checkout and"
             _refuse(f"{reason} wants --out DIR, the directory for the generated modules.")
         return source
     if os.path.lexists(os.path.realpath(out)) and not out.is_dir():
         _refuse(f"--out must be a directory; {out} is a file.")
-    if not regeneration.may_be_written(out):
+    if not output_directory.may_be_written(out):
         _refuse(f"--out must be new, empty or written by this command; {out} holds other files.")
-    found = regeneration.owners(out)
+    found = output_directory.owners(out)
     for other in Language:
         if other is not language and SIGN[other] in found.ours | found.edited:
             _refuse(f"--out must be a directory for --language {language} alone; {out} is one of --language {other}.")
@@ -107,9 +109,9 @@ def _directory(out: Path | None, model: Path | None, language: Language) -> Path
 
 def _refuse_unwritable(directory: Path, names: Collection[str]) -> None:
     """The directory is written beside and put in place, so it is the place around it that must take files."""
-    from radartrack._regeneration import regeneration
+    from radartrack._regeneration import output_directory
 
-    if others := regeneration.in_the_way(directory, names):
+    if others := output_directory.in_the_way(directory, names):
         _refuse(f"--out: {directory / others[0]} is in the way, and was not written by this command.")
     if directory.is_mount():
         _refuse(f"--out must be a directory that can be replaced; {directory} is mounted, a directory in it can.")
@@ -118,10 +120,10 @@ def _refuse_unwritable(directory: Path, names: Collection[str]) -> None:
 
 
 def _write(directory: Path, files: dict[str, str]) -> None:
-    from radartrack._regeneration import regeneration
+    from radartrack._regeneration import output_directory
 
-    edited, orphans = regeneration.edited(directory, files), regeneration.orphans(directory, files)
-    aside = regeneration.write(directory, files)
+    edited, orphans = output_directory.edited(directory, files), output_directory.orphans(directory, files)
+    aside = output_directory.write(directory, files)
     for name in edited:
         terminal.complain(f"{name}: edited since it was written; what was there is kept in {aside}")
     for orphan in orphans:

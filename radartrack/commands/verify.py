@@ -149,7 +149,8 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
 
 def _prove(chosen: Sequence[str], path: Path) -> None:
     """Write the certificates that the package holds, with new ones of the chosen functions."""
-    from radartrack._regeneration.regeneration import read_record, source_directory
+    from radartrack._regeneration.accuracy import read_record
+    from radartrack._regeneration.output_directory import source_directory
     from radartrack.derive.catalogue import catalogue
     from radartrack.verification.rounding.certificates import (
         BOXES,

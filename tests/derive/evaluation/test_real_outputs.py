@@ -344,7 +344,7 @@ def test_what_cannot_be_written_is_refused_with_the_quantity(tmp_path: Path, mon
     def fails(_: object) -> None:
         raise KeyError("no\nway")
 
-    monkeypatch.setattr("radartrack._regeneration.regeneration.form_of", fails)
+    monkeypatch.setattr("radartrack._regeneration.numpy_modules.form_of", fails)
     result = regenerate(HEAD % "r*cos(b)", tmp_path)
     assert result.exit_code == 2
     assert "Nothing was written: mine.map cannot be derived: 'no" in result.stderr

@@ -13,8 +13,8 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from radartrack import convert
-from radartrack._regeneration import c_headers, regeneration
-from radartrack._regeneration.regeneration import Accuracy
+from radartrack._regeneration import accuracy, c_headers
+from radartrack._regeneration.accuracy import Accuracy
 from radartrack._regeneration.single_precision import error_in_single
 from radartrack.cli import app
 from radartrack.derive import catalogue as catalogue_module
@@ -23,6 +23,7 @@ from radartrack.verification.domain_points import sample
 from radartrack.verification.subject import generated
 from tests import own_models
 from tests.c_programs import needs_compiler, run
+from tests.radartrack._regeneration import small_catalogue
 
 NAMES = ("polar.map", "polar.unbiased.estimate", "polar.unbiased.covariance", "motion.plane.observation")
 SMALL = {name: find(name) for name in NAMES}
@@ -46,9 +47,7 @@ def regenerate(*arguments: str | Path) -> Result:
 
 def make_small(patch: pytest.MonkeyPatch) -> None:
     """A catalogue of four quantities, derived in this process and measured at few points."""
-    patch.setattr(regeneration, "catalogue", dict)
-    patch.setattr(catalogue_module, "catalogue", lambda: SMALL)
-    patch.setattr(regeneration, "POINTS", 40)
+    small_catalogue.install(patch, SMALL, 40)
 
 
 @pytest.fixture(scope="module")
@@ -124,7 +123,7 @@ def test_the_directory_must_be_named():
 
 
 def test_a_model_of_ones_own_is_written_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(regeneration, "POINTS", 5)
+    monkeypatch.setattr(accuracy, "POINTS", 5)
     model = own_models.files(tmp_path)["toml"]
     out = tmp_path / "headers"
     result = regenerate("--language", "c", "--model", model, "--out", out)
@@ -136,10 +135,10 @@ def test_a_model_of_ones_own_is_written_too(tmp_path: Path, monkeypatch: pytest.
 def test_the_bytes_do_not_depend_on_the_order_of_hashes(out: Path, tmp_path: Path):
     elsewhere = tmp_path / "elsewhere"
     script = f"""
-from radartrack._regeneration import regeneration
-from radartrack.derive import catalogue
-small = {{name: catalogue.find(name) for name in {list(SMALL)}}}
-regeneration.catalogue, catalogue.catalogue, regeneration.POINTS = dict, lambda: small, 40
+import pytest
+from radartrack.derive.catalogue import find
+from tests.radartrack._regeneration import small_catalogue
+small_catalogue.install(pytest.MonkeyPatch(), {{name: find(name) for name in {list(SMALL)}}}, 40)
 from radartrack.cli import app
 app()
 """
@@ -220,9 +219,9 @@ def test_what_was_measured_is_read_back(tmp_path: Path):
         "b": Accuracy("2" * 64, 1.0, math.nan, 0),
         "c": Accuracy("3", 1.0),
     }
-    (tmp_path / "accuracy.json").write_text(regeneration.record_text(record))
-    found = regeneration.read_record(tmp_path)
-    assert json.loads(regeneration.record_text(found)) == json.loads(regeneration.record_text(record))
+    (tmp_path / "accuracy.json").write_text(accuracy.record_text(record))
+    found = accuracy.read_record(tmp_path)
+    assert json.loads(accuracy.record_text(found)) == json.loads(accuracy.record_text(record))
     assert (found["a"], found["c"].is_complete) == (record["a"], False)
     assert "400 of these points" in found["a"].in_single
     assert "none" in found["b"].in_single

@@ -19,12 +19,13 @@ from typer.testing import CliRunner, Result
 
 import radartrack.generated
 import radartrack.generated.polar
-from radartrack._regeneration import regeneration
+from radartrack._regeneration import accuracy, measuring, numpy_modules, output_directory
 from radartrack._system import written_files
 from radartrack.cli import app
 from radartrack.derive import catalogue as catalogue_module
 from radartrack.derive.catalogue import find
 from radartrack.derive.language.stable_form import NotProved
+from tests.radartrack._regeneration import small_catalogue
 
 ROOT = Path(__file__).parents[3]
 GENERATED = Path(radartrack.generated.__path__[0])
@@ -33,10 +34,11 @@ ANOTHER = {"line.slope": find("line.slope")}
 POINTS = 40
 RUN = "from radartrack.cli import app; app()"
 RUN_SMALL = f"""
-from radartrack._regeneration import regeneration
-from radartrack.derive import catalogue
-small = {{name: catalogue.find(name) for name in {list(SMALL)}}}
-regeneration.catalogue, catalogue.catalogue, regeneration.POINTS = dict, lambda: small, {POINTS}
+import pytest
+from radartrack.derive.catalogue import find
+from tests.radartrack._regeneration.small_catalogue import install, install_known
+small = {{name: find(name) for name in {list(SMALL)}}}
+install(pytest.MonkeyPatch(), small, {POINTS})
 {RUN}
 """
 
@@ -72,10 +74,7 @@ def assert_nothing_is_lost(before: Mapping[str, bytes], place: Path, but: Mappin
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A catalogue of three quantities, derived in this process and measured at few points."""
-    monkeypatch.setattr(regeneration, "catalogue", dict)
-    monkeypatch.setattr(catalogue_module, "catalogue", lambda: SMALL)
-    monkeypatch.setattr(regeneration, "POINTS", POINTS)
+    small_catalogue.install(monkeypatch, SMALL, POINTS)
 
 
 @pytest.fixture
@@ -114,8 +113,11 @@ def package_copy(folder: Path) -> Path:
 def test_a_new_directory_and_another_hash_seed_ground_types_and_locale_give_the_same_code_unmeasured(tmp_path: Path):
     """Of a few quantities; `make drift` does so with all of them, in place."""
     environment = {"PYTHONHASHSEED": "4242", "SYMPY_GROUND_TYPES": "python", "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0"}
-    known = "regeneration.catalogue, regeneration.measure = catalogue.catalogue, None"
-    unmeasured = RUN_SMALL.replace(RUN, f"{known}\nregeneration.POINTS = {regeneration.POINTS}\n{RUN}")
+    unmeasured = (
+        RUN_SMALL.replace("install(", "install_known(", 1)
+        .replace(f"small, {POINTS}", f"small, {accuracy.POINTS}")
+        .replace(RUN, f"from radartrack._regeneration import measuring\nmeasuring.measure = None\n{RUN}")
+    )
     result = run_in_process_of_its_own("--out", tmp_path / "out", environment=environment, code=unmeasured)
     assert result.returncode == 0, result.stderr
     written, shipped = functions(tmp_path / "out" / "polar.py"), functions(GENERATED / "polar.py")
@@ -136,7 +138,11 @@ def test_damaged_generated_code_does_not_keep_the_command_from_restoring_every_b
     shutil.copytree(out, package / "generated")
     for name in ("__init__.py", "polar.py"):
         (package / "generated" / name).write_text("def (:\n")
-    environment = {"PYTHONHASHSEED": "1", "SYMPY_GROUND_TYPES": "flint"}
+    environment = {
+        "PYTHONHASHSEED": "1",
+        "SYMPY_GROUND_TYPES": "flint",
+        "PYTHONPATH": str(ROOT),
+    }  # the tests, not the package
     result = subprocess.run(
         [sys.executable, "-c", RUN_SMALL, "regenerate", "--out", package / "generated"],
         cwd=tmp_path,
@@ -158,7 +164,7 @@ def test_outside_a_checkout_the_command_asks_where_to_write(tmp_path: Path):
 
 
 def test_the_checkout_is_known_by_its_generated_folder():
-    found = regeneration.source_directory()
+    found = output_directory.source_directory()
     assert found is not None
     assert found.samefile(GENERATED)
 
@@ -332,7 +338,7 @@ def test_an_unproved_form_stops_the_command_and_leaves_the_old_files(out: Path, 
     def unproved(_: object) -> None:
         raise NotProved("sin is not equal to cos")
 
-    monkeypatch.setattr(regeneration, "form_of", unproved)
+    monkeypatch.setattr(numpy_modules, "form_of", unproved)
     result = regenerate("--out", out)
     assert result.exit_code == 1
     assert "sin is not equal to cos" in result.output
@@ -348,7 +354,7 @@ def test_an_interrupted_measurement_leaves_the_old_files(out: Path, monkeypatch:
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(regeneration, "measure", interrupted)
+    monkeypatch.setattr(measuring, "measure", interrupted)
     assert regenerate("--out", out).exit_code != 0
     assert contents(out) == before
     assert [path.name for path in out.parent.iterdir()] == ["out"]
@@ -412,7 +418,7 @@ def test_whatever_a_directory_holds_nothing_but_what_was_written_there_is_lost(
     place = tmp_path_factory.mktemp("place")
     out = place / "out"
     texts = {"py.typed": ""} | {name: content.decode() for name, content in written.items()}
-    regeneration.write(out, texts | {"written.json": written_files.record(texts)})
+    output_directory.write(out, texts | {"written.json": written_files.record(texts)})
     for name, content in changed.items():
         (out / name).write_bytes(content)
     if folder and "sub" not in {*written, *changed}:
@@ -424,7 +430,7 @@ def test_whatever_a_directory_holds_nothing_but_what_was_written_there_is_lost(
     new |= {"py.typed": ""}
     new |= {"written.json": written_files.record(new)}
     try:
-        regeneration.write(out, new)
+        output_directory.write(out, new)
     except FileExistsError:
         assert contents_of_all(out) == before
         assert wanted & (changed.keys() | {"sub"}) - written.keys()
@@ -453,9 +459,9 @@ def test_what_was_written_and_has_no_derivation_any_more_is_drift_and_is_removed
     out: Path, monkeypatch: pytest.MonkeyPatch
 ):
     less = {name: quantity for name, quantity in SMALL.items() if name != "polar.bias.truth"}
-    found = regeneration.texts
+    found = numpy_modules.texts
     monkeypatch.setattr(
-        regeneration, "texts", lambda *given: {n: t for n, t in found(*given).items() if n != "formulas.md"}
+        numpy_modules, "texts", lambda *given: {n: t for n, t in found(*given).items() if n != "formulas.md"}
     )
     monkeypatch.setattr(catalogue_module, "catalogue", lambda: less)
     checked = regenerate("--out", out, "--check")
@@ -467,14 +473,14 @@ def test_what_was_written_and_has_no_derivation_any_more_is_drift_and_is_removed
 
 
 def test_the_names_that_are_tried_beforehand_are_those_that_are_written(out: Path):
-    assert regeneration.names(SMALL) == {path.name for path in out.iterdir()}
+    assert numpy_modules.names(SMALL) == {path.name for path in out.iterdir()}
 
 
 def test_a_stranger_s_file_where_a_module_will_be_is_refused_before_anything_is_derived(
     out: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setattr(catalogue_module, "catalogue", lambda: ANOTHER)
-    monkeypatch.setattr(regeneration, "derive", None)
+    monkeypatch.setattr(numpy_modules, "derive", None)
     (out / "line.py").write_text("mine")
     before = contents_of_all(out)
     result = regenerate("--out", out)
@@ -498,7 +504,7 @@ def test_a_folder_of_a_user_s_project_is_not_taken_for_the_checkout(tmp_path: Pa
 def test_a_place_that_takes_no_directory_is_refused_before_anything_is_derived(
     tmp_path: Path, below: str, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr(regeneration, "derive", None)
+    monkeypatch.setattr(numpy_modules, "derive", None)
     (tmp_path / "file").touch()
     result = regenerate("--out", tmp_path / below)
     assert (result.exit_code, len(result.stderr.splitlines())) == (2, 1)
@@ -535,18 +541,18 @@ def test_killed_in_mid_write_the_directory_is_the_old_set_or_the_new_one(tmp_pat
     )
     old, new = (files | {"written.json": written_files.record(files)} for files in (old, new))
     target = tmp_path / "out"
-    regeneration.write(target, old)
+    output_directory.write(target, old)
     code = (
-        "import json, sys; from pathlib import Path; from radartrack._regeneration import regeneration;"
+        "import json, sys; from pathlib import Path; from radartrack._regeneration import output_directory;"
         "from tests.radartrack._system.replacements import kill_at; files = json.loads(sys.argv[2]);"
-        f"kill_at({step}); regeneration.write(Path(sys.argv[1]), files)"
+        f"kill_at({step}); output_directory.write(Path(sys.argv[1]), files)"
     )
     killed = subprocess.run([sys.executable, "-c", code, str(target), json.dumps(new)], cwd=ROOT, check=False)
     assert killed.returncode in {-9, 0}
     found = {name: text.decode() for name, text in contents(target).items()}
     assert found in (old, new)
     assert found == new or killed.returncode == -9
-    regeneration.write(target, new)
+    output_directory.write(target, new)
     assert {name: text.decode() for name, text in contents(target).items()} == new
     assert [path.name for path in tmp_path.iterdir()] == ["out"]
 
@@ -556,5 +562,5 @@ def test_the_measured_error_is_rounded_up_to_half_an_ulp_and_infinite_for_what_i
     monkeypatch: pytest.MonkeyPatch,
 ):
     for found, stated in ((0.0, 0.0), (0.2, 0.5), (1.5, 1.5), (1.51, 2.0), (np.inf, np.inf), (np.nan, np.inf)):
-        monkeypatch.setattr(regeneration, "errors", lambda *_, found=found: np.array([0.0, found]))
-        assert regeneration.measure(radartrack.generated.polar, find("polar.map")) == stated
+        monkeypatch.setattr(measuring, "errors", lambda *_, found=found: np.array([0.0, found]))
+        assert measuring.measure(radartrack.generated.polar, find("polar.map")) == stated

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.processes import PATIENCE
+
 POOL = """
 import sys, time
 from multiprocessing import get_context
@@ -41,7 +43,6 @@ Decider.decide = decide
 decide_all([Claim("quick", "polar.map[0]", formula="r*cos(beta)"), SLOW, SLOW, SLOW], 600, 1, lambda: None)
 """
 PROGRAMS = {"spawn": [POOL, "spawn"], "forkserver": [POOL, "forkserver"], "checker": [CHECKER]}
-PATIENCE = 60.0  # seconds; a process that is to end has no part in it
 
 
 @contextmanager
@@ -97,7 +98,7 @@ COMMAND = CHECKER.partition("decide_all([")[0] + (
 REGENERATION = """
 import sys, time
 from concurrent.futures import Future
-from radartrack._regeneration import regeneration
+from radartrack._regeneration import deriving
 
 def begun(*_):
     print("busy", flush=True)

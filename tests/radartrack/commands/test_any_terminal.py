@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner, Result
 
-from radartrack._regeneration import regeneration
+from radartrack._regeneration import numpy_modules, output_directory
 from radartrack.cli import app
 from radartrack.commands import audit, reproduce
 from radartrack.derive import catalogue
@@ -56,8 +56,8 @@ def with_text(text: str, patch: pytest.MonkeyPatch) -> None:
     found = Reproduction("gao", text, {}, (finding,))
     patch.setattr(papers, "PAPERS", {"gao": papers.Paper(lambda *_: found, lambda _: iter(()))})
     patch.setattr(reproduce, "_report", lambda *_: "σ")
-    patch.setattr(regeneration, "derive", lambda *_: regeneration.Derivation([], []))
-    patch.setattr(regeneration, "differences", lambda *_: [text])
+    patch.setattr(numpy_modules, "derive", lambda *_: numpy_modules.Derivation([], []))
+    patch.setattr(output_directory, "differences", lambda *_: [text])
 
 
 COMMANDS: dict[str, tuple[list[str], int]] = {

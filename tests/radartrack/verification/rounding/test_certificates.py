@@ -11,7 +11,8 @@ from typing import Any
 
 import pytest
 
-from radartrack._regeneration.regeneration import read_record, source_directory
+from radartrack._regeneration.accuracy import read_record
+from radartrack._regeneration.output_directory import source_directory
 from radartrack.derive.catalogue import catalogue
 from radartrack.verification.layers.rounding import Rounding
 from radartrack.verification.outcome import Verdict
