@@ -32,7 +32,9 @@ def exact(quantity: Quantity, points: Points) -> np.ndarray:
 
 @pytest.mark.parametrize("quantity", conversions.QUANTITIES, ids=conversions.ids)
 def test_the_error_is_the_stated_one_at_points_that_were_not_measured_and_within_the_contract(quantity: Quantity):
-    found = errors(conversions.generated(quantity), quantity, sample(quantity, POINTS, seed=20), exact_arithmetic()[1]).max()
+    found = errors(
+        conversions.generated(quantity), quantity, sample(quantity, POINTS, seed=20), exact_arithmetic()[1]
+    ).max()
     assert found <= RECORD[quantity.name]["ulp"] + HEADROOM
     assert found <= LARGEST.get(quantity.module, LARGEST_ELSEWHERE)
 
