@@ -7,6 +7,7 @@ BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install -qq --constraint constraints.txt --no-build-isolation
 VERSION = $$($(PYTHON) -c 'import platform; print(platform.python_version())' 2>/dev/null || echo not there)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export PYTHONDONTWRITEBYTECODE :=  # what one process has compiled, the hundreds that tests start need not compile again
 
 .PHONY: all test lint format types layers drift notebooks bench scoreboard verify mutants matrix seeds site site-release site-test dist installed clean
 .NOTPARALLEL:

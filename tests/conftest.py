@@ -1,5 +1,6 @@
 """Chooses how hard Hypothesis searches: RADARTRACK_HYPOTHESIS=dev, ci or thorough."""
 
+import gc
 import os
 from collections.abc import Mapping
 
@@ -29,6 +30,11 @@ def pytest_configure() -> None:
     for name, profile in PROFILES.items():
         settings.register_profile(name, parent=profile)
     settings.load_profile(profile_name(os.environ))
+
+
+def pytest_collection_finish() -> None:
+    """What was collected is there to the end; the search for garbage need not go through it again and again."""
+    gc.freeze()
 
 
 def pytest_report_header() -> str:

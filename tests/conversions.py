@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 
 import numpy as np
@@ -53,10 +54,18 @@ def scale(quantity: Quantity, value: np.ndarray) -> np.ndarray:
     return np.sqrt(flat**2 @ alike).reshape(value.shape)
 
 
-def points(quantity: Quantity, **fixed: float) -> st.SearchStrategy[dict[str, float]]:
+@cache  # Hypothesis examines a strategy whenever it is made anew, which takes longer than to draw from it
+def points(quantity: Quantity, **own: st.SearchStrategy[float]) -> st.SearchStrategy[dict[str, float]]:
     """Points with large, correlated errors, off the axes, where every effect that a formula holds shows."""
-    drawn = {s.name: st.just(fixed[s.name]) if s.name in fixed else coarse(s) for s in quantity.symbols}
+    drawn = {s.name: own[s.name] if s.name in own else coarse(s) for s in quantity.symbols}
     return st.fixed_dictionaries(drawn)
+
+
+@cache
+def long_paths(quantity: Quantity) -> st.SearchStrategy[dict[str, float]]:
+    """As `points`, but of a bistatic radar with a path that is longer than the baseline."""
+    lengths = {"path": st.floats(3e4, 1e6), "baseline": st.floats(1, 2e4)}
+    return points(quantity, **{s.name: lengths[s.name] for s in quantity.symbols if s.name in lengths})
 
 
 def coarse(symbol: Variable) -> st.SearchStrategy[float]:

@@ -4,6 +4,7 @@ import ast
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
@@ -57,10 +58,11 @@ class Fault:
     def put_in(self, patch: pytest.MonkeyPatch) -> None:
         """Let whoever imports the module have the one with the fault."""
         name = f"radartrack.generated.{self.module}"
-        spec = spec_from_loader(name, _Written(self.source()))
+        written = _Written(self.source())
+        spec = spec_from_loader(name, written)
         assert spec is not None
         faulty = module_from_spec(spec)
-        _Written(self.source()).exec_module(faulty)
+        written.exec_module(faulty)
         patch.setitem(sys.modules, name, faulty)
 
 
@@ -74,12 +76,26 @@ class _Written(InspectLoader):
         return self.source
 
 
+@cache
 def faults(count: int, seed: int) -> list[Fault]:
-    """So many different ones, as many of each module and kind as there are places, the same for the same seed."""
+    """So many different ones, more of a function the longer it is, the same for the same seed."""
     modules = [path.stem for path in sorted(FOLDER.glob("*.py")) if path.stem != PROVED]
-    every = [fault for module in modules for fault in faults_of(module)]
-    chosen = np.random.Generator(np.random.Philox(seed)).permutation(len(every))[:count]
-    return [every[n] for n in chosen]
+    functions = [(module, *each) for module in modules for each in _with_lengths(module)]
+    lengths = np.array([length for *_, length in functions])
+    generator = np.random.Generator(np.random.Philox(seed))
+    found: dict[Fault, None] = {}
+    while len(found) < count:
+        module, function, _ = functions[generator.choice(len(functions), p=lengths / lengths.sum())]
+        if places := list(faults_in(module, function)):
+            found[places[generator.integers(len(places))]] = None
+    return list(found)
+
+
+def _with_lengths(module: str) -> Iterator[tuple[ast.FunctionDef, int]]:
+    """The functions of a module, and how many characters each has."""
+    lines = (FOLDER / f"{module}.py").read_text().splitlines()
+    for function in functions_of(parsed(module)):
+        yield function, sum(map(len, lines[function.lineno : function.end_lineno]))
 
 
 def parsed(module: str) -> ast.Module:
@@ -99,10 +115,15 @@ def inside(function: ast.FunctionDef) -> Iterator[ast.AST]:
 def faults_of(module: str) -> Iterator[Fault]:
     """Every single fault of a module, in the order of their places."""
     for function in functions_of(parsed(module)):
-        names = _names(function)
-        for place, node in enumerate(inside(function)):
-            for kind in _kinds(node, names):
-                yield Fault(module, function.name, kind, getattr(node, "lineno", 0), place)
+        yield from faults_in(module, function)
+
+
+def faults_in(module: str, function: ast.FunctionDef) -> Iterator[Fault]:
+    """Every single fault of one function."""
+    names = _names(function)
+    for place, node in enumerate(inside(function)):
+        for kind in _kinds(node, names):
+            yield Fault(module, function.name, kind, getattr(node, "lineno", 0), place)
 
 
 def _kinds(node: ast.AST, names: list[str]) -> Iterator[str]:

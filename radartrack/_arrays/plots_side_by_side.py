@@ -7,10 +7,11 @@ leave to reorder or to fuse operations, so results have the same bits on every p
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from hashlib import sha256
 from inspect import getsource
-from types import FunctionType, ModuleType
+from types import FunctionType, MappingProxyType, ModuleType
 from typing import Any
 
 import numba
@@ -79,12 +80,13 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     return fill
 
 
-def elementary_functions() -> dict[str, Any]:
-    """Those of the generated module, for code that Numba compiles."""
+@cache
+def elementary_functions() -> Mapping[str, Any]:
+    """Those of the generated module, for code that Numba compiles; each is compiled once."""
     ours: dict[str, Any] = {"chosen": _chosen, "power_of_two": _power_of_two}
     for name in ELEMENTARY:
         ours[name] = _NJIT(**INLINED)(_with(getattr(elementary, name), ours))
-    return {name: ours[name] for name in ELEMENTARY}
+    return MappingProxyType({name: ours[name] for name in ELEMENTARY})
 
 
 def _with(function: Callable[..., Any], names: dict[str, Any]) -> FunctionType:

@@ -1,7 +1,6 @@
 """What becomes of the moments as errors vanish."""
 
 import math
-import operator
 from collections.abc import Mapping
 
 import numpy as np
@@ -15,6 +14,7 @@ from tests import conversions
 from tests.examples import share
 
 SHRINK = 2.0**-12
+HALF = st.just(0.5)
 NEGLECTED = 20 * SHRINK**2  # what second-order terms leave of the first order, at errors of up to a radian
 BIASES = conversions.of("bias.truth", "bias.averaged")
 COVARIANCES = [q for q in conversions.covariances() if conversions.row(q) != "covariance.linear"]
@@ -23,13 +23,6 @@ COVARIANCES = [q for q in conversions.covariances() if conversions.row(q) != "co
 def value(name: str, point: Mapping[str, float]) -> np.ndarray:
     quantity = catalogue()[name]
     return conversions.generated(quantity)(**{symbol.name: point[symbol.name] for symbol in quantity.symbols})
-
-
-def points(quantity: Quantity) -> st.SearchStrategy[dict[str, float]]:
-    """As for all sensors, but with a path that is longer than the baseline."""
-    lengths = {"path": st.floats(3e4, 1e6), "baseline": st.floats(1, 2e4)}
-    own = {symbol.name: lengths[symbol.name] for symbol in quantity.symbols if symbol.name in lengths}
-    return st.builds(operator.or_, conversions.points(quantity), st.fixed_dictionaries(own))
 
 
 def shrunk(point: Mapping[str, float], factor: float) -> dict[str, float]:
@@ -47,7 +40,7 @@ def largest_alike(quantity: Quantity, variances: np.ndarray) -> np.ndarray:
 @given(data=st.data())
 @share(0.4)
 def test_the_bias_approaches_the_one_of_second_order(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(conversions.points(quantity, rho=0.5)), SHRINK)
+    point = shrunk(data.draw(conversions.points(quantity, rho=HALF)), SHRINK)
     expected = value(f"{quantity.module}.bias.second_order", point)
     error = np.abs(conversions.generated(quantity)(**point) - expected) / conversions.scale(quantity, expected)
     assert error.max() < NEGLECTED
@@ -57,7 +50,7 @@ def test_the_bias_approaches_the_one_of_second_order(quantity: Quantity, data: s
 @given(data=st.data())
 @share(0.4)
 def test_the_covariance_approaches_the_linear_one(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(points(quantity)), SHRINK)
+    point = shrunk(data.draw(conversions.long_paths(quantity)), SHRINK)
     expected = value(f"{quantity.module}.covariance.linear", point)
     independent = value(f"{quantity.module}.covariance.linear", point | {"rho": 0.0})
     scale = conversions.scale(quantity, np.diag(largest_alike(quantity, np.diagonal(independent))))
@@ -72,7 +65,7 @@ def test_the_estimate_approaches_the_plain_conversion_corrected_to_second_order(
     model: str, row: str, sign: int, data: st.DataObject
 ):
     quantity = catalogue()[f"{model}.{row}"]
-    point = shrunk(data.draw(conversions.points(quantity, rho=0.5)), SHRINK)
+    point = shrunk(data.draw(conversions.points(quantity, rho=HALF)), SHRINK)
     bias = value(f"{model}.bias.second_order", point)
     plain = value(f"{model}.map", point)
     error = np.abs(value(quantity.name, point) - plain - sign * bias)
@@ -86,7 +79,7 @@ def test_the_estimate_approaches_the_plain_conversion_corrected_to_second_order(
 @given(data=st.data())
 @share(0.2)
 def test_without_errors_there_is_no_bias_and_no_covariance(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(points(quantity)), 0.0)
+    point = shrunk(data.draw(conversions.long_paths(quantity)), 0.0)
     result = conversions.generated(quantity)(**point)
     if quantity.is_covariance or conversions.row(quantity).startswith("bias."):
         np.testing.assert_array_equal(result, np.zeros(quantity.shape))
@@ -98,5 +91,5 @@ def test_without_errors_there_is_no_bias_and_no_covariance(quantity: Quantity, d
 @given(data=st.data())
 @share(0.4)
 def test_variances_stay_positive_down_to_the_smallest_errors(quantity: Quantity, data: st.DataObject):
-    point = shrunk(data.draw(points(quantity)), 1e-9)
+    point = shrunk(data.draw(conversions.long_paths(quantity)), 1e-9)
     assert (np.diagonal(conversions.generated(quantity)(**point)) > 0).all()

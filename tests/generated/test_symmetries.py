@@ -1,7 +1,6 @@
 """Turned, mirrored or scaled measurements give turned, mirrored or scaled results."""
 
 import math
-import operator
 
 import numpy as np
 import pytest
@@ -18,13 +17,6 @@ from tests.examples import share
 
 MOVING = [q for q in conversions.BY_HAND if not conversions.row(q).startswith(("jacobian", "hessian", "std."))]
 EXACT = 1e-13
-
-
-def points(quantity: Quantity) -> st.SearchStrategy[dict[str, float]]:
-    """As for all sensors, but with a path that is longer than the baseline."""
-    lengths = {"path": st.floats(3e4, 1e6), "baseline": st.floats(1, 2e4)}
-    own = {symbol.name: lengths[symbol.name] for symbol in quantity.symbols if symbol.name in lengths}
-    return st.builds(operator.or_, conversions.points(quantity), st.fixed_dictionaries(own))
 
 
 def turned(matrix: np.ndarray, quantity: Quantity, value: np.ndarray) -> np.ndarray:
@@ -93,7 +85,7 @@ def test_other_units_of_length_and_time_give_the_same_result_to_the_last_bit(qua
 def test_covariances_are_symmetric_to_the_last_bit_and_positive_semidefinite(quantity: Quantity, data: st.DataObject):
     correlation = st.floats(-1, 1) | st.sampled_from([-1.0, 1.0])
     fully = {s.name: data.draw(correlation) for s in quantity.symbols if s.is_correlation}
-    point = data.draw(points(quantity)) | fully
+    point = data.draw(conversions.long_paths(quantity)) | fully
     covariance = conversions.generated(quantity)(**point)
     np.testing.assert_array_equal(covariance, covariance.T)
     independent = point | dict.fromkeys(fully, 0.0)

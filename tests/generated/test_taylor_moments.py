@@ -6,6 +6,7 @@ line from the point to a node the polynomial's coefficients are the derivatives 
 
 import itertools
 from collections.abc import Callable
+from functools import cache
 
 import mpmath
 import numpy as np
@@ -60,10 +61,11 @@ def _along(model: str, point: Point, node: np.ndarray, degree: int) -> list[list
     with mpmath.workdps(DIGITS):
         start = [mpmath.mpf(point[name]) for name in names]
 
-        def coordinate(a: int, s: mpmath.mpf) -> mpmath.mpf:
-            return maps.MAPS[model](mpmath, *(x + s * w for x, w in zip(start, node.tolist(), strict=True)))[a]
+        @cache  # all coordinates are wanted at the same places, in as many bits
+        def coordinates(s: mpmath.mpf, _: int) -> list[mpmath.mpf]:
+            return maps.MAPS[model](mpmath, *(x + s * w for x, w in zip(start, node.tolist(), strict=True)))
 
-        series = (mpmath.taylor(lambda s, a=a: coordinate(a, s), 0, degree) for a in itertools.count())
+        series = (mpmath.taylor(lambda s, a=a: coordinates(s, mpmath.mp.prec)[a], 0, degree) for a in itertools.count())
         return [
             list(map(float, terms[1:])) for terms in itertools.islice(series, len(maps.evaluated(model, np, point)))
         ]

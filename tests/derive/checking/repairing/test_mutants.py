@@ -6,6 +6,7 @@ Here a few slips of one entry of each quantity; RADARTRACK_MUTANTS=100 takes eve
 from __future__ import annotations
 
 import os
+from functools import cache
 from random import Random
 
 import mpmath
@@ -40,6 +41,7 @@ DIGITS = 60  # of the oracle: one more in a number of six digits may change a ga
 SAME = 1e-30
 
 
+@cache
 def _entries(name: str) -> list[tuple[Reference, Expr]]:
     """Different entries of a quantity that are formulas, not numbers; outside the thorough run one of them."""
     quantity = catalogue()[name]
