@@ -24,7 +24,9 @@ LANGUAGES = {"C99": ["-std=c99"], "C++17": ["-x", "c++", "-std=c++17"]}
 NUMBERS = count()
 needs_compiler = pytest.mark.skipif(compiler() is None, reason="there is no C compiler on this machine")
 DEFINED = re.compile(
-    r"^(?:static inline|RADARTRACK_INLINE) (?P<kind>void|double|float) (?P<name>radartrack_\w+)\((?P<given>[^)]*)\)\n\{", re.MULTILINE
+    r"^(?:static inline|RADARTRACK_INLINE) (?P<kind>void|double|float) (?P<name>radartrack_\w+)"
+    r"\((?P<given>[^)]*)\)\n\{",
+    re.MULTILINE,
 )
 WRAPPER = re.compile(r"^static inline \w+ (radartrack_\w+)\(.*\) \{ return \w+\(.*\); \}$", re.MULTILINE)
 OURS = re.compile(r"\bradartrack_\w+")
@@ -102,9 +104,7 @@ def calls_with_anything(folder: Path, rounds: int = 200) -> str:
     It prints a digest of what each returns, in which all that is no number counts as one.
     """
     functions = [match for match in _defined(folder) if "*" not in match["given"]]  # batches, and sines' own
-    calls = "".join(
-        _call(place, match["name"], match["given"], match["kind"]) for place, match in enumerate(functions)
-    )
+    calls = "".join(_call(place, match["name"], match["given"], match["kind"]) for place, match in enumerate(functions))
     names = ", ".join(f'"{match["name"]}"' for match in functions)
     return f"""
 #include <stdio.h>

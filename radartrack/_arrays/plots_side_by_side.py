@@ -8,12 +8,14 @@ leave to reorder or to fuse operations, so results have the same bits on every p
 
 import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from hashlib import sha256
 from inspect import getsource
 from types import FunctionType, ModuleType
 from typing import Any
 
+import llvmlite.binding
 import numba
 import numpy as np
 from llvmlite import ir
@@ -23,6 +25,8 @@ from radartrack._arrays.validation import RealArray
 from radartrack.generated import elementary
 
 PLOTS = 128  # at a time; the columns of the largest conversion take some 40 kB
+CHAINS = 2  # with four, registers run out: AVX2 has 16
+INTERLEAVE, NEWEST_LLVM = "-force-vector-interleave", 22  # tried from 15
 ELEMENTARY = ("sin_and_cos", "sin", "cos", "exp", "expm1")  # in the order in which they call each other
 _NJIT: Any = numba.njit
 _TYPES: Any = numba.types
@@ -78,10 +82,29 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     limits = _TYPES.Array(numba.float64, 2, "C", readonly=True)
     outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
     found: Any = _NJIT(**options)(filling)
-    found.compile((_TYPES.UniTuple(readable, inputs), limits, *outputs))
+    with interleaved(CHAINS):
+        found.compile((_TYPES.UniTuple(readable, inputs), limits, *outputs))
     found.disable_compile()
     fill: Fill = found
     return fill
+
+
+@contextmanager
+def interleaved(chains: int) -> Iterator[None]:
+    """What is compiled inside computes so many vectors of plots at once, which changes no bit.
+
+    A plot is one long chain of operations that wait for each other, and a processor does not look far enough ahead to
+    begin the next one meanwhile. LLVM has a word for that in a loop's metadata, which Numba does not write, and this
+    option, which is the process's, so it is taken back; an LLVM that does not know it would end the process.
+    """
+    known = llvmlite.binding.llvm_version_info[0] <= NEWEST_LLVM
+    if known:
+        llvmlite.binding.set_option("", f"{INTERLEAVE}={chains}")
+    try:
+        yield
+    finally:
+        if known:
+            llvmlite.binding.set_option("", f"{INTERLEAVE}=0")
 
 
 def elementary_functions() -> dict[str, Any]:
