@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation dbfe42e6a5d6f17b; not to be edited.
+Written by radartrack regenerate, generator 1, derivation ca990ced9680d9c5; not to be edited.
 """
 
 import numpy as np
@@ -39,44 +39,39 @@ def bistatic_linear(
     sum_4_squared = sum_4**2
     sigma_path_per_path_squared = sigma_path_per_path**2
     term_3 = (baseline_per_path - 1.0)**2
-    sum_5 = (
-        4.0 * sigma_beta * sin_beta * sum_2 * term_3
-        - 8.0 * cos_beta * rho * sigma_path_per_path * sum_1 * sum_4
-    )
+    product_1 = sigma_beta * sum_2
+    product_5 = product_1 * sin_beta
+    product_3 = rho * sigma_path_per_path
+    product_6 = sum_1 * sum_4
+    product_7 = product_3 * product_6
+    del term_1, sigma_path_per_path, sum_4, product_3, product_6
+    sum_5 = 4.0 * product_5 * term_3 - 8.0 * cos_beta * product_7
     term_4 = 1.0 / (divisor_1**2)**2
     path_squared = path**2
-    sum_6 = (
-        4.0 * cos_beta**2 * sigma_path_per_path_squared * sum_4_squared
-        + sigma_beta * sin_beta * sum_2 * sum_5
-    )
+    product_4 = sigma_path_per_path_squared * sum_4_squared
+    sum_6 = 4.0 * cos_beta**2 * product_4 + product_5 * sum_5
+    del divisor_1, sigma_path_per_path_squared, sum_4_squared, sum_5
     sum_7 = baseline_per_path - cos_beta
-    del term_1, divisor_1, sum_5, baseline_per_path
-    sum_8 = (
-        4.0 * sigma_beta * sin_beta * sum_2 * sum_7 * term_3
-        - 4.0 * (1.0 + cos_beta * sum_3) * rho * sigma_path_per_path * sum_1 * sum_4
-    )
-    sum_9 = (
-        4.0 * cos_beta * sigma_path_per_path_squared * sin_beta * sum_4_squared
-        + sigma_beta * sum_2 * sum_8
-    )
-    sum_10 = (
-        4.0 * sigma_beta * sum_2 * sum_7 * term_3
-        - 8.0 * rho * sigma_path_per_path * sin_beta * sum_1 * sum_4
-    )
-    del sum_3, sum_8, sigma_path_per_path, sum_4, term_3
-    sum_11 = (
-        4.0 * sigma_path_per_path_squared * sin_beta**2 * sum_4_squared
-        + sigma_beta * sum_10 * sum_2 * sum_7
-    )
-    del sigma_path_per_path_squared, sum_10, sum_4_squared, sum_7
-    mean[..., 0] = cos_beta * path * sum_1 * sum_2 * term_2
-    mean[..., 1] = path * sin_beta * sum_1 * sum_2 * term_2
-    del cos_beta, sin_beta, sum_1, sum_2, term_2
-    covariance[..., 0, 0] = path_squared * sum_6 * term_4
-    covariance[..., 0, 1] = path_squared * sum_9 * term_4
+    product_10 = sum_7 * term_3
+    sum_8 = 4.0 * product_10 * product_5 - 4.0 * (1.0 + cos_beta * sum_3) * product_7
+    del baseline_per_path, term_3, product_5, sum_3
+    sum_9 = 4.0 * cos_beta * product_4 * sin_beta + product_1 * sum_8
+    sum_10 = 4.0 * product_1 * product_10 - 8.0 * product_7 * sin_beta
+    sum_11 = 4.0 * product_4 * sin_beta**2 + product_1 * sum_10 * sum_7
+    del sum_8, product_10, product_7, product_1, product_4, sum_10, sum_7
+    product_8 = path * sum_1
+    product_9 = sum_2 * term_2
+    product_11 = product_8 * product_9
+    del sum_1, sum_2, term_2, product_8, product_9
+    product_2 = path_squared * term_4
+    mean[..., 0] = cos_beta * product_11
+    mean[..., 1] = product_11 * sin_beta
+    del path_squared, term_4, cos_beta, product_11, sin_beta
+    covariance[..., 0, 0] = product_2 * sum_6
+    covariance[..., 0, 1] = product_2 * sum_9
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_11 * term_4
-    del sum_6, sum_9, path_squared, sum_11, term_4
+    covariance[..., 1, 1] = product_2 * sum_11
+    del sum_6, sum_9, product_2, sum_11
 
 
 def bistatic_second_order(
@@ -97,9 +92,10 @@ def bistatic_second_order(
     term_1 = 1.0 / path
     baseline_per_path = baseline * term_1
     cos_beta = np.cos(beta)
-    divisor_1 = 2.0 - 2.0 * baseline_per_path * cos_beta
+    product_7 = baseline_per_path * cos_beta
+    divisor_1 = 2.0 - 2.0 * product_7
     sigma_path_per_path = sigma_path * term_1
-    product_1 = baseline_per_path * cos_beta
+    product_1 = product_7
     divisor_1_2 = product_1 - 1.0
     divisor_2 = divisor_1_2
     sum_1 = 1.0 - baseline_per_path
@@ -110,30 +106,38 @@ def bistatic_second_order(
     sin_beta = np.sin(beta)
     cos_beta_squared = cos_beta**2
     sum_5 = 2.0 - cos_beta_squared
-    product_2 = baseline_per_path * sum_5
+    product_16 = baseline_per_path * sum_5
+    del term_1, product_1, sum_3, sum_5
+    product_2 = product_16
     sum_6 = product_2 - cos_beta
-    sum_7 = 0.25 * sigma_beta * sum_1 * sum_2 * sum_6 - 0.5 * rho * sigma_path_per_path * sin_beta * sum_4
+    product_5 = rho * sigma_path_per_path
+    product_21 = product_5 * sin_beta
+    product_4 = sum_1 * sum_2
+    product_19 = product_4 * sigma_beta
+    sum_7 = 0.25 * product_19 * sum_6 - 0.5 * product_21 * sum_4
     baseline_per_path_squared = baseline_per_path**2
     sigma_path_per_path_squared = sigma_path_per_path**2
     sin_beta_squared = sin_beta**2
     term_3 = 1.0 / (divisor_1_2 * divisor_1_2**2)
-    sum_8 = (
-        0.5 * baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared
-        - sigma_beta * sum_7
-    )
-    del term_1, product_1, sum_3, sum_7
-    sum_9 = cos_beta * sum_1 * sum_2 * term_2 - sum_8 * term_3
+    product_6 = sigma_path_per_path_squared * sin_beta_squared
+    product_8 = baseline_per_path_squared * product_6
+    sum_8 = 0.5 * cos_beta * product_8 - sigma_beta * sum_7
+    product_26 = product_4 * term_2
+    sum_9 = cos_beta * product_26 - sum_8 * term_3
     sum_10 = 2.0 * baseline_per_path - cos_beta
-    sum_11 = 1.0 - baseline_per_path * sum_10
+    product_14 = baseline_per_path * sum_10
+    del sum_7, term_2, sum_8, sum_10
+    sum_11 = 1.0 - product_14
     sum_12 = 3.0 * cos_beta_squared + (product_2 - 3.0 * cos_beta) * baseline_per_path
-    sum_13 = baseline_per_path * sum_12 - cos_beta
-    sum_14 = 0.5 * rho * sigma_path_per_path * sum_13 + 0.25 * sigma_beta * sin_beta * sum_1 * sum_11 * sum_2
-    sum_15 = (
-        0.5 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared
-        + sigma_beta * sum_14
-    )
-    sum_16 = sin_beta * sum_1 * sum_2 * term_2 - sum_15 * term_3
-    del sum_8, product_2, sum_14, sum_15, term_2, term_3
+    product_15 = baseline_per_path * sum_12
+    sum_13 = product_15 - cos_beta
+    product_24 = product_5 * sum_13
+    product_9 = sigma_beta * sin_beta
+    product_23 = product_9 * sum_11
+    sum_14 = 0.25 * product_23 * product_4 + 0.5 * product_24
+    sum_15 = 0.5 * product_8 * sin_beta + sigma_beta * sum_14
+    sum_16 = product_26 * sin_beta - sum_15 * term_3
+    del product_2, sum_12, sum_14, product_26, sum_15, term_3
     term_4 = 1.0 / (divisor_1**2)**2
     term_5 = 1.0 / divisor_2**2
     path_squared = path**2
@@ -143,95 +147,92 @@ def bistatic_second_order(
     sum_18 = baseline_per_path - 2.0 * cos_beta
     sum_19 = 1.0 + baseline_per_path * sum_18
     sigma_beta_squared = sigma_beta**2
-    sum_20 = 8.0 * cos_beta * sum_17_squared * sum_19 + 8.0 * sigma_beta_squared * sum_4 * sum_6
+    product_11 = sum_17_squared * sum_19
+    product_20 = sigma_beta_squared * sum_6
+    sum_20 = 8.0 * cos_beta * product_11 + 8.0 * product_20 * sum_4
     product_3 = cos_beta * sum_18
     sum_21 = baseline_per_path * (6.0 + product_3) - 8.0 * cos_beta
     sum_22 = 8.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_21
     sum_23 = cos_beta * sum_22 - baseline_per_path
+    del sum_6, sum_18, sum_21, sum_22
     sum_24 = 2.0 - baseline_per_path * sum_23 + 11.0 * cos_beta_squared
-    del sum_18, sum_21, sum_22, sum_23
     sum_25 = baseline_per_path * sum_24 - 6.0 * cos_beta
     sum_26 = 1.0 + baseline_per_path * sum_25
+    product_18 = cos_beta * sin_beta
     sum_27 = (
-        16.0 * baseline_per_path_squared * cos_beta * sigma_path_per_path * sin_beta * sum_4
+        16.0 * baseline_per_path_squared * product_18 * sigma_path_per_path * sum_4
         + 4.0 * rho * sigma_beta * sum_26
     )
-    sum_28 = sum_1 * sum_2 * sum_20 - sigma_path_per_path * sin_beta * sum_27
-    del sum_24, sum_25, sum_26, sum_20, sum_27
-    sum_29 = rho * sum_28 - 4.0 * sigma_beta * sigma_path_per_path * sin_beta * sum_4**2
+    del sum_23, sum_24, sum_25, sum_26
+    sum_28 = product_4 * sum_20 - sigma_path_per_path * sin_beta * sum_27
+    sum_29 = rho * sum_28 - 4.0 * product_9 * sigma_path_per_path * sum_4**2
     sum_2_squared = sum_2**2
     term_6 = (baseline_per_path - 1.0)**2
     sum_30 = (1.0 - sin_beta_squared) * baseline_per_path - 2.0 * cos_beta
     sum_31 = 1.0 + baseline_per_path * sum_30
-    sum_32 = 4.0 * sigma_beta * sin_beta * sum_2_squared * sum_31 * term_6 - sigma_path_per_path * sum_29
-    del sum_28, sum_30, sum_29, sum_31
+    del sum_20, sum_27, sum_28, sum_30
+    product_12 = sum_2_squared * term_6
+    sum_32 = 4.0 * product_12 * product_9 * sum_31 - sigma_path_per_path * sum_29
+    del sum_2_squared, product_9, sigma_path_per_path, sum_29, sum_31
     sum_33 = (
-        2.0 * (cos_beta - baseline_per_path * sum_5)**2 * sigma_beta * sigma_beta_squared * sum_2_squared * term_6
+        2.0 * (cos_beta - product_16)**2 * product_12 * sigma_beta * sigma_beta_squared
         + sin_beta * sum_32
     )
     sum_19_squared = sum_19**2
     baseline_per_path_squared_squared = baseline_per_path_squared**2
     sin_beta_squared_squared = sin_beta_squared**2
-    sum_34 = (
-        4.0 * cos_beta_squared * sum_17_squared * sum_19_squared
-        + 8.0 * (1.0 - sin_beta) * baseline_per_path_squared_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared_squared
-    )
+    product_25 = sum_17_squared * sum_19_squared
+    del product_16, sum_32, sum_19, sum_19_squared
+    product_17 = baseline_per_path_squared_squared * sigma_path_per_path_squared
+    product_22 = product_17 * sin_beta_squared_squared
+    sum_34 = 4.0 * cos_beta_squared * product_25 + 8.0 * (1.0 - sin_beta) * product_22 * (1.0 + sin_beta)
     sum_35 = sigma_path_per_path_squared * sum_34 + sigma_beta * sum_33
-    del sum_32, sum_5, sum_33, sum_34
-    sum_36 = 3.0 - 4.0 * sin_beta_squared - (1.0 + 2.0 * sin_beta_squared) * baseline_per_path * cos_beta
+    del baseline_per_path_squared_squared, product_17, sin_beta_squared_squared, sum_33, sum_34
+    sum_36 = 3.0 - 4.0 * sin_beta_squared - (1.0 + 2.0 * sin_beta_squared) * product_7
     sum_37 = (3.0 - 6.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_36
     sum_38 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_37
-    sum_39 = (
-        4.0 * (1.0 + product_3) * sum_1 * sum_17_squared * sum_19 * sum_2
-        + 8.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_38
-    )
-    del sum_36, sum_37, product_3, sum_38
+    product_27 = product_11 * product_4
+    del sum_36, sum_37, product_11, product_4
+    sum_39 = 4.0 * product_27 * (1.0 + product_3) + 8.0 * product_8 * sum_38
     sum_40 = baseline_per_path - cos_beta
-    sum_41 = 4.0 * sum_17_squared * sum_40 - 2.0 * sigma_beta_squared * sum_11 * sum_6
+    sum_41 = 4.0 * sum_17_squared * sum_40 - 2.0 * product_20 * sum_11
+    del product_3, sum_38, product_20, sum_11
     sum_42 = 3.0 * baseline_per_path - 2.0 * cos_beta
     sum_43 = cos_beta * (8.0 + cos_beta * sum_42) - 4.0 * baseline_per_path
     sum_44 = 13.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_43
     sum_45 = (14.0 - 2.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_44
-    del sum_6, sum_42, sum_43, sum_44
     sum_46 = 2.0 - baseline_per_path * sum_45 + 11.0 * cos_beta_squared
+    del sum_42, sum_43, sum_44, sum_45
     sum_47 = cos_beta * sum_46 - 4.0 * baseline_per_path * baseline_per_path_squared
     sum_48 = baseline_per_path * sum_47 - 6.0 * cos_beta_squared
     rho_squared = rho**2
     sum_49 = baseline_per_path * sum_48 + cos_beta
-    del sum_45, sum_46, sum_47, sum_48
     sum_50 = 4.0 * sum_13 * sum_4 - 4.0 * rho_squared * sum_49
-    sum_51 = sigma_path_per_path_squared * sum_50 + sum_2_squared * sum_41 * term_6
-    del sum_4, sum_49, sum_2_squared, sum_41, sum_50
-    sum_52 = 3.0 + 2.0 * baseline_per_path * cos_beta + 2.0 * sin_beta_squared
+    del sum_46, sum_47, sum_48, sum_4, sum_49
+    sum_51 = product_12 * sum_41 + sigma_path_per_path_squared * sum_50
+    sum_52 = 3.0 + 2.0 * product_7 + 2.0 * sin_beta_squared
+    del product_12, sum_41, sum_50, product_7
     sum_53 = 1.0 + sin_beta_squared * sum_52
     sum_54 = (4.0 + 12.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_53
     sum_55 = 6.0 - baseline_per_path * sum_54 + (1.0 - 6.0 * sin_beta_squared) * sin_beta_squared
     sum_56 = (4.0 - 4.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_55
     del sum_52, sum_53, sum_54, sum_55
     sum_57 = 1.0 - 2.0 * sin_beta_squared - baseline_per_path * sum_56
-    sum_58 = sin_beta * sum_51 - 4.0 * rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_57
-    sum_59 = sigma_beta * sum_58 - rho * sigma_path_per_path * sum_39
-    del sum_56, sum_51, sum_57, sum_39, sum_58
-    sum_60 = (
-        4.0 * sum_17_squared * sum_19_squared
-        + 8.0 * baseline_per_path_squared_squared * sigma_path_per_path_squared * sin_beta_squared_squared
-    )
-    sum_61 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_60 + sigma_beta * sum_59
-    del baseline_per_path_squared_squared, sin_beta_squared_squared, sum_19_squared, sum_59
-    sum_62 = (
-        8.0 * sum_1 * sum_17_squared * sum_19 * sum_2 * sum_40
-        - 16.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_13
-    )
+    sum_58 = sin_beta * sum_51 - 4.0 * product_19 * product_5 * sum_57
+    del sum_56, product_19, sin_beta, sum_51, sum_57
+    sum_59 = sigma_beta * sum_58 - product_5 * sum_39
+    sum_60 = 4.0 * product_25 + 8.0 * product_22
+    del product_5, sum_39, sum_58, product_22, product_25
+    sum_61 = product_18 * sigma_path_per_path_squared * sum_60 + sigma_beta * sum_59
+    sum_62 = 8.0 * product_27 * sum_40 - 16.0 * product_8 * sum_13
+    del product_18, sum_59, product_27, product_8, sum_13
     sum_63 = (
-        2.0 * (baseline_per_path * sum_10 - 1.0)**2 * sigma_beta_squared * sin_beta_squared
+        2.0 * (product_14 - 1.0)**2 * sigma_beta_squared * sin_beta_squared
         + 4.0 * sum_17_squared * sum_40**2
     )
-    del sum_19, sigma_beta_squared, sum_10, sum_17_squared, sum_40
-    sum_64 = (
-        8.0 * rho * sigma_beta * sigma_path_per_path * sin_beta * sum_1 * sum_11 * sum_13
-        + sum_2 * sum_63 * term_6
-    )
-    del sum_1, sum_11, sum_13, sum_63, term_6
+    del product_14, sigma_beta_squared, sin_beta_squared, sum_17_squared, sum_40
+    sum_64 = 8.0 * product_23 * product_24 * sum_1 + sum_2 * sum_63 * term_6
+    del product_23, product_24, sum_1, sum_63, term_6
     sum_65 = 5.0 * baseline_per_path - 2.0 * cos_beta
     sum_66 = cos_beta * (10.0 + cos_beta * sum_65) - 12.0 * baseline_per_path
     sum_67 = 33.0 - 12.0 * cos_beta_squared + baseline_per_path * sum_66
@@ -244,21 +245,24 @@ def bistatic_second_order(
     del baseline_per_path_squared, sum_69, sum_70, sum_71
     sum_73 = baseline_per_path * sum_72 - 6.0 * cos_beta * cos_beta_squared
     sum_74 = baseline_per_path * sum_73 + cos_beta_squared
-    sum_75 = 4.0 * (cos_beta - baseline_per_path * sum_12)**2 + 4.0 * rho_squared * sum_74
-    del sum_72, cos_beta_squared, sum_73, baseline_per_path, cos_beta, rho_squared, sum_12, sum_74
+    del sum_72, baseline_per_path, cos_beta_squared, sum_73
+    sum_75 = 4.0 * (cos_beta - product_15)**2 + 4.0 * rho_squared * sum_74
+    del cos_beta, product_15, rho_squared, sum_74
     sum_76 = sigma_path_per_path_squared * sum_75 + sum_2 * sum_64
-    sum_77 = sigma_beta * sum_76 - rho * sigma_path_per_path * sin_beta * sum_62
-    del sum_2, sum_64, sum_75, sigma_path_per_path, sin_beta, sum_62, sum_76
-    sum_78 = sigma_path_per_path_squared * sin_beta_squared * sum_60 + sigma_beta * sum_77
-    del sigma_path_per_path_squared, sin_beta_squared, sum_60, sum_77
+    del sigma_path_per_path_squared, sum_2, sum_64, sum_75
+    sum_77 = sigma_beta * sum_76 - product_21 * sum_62
+    sum_78 = product_6 * sum_60 + sigma_beta * sum_77
+    del product_21, sum_62, sum_76, product_6, sum_60, sum_77
+    product_10 = path_squared * term_4
+    product_13 = product_10 * term_5
+    del path_squared, term_4, product_10, term_5
     mean[..., 0] = path * sum_9
     mean[..., 1] = path * sum_16
-    covariance[..., 0, 0] = path_squared * sum_35 * term_4 * term_5
-    covariance[..., 0, 1] = path_squared * sum_61 * term_4 * term_5
+    covariance[..., 0, 0] = product_13 * sum_35
+    covariance[..., 0, 1] = product_13 * sum_61
     del sum_9, sum_16, sum_35, sum_61
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_78 * term_4 * term_5
-    del path_squared, sum_78, term_4, term_5
+    covariance[..., 1, 1] = product_13 * sum_78
 
 
 def bistatic_averaged(
@@ -280,7 +284,8 @@ def bistatic_averaged(
     term_1 = 1.0 / path
     baseline_per_path = baseline * term_1
     cos_beta = np.cos(beta)
-    product_1 = -2.0 * baseline_per_path * cos_beta
+    product_13 = baseline_per_path * cos_beta
+    product_1 = -2.0 * product_13
     divisor_1 = 2.0 + product_1
     sigma_path_per_path = sigma_path * term_1
     sum_1 = 1.0 - baseline_per_path
@@ -290,17 +295,15 @@ def bistatic_averaged(
     baseline_per_path_squared = baseline_per_path**2
     sigma_path_per_path_squared = sigma_path_per_path**2
     sum_3 = 1.0 + (product_2 - 3.0 * cos_beta) * cos_beta
-    product_3 = baseline_per_path * cos_beta
+    product_3 = product_13
     sum_4 = product_3 - 1.0
     sum_4_squared = sum_4**2
     sum_5 = baseline_per_path * (1.0 + product_3) - 3.0 * cos_beta
     sum_6 = 1.0 + baseline_per_path * sum_5
     del term_1, sum_4, product_3, sum_5
     sin_beta = np.sin(beta)
-    sum_7 = (
-        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sum_3
-        + 16.0 * sum_4_squared * sum_6
-    )
+    product_10 = baseline_per_path_squared * sigma_path_per_path_squared
+    sum_7 = 144.0 * product_10 * sum_3 + 16.0 * sum_4_squared * sum_6
     product_4 = (20.0 - cos_beta_squared) * baseline_per_path
     sum_8 = 20.0 + (product_4 - 11.0 * cos_beta) * cos_beta
     sum_9 = cos_beta * sum_8 - 24.0 * baseline_per_path
@@ -323,91 +326,84 @@ def bistatic_averaged(
     del sum_15, sum_16, sum_18, sum_19
     rho_squared = rho**2
     sum_21 = cos_beta * sum_20 - 6.0 * baseline_per_path
+    product_15 = rho * sigma_beta
     sum_22 = (
-        24.0 * rho * sigma_beta * sin_beta * sum_17
+        24.0 * product_15 * sin_beta * sum_17
         + (24.0 + 48.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_21
     )
-    sum_23 = sigma_path_per_path * sum_22 + sum_1 * sum_12 * sum_2
-    del sum_20, sum_17, sum_21, sum_12, sum_22
-    sum_24 = sigma_beta * sum_23 - rho * sigma_path_per_path * sin_beta * sum_7
+    product_14 = sum_1 * sum_2
+    del sum_20, sum_17, sum_21, sum_1
+    sum_23 = product_14 * sum_12 + sigma_path_per_path * sum_22
+    product_11 = sigma_path_per_path * sin_beta
+    product_18 = product_11 * rho
+    sum_24 = sigma_beta * sum_23 - product_18 * sum_7
+    del sum_12, sum_22, sum_23, sum_7
     sin_beta_squared = sin_beta**2
     sum_25 = 144.0 * sigma_path_per_path_squared + 16.0 * sum_4_squared
     term_2 = 1.0 / (divisor_1**2)**2
-    sum_26 = (
-        baseline_per_path_squared * cos_beta * sigma_path_per_path_squared * sin_beta_squared * sum_25
-        - sigma_beta * sum_24
-    )
-    del sum_23, sum_7, sum_24, sum_25
+    product_12 = product_10 * sin_beta_squared
+    sum_26 = cos_beta * product_12 * sum_25 - sigma_beta * sum_24
     term_3 = 1.0 / divisor_1
-    sum_27 = cos_beta * sum_1 * sum_2 + sum_26 * term_2
+    sum_27 = cos_beta * product_14 + sum_26 * term_2
     sum_28 = (1.0 - sin_beta_squared) * baseline_per_path - 2.0 * cos_beta
     sum_29 = 16.0 + 144.0 * sigma_path_per_path_squared + 16.0 * baseline_per_path * sum_28
+    del sum_24, sum_25, sum_26, sum_28
     sum_30 = 8.0 * baseline_per_path - cos_beta
     sum_31 = cos_beta * (20.0 + cos_beta * sum_30) - 24.0 * baseline_per_path
     sum_32 = 20.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_31
-    del sum_26, sum_28, sum_30, sum_31
     sum_33 = baseline_per_path * sum_32 - 11.0 * cos_beta
     sum_34 = 1.0 - baseline_per_path * sum_33
+    del sum_30, sum_31, sum_32, sum_33
     sum_35 = 2.0 * baseline_per_path - cos_beta
     sum_36 = 1.0 - baseline_per_path * sum_35
     sum_37 = 8.0 * sum_36 * sum_4_squared - 6.0 * sigma_beta_squared * sum_34
-    del sum_32, sum_33, sum_34, sum_36
     sum_38 = cos_beta * (5.0 + cos_beta * sum_35) - 4.0 * baseline_per_path
     sum_39 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_38
-    sum_40 = (
-        sum_1 * sum_2 * sum_37
-        - (72.0 + 144.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path_squared * sum_39
-    )
-    del sum_35, sum_38, sum_37, sum_39
+    del sum_34, sum_36, sum_35, sum_38
+    sum_40 = product_14 * sum_37 - (72.0 + 144.0 * rho_squared) * product_10 * sum_39
     sum_41 = 31.0 - 3.0 * cos_beta_squared - (product_4 - 19.0 * cos_beta) * baseline_per_path
     sum_42 = cos_beta * sum_41 - 32.0 * baseline_per_path
+    del sum_37, sum_39, product_4, sum_41
     sum_43 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_42
     sum_44 = (21.0 - 17.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_43
-    del product_4, sum_41, sum_42, sum_43
     sum_45 = baseline_per_path * sum_44 - 5.0 * cos_beta_squared
     sum_46 = baseline_per_path * sum_45 + cos_beta
-    sum_47 = 24.0 * rho * sigma_beta * sigma_path_per_path * sum_46 + sin_beta * sum_40
-    del sum_44, sum_45, sum_40, sum_46
+    del sum_42, sum_43, sum_44, sum_45
+    product_26 = product_15 * sigma_path_per_path
+    sum_47 = 24.0 * product_26 * sum_46 + sin_beta * sum_40
     sum_48 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
     sum_49 = 3.0 * cos_beta_squared + (product_5 - 3.0 * cos_beta) * baseline_per_path
     sum_50 = baseline_per_path * sum_49 - cos_beta
-    sum_51 = (
-        144.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_48
-        + 16.0 * sum_4_squared * sum_50
-    )
-    sum_52 = rho * sigma_path_per_path * sum_51 + sigma_beta * sum_47
-    del sum_49, sum_48, sum_50, sum_47, sum_51
-    sum_53 = (
-        baseline_per_path_squared * sigma_path_per_path_squared * sin_beta * sin_beta_squared * sum_29
-        + sigma_beta * sum_52
-    )
-    sum_54 = sin_beta * sum_1 * sum_2 + sum_53 * term_2
-    del sum_29, sum_52, sum_53, term_2
+    sum_51 = 144.0 * product_12 * sum_48 + 16.0 * sum_4_squared * sum_50
+    del sum_40, sum_46, sum_49, sum_48, sum_50
+    product_24 = rho * sigma_path_per_path
+    sum_52 = product_24 * sum_51 + sigma_beta * sum_47
+    sum_53 = product_12 * sin_beta * sum_29 + sigma_beta * sum_52
+    del sum_47, sum_51, sum_29, sum_52
+    product_19 = product_14 * sin_beta
+    sum_54 = product_19 + sum_53 * term_2
     term_4 = 1.0 / ((divisor_1**2)**2)**2
     path_squared = path**2
     sum_55 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
     sum_56 = 3.0 - 9.0 * cos_beta_squared - (product_2 - 9.0 * cos_beta) * baseline_per_path
     sum_57 = cos_beta * sum_56 - 3.0 * baseline_per_path
+    del sum_53, term_2, divisor_1, sum_56
     sum_58 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_57
-    sum_59 = (
-        768.0 * cos_beta * sum_4_squared * sum_58
-        - 4608.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_55
-    )
-    del divisor_1, sum_56, sum_57, sum_55, sum_58
+    sum_59 = 768.0 * cos_beta * sum_4_squared * sum_58 - 4608.0 * product_12 * sum_55
     sum_4_squared_squared = sum_4_squared**2
     sum_60 = baseline_per_path - 2.0 * cos_beta
     sum_61 = 1.0 + baseline_per_path * sum_60
-    sum_62 = (
-        128.0 * cos_beta * sum_1 * sum_2 * sum_4_squared_squared * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sum_59
-    )
+    product_21 = sum_4_squared_squared * sum_61
+    product_22 = product_14 * product_21
+    del sum_57, sum_55, sum_58, product_21
+    sum_62 = 128.0 * cos_beta * product_22 - product_10 * sum_59
     sum_2_squared = sum_2**2
     term_5 = (baseline_per_path - 1.0)**2
     sum_63 = (40.0 - 7.0 * cos_beta_squared) * baseline_per_path - 22.0 * cos_beta
     sum_64 = cos_beta * (28.0 + cos_beta * sum_63) - 36.0 * baseline_per_path
     sum_65 = 4.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_64
+    del sum_59, sum_2, sum_63, sum_64
     sum_66 = 64.0 * sin_beta_squared * sum_4_squared - 32.0 * sigma_beta_squared * sum_65
-    del sum_59, sum_63, sum_64, sum_65
     sum_67 = 1.0 - (product_6 - 4.0 * cos_beta) * baseline_per_path
     sigma_beta_squared_squared = sigma_beta_squared**2
     sum_68 = 64.0 * sigma_beta_squared_squared * sin_beta_squared * sum_67**2 + sum_4_squared * sum_66
@@ -415,71 +411,63 @@ def bistatic_averaged(
     sum_69 = (22.0 - 3.0 * cos_beta_squared) * baseline_per_path - 60.0 * cos_beta
     sum_70 = 45.0 - 45.0 * cos_beta_squared - baseline_per_path * sum_69
     sum_71 = cos_beta * sum_70 - 28.0 * baseline_per_path
+    del sum_65, sum_66, sum_69, sum_70
     sum_72 = 12.0 * product_7 + (4.0 - cos_beta * sum_71) * baseline_per_path
-    del sum_66, sum_69, sum_70, sum_71
     sum_73 = baseline_per_path * sum_72 - 3.0 * cos_beta_squared
     sum_74 = 2.0 * baseline_per_path - 3.0 * cos_beta
     sum_75 = 7.0 - 3.0 * cos_beta_squared - (product_5 - 4.0 * cos_beta) * baseline_per_path
     sum_76 = cos_beta * sum_75 - 4.0 * baseline_per_path
+    del sum_71, sum_72, product_5, sum_75
     sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta_squared
-    del sum_72, product_5, sum_75, sum_76
     sum_78 = baseline_per_path * sum_77 + cos_beta
-    sum_79 = (
-        1024.0 * (1.0 + cos_beta * sum_74) * rho * sigma_beta * sum_78
-        - 512.0 * sigma_path_per_path * sin_beta * sum_73
-    )
+    sum_79 = 1024.0 * (1.0 + cos_beta * sum_74) * product_15 * sum_78 - 512.0 * product_11 * sum_73
+    del sum_76, sum_77, sum_73, sum_74
     sum_80 = 105.0 - 12.0 * cos_beta_squared
     sum_81 = 128.0 - 46.0 * cos_beta_squared
     product_8 = (4.0 - cos_beta_squared) * baseline_per_path
     sum_82 = 72.0 - 9.0 * cos_beta_squared - (product_8 - 10.0 * cos_beta) * baseline_per_path
     sum_83 = cos_beta * sum_82 - 38.0 * baseline_per_path
-    del sum_77, sum_73, sum_74, sum_82
     sum_84 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_83
     sum_85 = cos_beta * sum_81 - baseline_per_path * sum_84
+    del sum_82, sum_83, sum_81, sum_84
     sum_86 = 114.0 - cos_beta_squared * sum_80 + baseline_per_path * sum_85
-    del sum_83, sum_81, sum_84, sum_80, sum_85
     sum_87 = 74.0 - 28.0 * baseline_per_path_squared
     sum_88 = cos_beta * sum_86 - baseline_per_path * sum_87
+    del sum_80, sum_85, sum_86, sum_87
     sum_89 = 2.0 - baseline_per_path * sum_88 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
     sum_90 = 7.0 - 22.0 * baseline_per_path_squared
     sum_91 = baseline_per_path * sum_90 + cos_beta * sum_89
-    del sum_86, sum_87, sum_88, sum_89, sum_90
     sum_92 = 1.0 - baseline_per_path * sum_91 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    del sum_88, sum_89, sum_90, sum_91
     sum_93 = baseline_per_path * sum_92 - 8.0 * product_7
     sum_94 = baseline_per_path * sum_93 + cos_beta_squared
     sum_95 = 102.0 - 30.0 * cos_beta_squared
     sum_96 = 7.0 * baseline_per_path - 14.0 * cos_beta
     sum_97 = cos_beta * (72.0 + cos_beta * sum_96) - 11.0 * baseline_per_path
-    del sum_91, sum_92, sum_93, sum_96
     sum_98 = 111.0 - 88.0 * cos_beta_squared + baseline_per_path * sum_97
+    del sum_92, sum_93, sum_96, sum_97
     sum_99 = cos_beta * sum_95 - baseline_per_path * sum_98
     sum_100 = 24.0 - 50.0 * baseline_per_path_squared - cos_beta * sum_99
-    del sum_97, sum_95, sum_98, sum_99
     sum_101 = (27.0 - 77.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_100
+    del sum_95, sum_98, sum_99, sum_100
     sum_102 = 2.0 - 11.0 * baseline_per_path_squared - cos_beta * sum_101
     sum_103 = baseline_per_path * sum_102 + (18.0 - 42.0 * cos_beta_squared) * cos_beta
     sum_104 = 3.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_103
-    del sum_100, sum_101, sum_102, sum_103
-    sum_105 = (
-        512.0 * sigma_beta_squared * sum_94
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_79
-        + 64.0 * sum_104 * sum_4_squared
-    )
+    product_16 = baseline_per_path_squared * product_11
+    sum_105 = 512.0 * sigma_beta_squared * sum_94 - product_16 * sum_79 + 64.0 * sum_104 * sum_4_squared
+    del sum_101, sum_102, sum_103, sum_104, sum_79, sum_94
     sum_106 = 5.0 * baseline_per_path - 9.0 * cos_beta
     sum_107 = cos_beta * (48.0 + cos_beta * sum_106) - 10.0 * baseline_per_path
-    del sum_104, sum_79, sum_94, sum_106
     sum_108 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_107
     sum_109 = (92.0 - 24.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_108
     sum_110 = 28.0 - 34.0 * baseline_per_path_squared - cos_beta * sum_109
+    del sum_106, sum_107, sum_108, sum_109
     sum_111 = (11.0 - 36.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_110
-    del sum_107, sum_108, sum_109, sum_110
     sum_112 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_111
     sum_113 = cos_beta * sum_112 - 10.0 * baseline_per_path * baseline_per_path_squared
-    sum_114 = (
-        512.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_113
-        - rho * sum_105
-    )
-    del sum_111, sum_112, sum_105, sum_113
+    product_25 = product_16 * sigma_beta
+    sum_114 = 512.0 * product_25 * sum_113 - rho * sum_105
+    del sum_110, sum_111, sum_112, sum_105, sum_113
     sum_115 = (10.0 - 3.0 * cos_beta_squared) * baseline_per_path - 24.0 * cos_beta
     sum_116 = 27.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_115
     sum_117 = cos_beta * sum_116 - 16.0 * baseline_per_path
@@ -519,7 +507,7 @@ def bistatic_averaged(
     sum_144 = baseline_per_path * sum_143 + cos_beta_squared
     del sum_141, product_7, sum_142, sum_143
     sum_145 = (
-        256.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_119
+        256.0 * product_12 * sum_119
         - rho * sum_114
         + 64.0 * sigma_beta_squared * sum_144
         + 64.0 * sum_128 * sum_4_squared
@@ -533,44 +521,42 @@ def bistatic_averaged(
     del sum_146, sum_147, sum_148, sum_149
     sum_151 = baseline_per_path * sum_150 - 7.0 * cos_beta
     sum_152 = 128.0 * sum_151 * sum_4_squared + 384.0 * sigma_beta_squared * sum_67 * sum_78
-    sum_153 = rho * sigma_beta * sin_beta * sum_1 * sum_152 * sum_2 - sigma_path_per_path * sum_145
-    del sum_150, sum_151, sum_78, sum_145, sum_152
-    sum_154 = sum_2_squared * sum_68 * term_5 - sigma_path_per_path * sum_153
-    sum_155 = sigma_beta * sum_154 - rho * sigma_path_per_path * sin_beta * sum_62
+    product_31 = product_15 * product_19
+    del sum_150, sum_151, sum_78, product_19
+    sum_153 = product_31 * sum_152 - sigma_path_per_path * sum_145
+    product_20 = sum_2_squared * term_5
+    del sum_145, sum_152, sum_2_squared, term_5
+    sum_154 = product_20 * sum_68 - sigma_path_per_path * sum_153
+    sum_155 = sigma_beta * sum_154 - product_18 * sum_62
     del sum_153, sum_68, sum_154, sum_62
     sum_61_squared = sum_61**2
     sum_156 = 2.0 + (product_2 - 4.0 * cos_beta) * baseline_per_path
+    product_28 = sum_156 * sum_4_squared
     sum_157 = (
-        2304.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
-        + 384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_156 * sum_4_squared
+        2304.0 * (1.0 - sin_beta) * product_10 * (1.0 + sin_beta) * sin_beta_squared**2
+        + 384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * product_28
     )
-    sum_158 = (
-        64.0 * cos_beta_squared * sum_4_squared_squared * sum_61_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sum_157
-    )
+    product_30 = sum_4_squared_squared * sum_61_squared
+    del sum_61, product_2, sum_156, sum_4_squared_squared, sum_61_squared
+    sum_158 = 64.0 * cos_beta_squared * product_30 + product_10 * sum_157
     sum_159 = sigma_path_per_path_squared * sum_158 + sigma_beta * sum_155
-    del product_2, sum_157, sum_155, sum_158
-    sum_160 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    del product_10, sum_157, sum_155, sum_158
+    sum_160 = 5.0 - 5.0 * product_13 - 6.0 * sin_beta_squared
     sum_161 = (9.0 - 2.0 * cos_beta_squared) * baseline_per_path - 22.0 * cos_beta
     sum_162 = 1.0 - 18.0 * cos_beta_squared - baseline_per_path * sum_161
     sum_163 = cos_beta * sum_162 - 3.0 * baseline_per_path
     sum_164 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_163
-    sum_165 = (
-        384.0 * sum_164 * sum_4_squared
-        - 2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_160
-    )
+    sum_165 = 384.0 * sum_164 * sum_4_squared - 2304.0 * product_12 * sum_160
     del sum_161, sum_162, sum_163, sum_160, sum_164
-    sum_166 = (
-        64.0 * (1.0 + cos_beta * sum_60) * sum_1 * sum_2 * sum_4_squared_squared * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_165
-    )
+    sum_166 = 64.0 * (1.0 + cos_beta * sum_60) * product_22 - product_12 * sum_165
     sum_167 = 16.0 * baseline_per_path - 7.0 * cos_beta
     sum_168 = cos_beta * (40.0 + cos_beta * sum_167) - 36.0 * baseline_per_path
     sum_169 = 16.0 - 22.0 * cos_beta_squared + baseline_per_path * sum_168
     del sum_165, sum_60, sum_167, sum_168
     sum_170 = baseline_per_path * sum_169 - 7.0 * cos_beta
     sum_171 = baseline_per_path - cos_beta
-    sum_172 = 64.0 * sum_171 * sum_4_squared - 32.0 * sigma_beta_squared * sum_170
+    product_29 = sum_171 * sum_4_squared
+    sum_172 = 64.0 * product_29 - 32.0 * sigma_beta_squared * sum_170
     sum_173 = 4.0 * baseline_per_path - cos_beta
     sum_174 = cos_beta * (4.0 + cos_beta * sum_173) - 6.0 * baseline_per_path
     sum_175 = 4.0 - 4.0 * cos_beta_squared + baseline_per_path * sum_174
@@ -595,7 +581,7 @@ def bistatic_averaged(
     sum_190 = baseline_per_path * sum_189 - 8.0 * cos_beta_squared
     sum_191 = baseline_per_path * sum_190 + cos_beta
     del sum_187, sum_188, sum_189, sum_190
-    sum_192 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * (5.0 + sin_beta_squared)
+    sum_192 = 8.0 - 11.0 * sin_beta_squared - product_13 * (5.0 + sin_beta_squared)
     sum_193 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_192
     sum_194 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_193
     sum_195 = baseline_per_path * sum_194 - cos_beta
@@ -623,14 +609,14 @@ def bistatic_averaged(
     sum_213 = baseline_per_path * sum_212 - 4.0 * cos_beta_squared
     sum_214 = baseline_per_path * sum_213 + cos_beta
     del sum_210, sum_211, sum_212, sum_213
-    sum_215 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
-    sum_216 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_215
+    sum_215 = 41.0 + 5.0 * product_13 + 6.0 * sin_beta_squared
+    sum_216 = 29.0 - 13.0 * product_13 - sin_beta_squared * sum_215
     sum_217 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_216
     sum_218 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_217
     sum_219 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_218
     del sum_215, sum_216, sum_217, sum_218
     sum_220 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_219
-    sum_221 = 512.0 * rho * sigma_beta * sum_220 - 1536.0 * sigma_path_per_path * sin_beta * sum_214
+    sum_221 = 512.0 * product_15 * sum_220 - 1536.0 * product_11 * sum_214
     sum_222 = 106.0 - 30.0 * cos_beta_squared
     sum_223 = 13.0 * baseline_per_path - 14.0 * cos_beta
     sum_224 = cos_beta * (112.0 + cos_beta * sum_223) - 36.0 * baseline_per_path
@@ -642,27 +628,20 @@ def bistatic_averaged(
     sum_228 = baseline_per_path * sum_227 + (14.0 + 77.0 * cos_beta_squared) * cos_beta
     sum_229 = baseline_per_path * sum_228 - 42.0 * cos_beta_squared
     sum_230 = 7.0 * cos_beta + baseline_per_path * sum_229
-    sum_231 = (
-        64.0 * sum_230 * sum_4_squared
-        - 256.0 * sigma_beta_squared * sum_209
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_221
-    )
+    sum_231 = 64.0 * sum_230 * sum_4_squared - 256.0 * sigma_beta_squared * sum_209 - product_16 * sum_221
     del sum_227, sum_228, sum_229, sum_209, sum_221, sum_230
     sum_232 = 125.0 - 144.0 * sin_beta_squared
     sum_233 = 112.0 + 96.0 * sin_beta_squared
     sum_234 = 14.0 - 291.0 * sin_beta_squared
-    sum_235 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
-    sum_236 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_235
+    sum_235 = 226.0 + 36.0 * sin_beta_squared + 37.0 * product_13
+    sum_236 = 154.0 - 71.0 * product_13 - sin_beta_squared * sum_235
     sum_237 = cos_beta * sum_234 - baseline_per_path * sum_236
     sum_238 = 172.0 - sin_beta_squared * sum_233 + baseline_per_path * sum_237
     del sum_235, sum_234, sum_236, sum_233, sum_237
     sum_239 = cos_beta * sum_232 - baseline_per_path * sum_238
     sum_240 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_239
-    sum_241 = (
-        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_240
-        - rho * sum_231
-    )
-    del sum_232, sum_238, sum_239, sum_231, sum_240
+    sum_241 = 128.0 * product_25 * sum_240 - rho * sum_231
+    del sum_232, sum_238, sum_239, product_25, sum_231, sum_240
     sum_242 = cos_beta * (56.0 + product_9) - 18.0 * baseline_per_path
     sum_243 = 49.0 - 58.0 * cos_beta_squared + baseline_per_path * sum_242
     sum_244 = (62.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_243
@@ -674,129 +653,115 @@ def bistatic_averaged(
     sum_249 = (
         64.0 * sum_248 * sum_4_squared
         - 64.0 * sigma_beta_squared * sum_191
-        - 768.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_195
+        - 768.0 * product_12 * sum_195
         - rho * sum_241
     )
     del sum_246, sum_247, sum_191, sum_195, sum_241, sum_248
-    sum_250 = sum_177 * sum_2_squared * term_5 - sigma_path_per_path_squared * sum_249
+    sum_250 = product_20 * sum_177 - sigma_path_per_path_squared * sum_249
     sum_251 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
     sum_252 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
     sum_253 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_254 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
-    sum_255 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_254
+    sum_254 = 29.0 + 2.0 * sin_beta_squared + 4.0 * product_13
+    sum_255 = 32.0 + 6.0 * product_13 + sin_beta_squared * sum_254
+    del sum_177, sum_249, product_13, sum_254
     sum_256 = 3.0 - sin_beta_squared * sum_255 + product_1
-    del sum_177, sum_249, sum_254, product_1, sum_255
     sum_257 = baseline_per_path * sum_256 + cos_beta * sum_253
+    del product_1, sum_255, sum_253, sum_256
     sum_258 = 21.0 - baseline_per_path * sum_257 + sin_beta_squared * sum_252
-    del sum_253, sum_256, sum_252, sum_257
     sum_259 = cos_beta * sum_251 - baseline_per_path * sum_258
+    del sum_252, sum_257, sum_251, sum_258
     sum_260 = 1.0 + baseline_per_path * sum_259 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
     sum_261 = baseline_per_path * sum_260 - 4.0 * cos_beta
-    del sum_251, sum_258, sum_259, sum_260
     sum_262 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_261
     sum_263 = 13.0 * baseline_per_path - 22.0 * cos_beta
     sum_264 = 107.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_263
+    del sum_259, sum_260, sum_261, sum_263
     sum_265 = cos_beta * sum_264 - 83.0 * baseline_per_path
     sum_266 = 119.0 - 18.0 * baseline_per_path_squared - cos_beta * sum_265
-    del sum_261, sum_263, sum_264, sum_265
     sum_267 = (91.0 - 50.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_266
     sum_268 = 1.0 - 54.0 * baseline_per_path_squared - cos_beta * sum_267
+    del sum_264, sum_265, sum_266, sum_267
     sum_269 = (3.0 - 32.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_268
     sum_270 = 7.0 - 14.0 * cos_beta_squared - baseline_per_path * sum_269
-    del sum_266, sum_267, sum_268, sum_269
     sum_271 = 192.0 * sigma_beta_squared * sum_262 + 64.0 * sum_270 * sum_4_squared
-    sum_272 = rho * sigma_beta * sigma_path_per_path * sum_1 * sum_2 * sum_271 + sin_beta * sum_250
-    del sum_262, sum_270, sum_250, sum_271
-    sum_273 = sigma_beta * sum_272 - rho * sigma_path_per_path * sum_166
-    sum_274 = (
-        2304.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
-        + 384.0 * sum_156 * sum_4_squared
-    )
-    sum_275 = (
-        64.0 * sum_4_squared_squared * sum_61_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_274
-    )
-    del sum_166, sum_272, sum_156, sum_274, sum_61_squared
-    sum_276 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_275 + sigma_beta * sum_273
+    del sum_268, sum_269, sum_262, sum_270
+    sum_272 = product_14 * product_26 * sum_271 + sin_beta * sum_250
+    del product_14, product_26, sum_250, sum_271
+    sum_273 = sigma_beta * sum_272 - product_24 * sum_166
+    sum_274 = 2304.0 * product_12 + 384.0 * product_28
+    del product_24, sum_166, sum_272, product_28
+    sum_275 = 64.0 * product_30 + product_12 * sum_274
+    product_27 = sigma_path_per_path_squared * sum_275
+    del product_30, sum_274, sigma_path_per_path_squared, sum_275
+    sum_276 = cos_beta * product_27 * sin_beta + sigma_beta * sum_273
     sum_277 = 2.0 + 9.0 * cos_beta_squared + (product_6 - 13.0 * cos_beta) * baseline_per_path
     sum_278 = baseline_per_path * sum_277 - 3.0 * cos_beta
-    sum_279 = (
-        13824.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_171
-        + 768.0 * sum_278 * sum_4_squared
-    )
-    sum_280 = (
-        128.0 * sum_1 * sum_171 * sum_2 * sum_4_squared_squared * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_279
-    )
-    del sum_273, sum_277, sum_278, sum_279, sum_4_squared_squared, sum_61
+    sum_279 = 13824.0 * product_12 * sum_171 + 768.0 * sum_278 * sum_4_squared
+    del sin_beta, sum_273, sum_277, sum_278
+    sum_280 = 128.0 * product_22 * sum_171 - product_12 * sum_279
     sum_281 = 28.0 * baseline_per_path - 32.0 * cos_beta
     sum_282 = 47.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_281
+    del product_12, product_22, sum_279, sum_281
     sum_283 = cos_beta * sum_282 - 52.0 * baseline_per_path
     sum_284 = 28.0 - 36.0 * baseline_per_path_squared - cos_beta * sum_283
     sum_285 = (26.0 - 22.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_284
-    del sum_281, sum_282, sum_283, sum_284
     sum_286 = 3.0 - 7.0 * cos_beta_squared + baseline_per_path * sum_285
+    del sum_282, sum_283, sum_284, sum_285
     sum_287 = 32.0 * sigma_beta_squared * sum_286 + 64.0 * sum_171**2 * sum_4_squared
     sum_288 = 64.0 * sigma_beta_squared_squared * sum_176**2 + sum_287 * sum_4_squared
-    del sum_285, sum_286, sigma_beta_squared_squared, sum_287
     sum_289 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
     sum_290 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_289
+    del sum_286, sigma_beta_squared_squared, sum_287, sum_289
     sum_291 = 67.0 - baseline_per_path * sum_290 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
     sum_292 = baseline_per_path * sum_291 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
     sum_293 = 86.0 - baseline_per_path * sum_292 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
-    del sum_289, sum_290, sum_291, sum_292
     sum_294 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_293
+    del sum_290, sum_291, sum_292, sum_293
     sum_295 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_294
     sum_296 = baseline_per_path * sum_295 - 8.0 * cos_beta
     sum_297 = 1.0 + baseline_per_path * sum_296
-    del sum_293, sum_294, sum_295, sum_296
     sum_298 = 146.0 + 21.0 * sin_beta_squared
     sum_299 = 112.0 + 164.0 * sin_beta_squared
     sum_300 = 214.0 + 18.0 * sin_beta_squared
     sum_301 = 140.0 + 76.0 * sin_beta_squared
     sum_302 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
     sum_303 = cos_beta * sum_301 - baseline_per_path * sum_302
+    del sum_294, sum_295, sum_296, sum_301, sum_302
     sum_304 = 76.0 - baseline_per_path * sum_303 - sin_beta_squared * sum_300
-    del sum_301, sum_302, sum_300, sum_303
     sum_305 = baseline_per_path * sum_304 + cos_beta * sum_299
+    del sum_300, sum_303, sum_299, sum_304
     sum_306 = 122.0 - baseline_per_path * sum_305 - sin_beta_squared * sum_298
-    del sum_299, sum_304, sum_298, sum_305
     sum_307 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_306
     sum_308 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_307
+    del sum_298, sum_305, sum_306, sum_307
     sum_309 = baseline_per_path * sum_308 - 8.0 * cos_beta
     sum_310 = 64.0 + 512.0 * rho_squared * sum_297 + 64.0 * baseline_per_path * sum_309
-    del sum_306, sum_307, sum_308, sum_297, sum_309
     sum_311 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
     sum_312 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_311
+    del sum_308, sum_297, sum_309, sum_311
     sum_313 = 4.0 * cos_beta + baseline_per_path * sum_312
     sum_314 = 1.0 - baseline_per_path * sum_313
     sum_315 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
     sum_316 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_315
-    del sum_311, sum_312, sum_313, sum_315
     sum_317 = baseline_per_path * sum_316 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
+    del sum_312, sum_313, sum_315, sum_316
     sum_318 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_317
     sum_319 = baseline_per_path * sum_318 - 4.0 * cos_beta
     sum_320 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
     sum_321 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_320
-    del sum_316, sum_317, sum_318, sum_320
     sum_322 = 4.0 * cos_beta + baseline_per_path * sum_321
+    del sum_317, sum_318, sum_320, sum_321
     sum_323 = 1.0 - baseline_per_path * sum_322
     sum_324 = 3.0 - 3.0 * cos_beta_squared - (product_6 - 8.0 * cos_beta) * baseline_per_path
     sum_325 = baseline_per_path * sum_324 - 4.0 * cos_beta
-    del sum_321, sum_322, product_6, sum_324
     sum_326 = 1.0 + baseline_per_path * sum_325
-    sum_327 = (
-        1536.0 * sigma_path_per_path * sin_beta * sum_323
-        + 3072.0 * rho * sigma_beta * sum_171 * sum_326
-    )
+    del sum_322, product_6, sum_324, sum_325
+    sum_327 = 1536.0 * product_11 * sum_323 + 3072.0 * product_15 * sum_171 * sum_326
     sum_328 = 768.0 * sigma_beta * sum_319 + rho * sum_327
-    del sum_325, sum_323, sum_319, sum_327
-    sum_329 = 768.0 * sigma_path_per_path * sin_beta * sum_314 + rho * sum_328
-    sum_330 = (
-        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_329
-        - sigma_beta_squared * sum_310
-    )
-    del sum_314, sum_328, sum_310, sum_329
+    del product_15, sum_171, sum_323, sum_319, sum_327
+    sum_329 = 768.0 * product_11 * sum_314 + rho * sum_328
+    sum_330 = product_16 * sum_329 - sigma_beta_squared * sum_310
+    del product_11, sum_314, sum_328, product_16, sum_310, sum_329
     sum_331 = cos_beta * (86.0 + product_9) - 38.0 * baseline_per_path
     sum_332 = 117.0 - 66.0 * cos_beta_squared + baseline_per_path * sum_331
     sum_333 = (88.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_332
@@ -830,29 +795,29 @@ def bistatic_averaged(
     sum_351 = sin_beta_squared * sum_330 + sum_350 * sum_4_squared
     sum_352 = 13.0 * baseline_per_path - 2.0 * cos_beta
     sum_353 = cos_beta * (46.0 + cos_beta * sum_352) - 36.0 * baseline_per_path
+    del sum_330, sum_350, sum_4_squared, sum_352
     sum_354 = 13.0 - 25.0 * cos_beta_squared + baseline_per_path * sum_353
-    del sum_330, sum_350, sum_352, cos_beta_squared, sum_353
     sum_355 = baseline_per_path * sum_354 - 16.0 * cos_beta
+    del cos_beta_squared, sum_353, cos_beta, sum_354
     sum_356 = 7.0 + baseline_per_path * sum_355
-    del cos_beta, sum_354, baseline_per_path, sum_355
-    sum_357 = 128.0 * sum_171 * sum_356 * sum_4_squared - 384.0 * sigma_beta_squared * sum_176 * sum_326
-    del sigma_beta_squared, sum_171, sum_176, sum_326, sum_356, sum_4_squared
-    sum_358 = rho * sigma_beta * sin_beta * sum_1 * sum_2 * sum_357 - sigma_path_per_path * sum_351
-    del sum_1, sum_2, sum_351, sum_357
-    sum_359 = sigma_path_per_path * sum_358 + sum_288 * sum_2_squared * term_5
-    del sum_288, sum_2_squared, sum_358, term_5
-    sum_360 = sigma_beta * sum_359 - rho * sigma_path_per_path * sin_beta * sum_280
-    del sigma_path_per_path, sin_beta, sum_280, sum_359
-    sum_361 = sigma_path_per_path_squared * sin_beta_squared * sum_275 + sigma_beta * sum_360
-    del sigma_path_per_path_squared, sin_beta_squared, sum_275, sum_360
-    mean[..., 0] = path * sum_27 * term_3
-    mean[..., 1] = path * sum_54 * term_3
-    covariance[..., 0, 0] = path_squared * sum_159 * term_4
-    del sum_27, sum_54, term_3, sum_159
-    covariance[..., 0, 1] = path_squared * sum_276 * term_4
+    sum_357 = 128.0 * product_29 * sum_356 - 384.0 * sigma_beta_squared * sum_176 * sum_326
+    del baseline_per_path, sum_355, product_29, sigma_beta_squared, sum_176, sum_326, sum_356
+    sum_358 = product_31 * sum_357 - sigma_path_per_path * sum_351
+    sum_359 = product_20 * sum_288 + sigma_path_per_path * sum_358
+    del product_31, sum_351, sum_357, product_20, sigma_path_per_path, sum_288, sum_358
+    sum_360 = sigma_beta * sum_359 - product_18 * sum_280
+    sum_361 = product_27 * sin_beta_squared + sigma_beta * sum_360
+    del product_18, sum_280, sum_359, product_27, sin_beta_squared, sum_360
+    product_23 = path * term_3
+    product_17 = path_squared * term_4
+    mean[..., 0] = product_23 * sum_27
+    del term_3, path_squared, term_4, sum_27
+    mean[..., 1] = product_23 * sum_54
+    covariance[..., 0, 0] = product_17 * sum_159
+    covariance[..., 0, 1] = product_17 * sum_276
+    del product_23, sum_54, sum_159, sum_276
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_361 * term_4
-    del sum_276, path_squared, sum_361, term_4
+    covariance[..., 1, 1] = product_17 * sum_361
 
 
 def bistatic_unbiased(
@@ -874,9 +839,10 @@ def bistatic_unbiased(
     baseline_per_path = baseline * term_1
     sigma_path_per_path = sigma_path * term_1
     cos_beta = np.cos(beta)
-    product_1 = -2.0 * baseline_per_path * cos_beta
+    product_11 = baseline_per_path * cos_beta
+    product_1 = -2.0 * product_11
     divisor_1 = 2.0 + product_1
-    product_2 = baseline_per_path * cos_beta
+    product_2 = product_11
     sum_1 = product_2 - 1.0
     sum_1_squared = sum_1**2
     sum_1_squared_squared = sum_1_squared**2
@@ -887,48 +853,50 @@ def bistatic_unbiased(
     sin_beta = np.sin(beta)
     sin_beta_squared = sin_beta**2
     sum_4 = 16.0 * sum_1_squared - 48.0 * sigma_path_per_path_squared
-    sum_5 = (
-        16.0 * sum_1_squared_squared * sum_2 * sum_3
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_4
-    )
+    product_13 = sum_2 * sum_3
+    product_17 = product_13 * sum_1_squared_squared
+    product_9 = baseline_per_path_squared * sigma_path_per_path_squared
+    product_12 = product_9 * sin_beta_squared
+    sum_5 = 16.0 * product_17 + product_12 * sum_4
+    del term_1, sum_1, sum_2, sum_4
     cos_beta_squared = cos_beta**2
     sum_6 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
     sum_7 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
-    del term_1, sum_1, sum_4, product_2
     sum_8 = 1.0 + baseline_per_path * sum_7
-    sum_9 = (
-        16.0 * sum_1_squared * sum_8
-        - 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_6) * sigma_path_per_path_squared
-    )
+    sum_9 = 16.0 * sum_1_squared * sum_8 - 48.0 * (1.0 + cos_beta * sum_6) * product_9
+    del product_2, sum_7, sum_6, sum_8
     product_3 = (20.0 - cos_beta_squared) * baseline_per_path
     sum_10 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
     sum_11 = cos_beta * sum_10 - 24.0 * baseline_per_path
-    del sum_7, sum_6, sum_8, sum_10
     sum_12 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_11
     sigma_beta_squared = sigma_beta**2
     sum_13 = baseline_per_path * sum_12 - cos_beta
     product_4 = (2.0 - cos_beta_squared) * baseline_per_path
     sum_14 = 2.0 * sigma_beta_squared * sum_13 + 8.0 * (product_4 - cos_beta) * sum_1_squared
+    del sum_10, sum_11, sum_12, sum_13
     product_5 = (6.0 - cos_beta_squared) * baseline_per_path
     sum_15 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
     sum_16 = cos_beta * sum_15 - 18.0 * baseline_per_path
-    del sum_11, sum_12, sum_13, sum_15
     sum_17 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_16
     sum_18 = baseline_per_path * sum_17 - 5.0 * cos_beta
     sum_19 = 1.0 + baseline_per_path * sum_18
+    del sum_15, sum_16, sum_17, sum_18
     sum_20 = 4.0 * baseline_per_path - 3.0 * cos_beta
     sum_21 = cos_beta * (13.0 + cos_beta * sum_20) - 6.0 * baseline_per_path
-    del sum_16, sum_17, sum_18, sum_20
     sum_22 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_21
     rho_squared = rho**2
     sum_23 = cos_beta * sum_22 - 6.0 * baseline_per_path
+    product_14 = rho * sigma_beta
+    product_19 = product_14 * sin_beta
     sum_24 = (
-        8.0 * rho * sigma_beta * sin_beta * sum_19
+        8.0 * product_19 * sum_19
         + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_23
     )
-    del sum_21, sum_22, sum_19, sum_23
-    sum_25 = sum_14 * sum_2 * sum_3 - sigma_path_per_path * sum_24
-    sum_26 = sigma_beta * sum_25 - rho * sigma_path_per_path * sin_beta * sum_9
+    del sum_20, sum_21, sum_22, sum_19, sum_23
+    sum_25 = product_13 * sum_14 - sigma_path_per_path * sum_24
+    product_10 = sigma_path_per_path * sin_beta
+    product_16 = product_10 * rho
+    sum_26 = sigma_beta * sum_25 - product_16 * sum_9
     del sum_14, sum_24, sum_25, sum_9
     term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
     sum_27 = cos_beta * sum_5 - sigma_beta * sum_26
@@ -949,13 +917,10 @@ def bistatic_unbiased(
     sum_39 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
     sum_40 = cos_beta * (5.0 + cos_beta * sum_28) - 4.0 * baseline_per_path
     sum_41 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_40
-    sum_42 = (
-        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_41
-        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_39
-    )
+    sum_42 = (24.0 + 48.0 * rho_squared) * sigma_beta * sum_41 - 48.0 * product_16 * sum_39
     del sum_37, sum_28, sum_40, sum_39, sum_41
     sum_43 = sin_beta_squared * sum_38 + sigma_beta * sum_42
-    sum_44 = baseline_per_path_squared * sigma_path_per_path_squared * sum_43 + sum_2 * sum_3 * sum_36
+    sum_44 = product_13 * sum_36 + product_9 * sum_43
     del sum_38, sum_42, sum_36, sum_43
     sum_45 = 31.0 - 3.0 * cos_beta_squared - (product_3 - 19.0 * cos_beta) * baseline_per_path
     sum_46 = cos_beta * sum_45 - 32.0 * baseline_per_path
@@ -968,7 +933,8 @@ def bistatic_unbiased(
     sum_52 = baseline_per_path * sum_51 - cos_beta
     sum_53 = 16.0 * sum_1_squared * sum_52 - 8.0 * sigma_beta_squared * sum_50
     del sum_48, sum_49, sum_51, sum_50, sum_52
-    sum_54 = rho * sigma_beta * sigma_path_per_path * sum_53 + sin_beta * sum_44
+    product_24 = product_14 * sigma_path_per_path
+    sum_54 = product_24 * sum_53 + sin_beta * sum_44
     term_3 = 1.0 / ((divisor_1**2)**2)**2
     path_squared = path**2
     sum_55 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
@@ -976,79 +942,68 @@ def bistatic_unbiased(
     sum_57 = cos_beta * sum_56 - 2.0 * baseline_per_path
     del sum_44, sum_53, divisor_1, sum_56
     sum_58 = 1.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_57
-    sum_59 = (
-        768.0 * cos_beta * sum_1_squared * sum_58
-        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_55
-    )
+    sum_59 = 768.0 * cos_beta * sum_1_squared * sum_58 - 1152.0 * product_12 * sum_55
     sum_60 = baseline_per_path - 2.0 * cos_beta
     sum_61 = 1.0 + baseline_per_path * sum_60
-    sum_62 = (
-        128.0 * cos_beta * sum_1_squared_squared * sum_2 * sum_3 * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sum_59
-    )
-    del sum_57, sum_55, sum_58, sum_59
+    product_21 = product_17 * sum_61
+    del sum_57, sum_55, sum_58, product_17
+    sum_62 = 128.0 * cos_beta * product_21 - product_9 * sum_59
     sum_3_squared = sum_3**2
     term_4 = (baseline_per_path - 1.0)**2
     sum_63 = (26.0 - 5.0 * cos_beta_squared) * baseline_per_path - 14.0 * cos_beta
     sum_64 = cos_beta * (20.0 + cos_beta * sum_63) - 24.0 * baseline_per_path
     sum_65 = 2.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_64
+    del sum_59, sum_3, sum_63, sum_64
     sum_66 = 64.0 * sin_beta_squared * sum_1_squared - 32.0 * sigma_beta_squared * sum_65
     sum_67 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
     sum_68 = 16.0 * sigma_beta_squared_squared * sin_beta_squared * sum_67**2 + sum_1_squared * sum_66
-    del sum_63, sum_64, sum_65, sum_66
     product_6 = cos_beta * cos_beta_squared
     sum_69 = (22.0 - 3.0 * cos_beta_squared) * baseline_per_path - 60.0 * cos_beta
     sum_70 = 45.0 - 45.0 * cos_beta_squared - baseline_per_path * sum_69
     sum_71 = cos_beta * sum_70 - 28.0 * baseline_per_path
+    del sum_65, sum_66, sum_69, sum_70
     sum_72 = 12.0 * product_6 + (4.0 - cos_beta * sum_71) * baseline_per_path
     sum_73 = baseline_per_path * sum_72 - 3.0 * cos_beta_squared
-    del sum_69, sum_70, sum_71, sum_72
     sum_74 = 2.0 * baseline_per_path - 3.0 * cos_beta
     sum_75 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
     sum_76 = cos_beta * sum_75 - 4.0 * baseline_per_path
     sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta_squared
+    del sum_71, sum_72, sum_75, sum_76
     sum_78 = baseline_per_path * sum_77 + cos_beta
-    sum_79 = (
-        256.0 * (1.0 + cos_beta * sum_74) * rho * sigma_beta * sum_78
-        - 128.0 * sigma_path_per_path * sin_beta * sum_73
-    )
-    del sum_75, sum_76, sum_77, sum_73, sum_74
+    sum_79 = 256.0 * (1.0 + cos_beta * sum_74) * product_14 * sum_78 - 128.0 * product_10 * sum_73
     sum_80 = 105.0 - 12.0 * cos_beta_squared
     sum_81 = 128.0 - 46.0 * cos_beta_squared
     product_7 = (4.0 - cos_beta_squared) * baseline_per_path
     sum_82 = 72.0 - 9.0 * cos_beta_squared - (product_7 - 10.0 * cos_beta) * baseline_per_path
     sum_83 = cos_beta * sum_82 - 38.0 * baseline_per_path
+    del sum_77, sum_73, sum_74, sum_82
     sum_84 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_83
     sum_85 = cos_beta * sum_81 - baseline_per_path * sum_84
-    del sum_82, sum_83, sum_81, sum_84
     sum_86 = 114.0 - cos_beta_squared * sum_80 + baseline_per_path * sum_85
+    del sum_83, sum_81, sum_84, sum_80, sum_85
     sum_87 = 74.0 - 28.0 * baseline_per_path_squared
     sum_88 = cos_beta * sum_86 - baseline_per_path * sum_87
-    del sum_80, sum_85, sum_86, sum_87
     sum_89 = 2.0 - baseline_per_path * sum_88 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
     sum_90 = 7.0 - 22.0 * baseline_per_path_squared
     sum_91 = baseline_per_path * sum_90 + cos_beta * sum_89
+    del sum_86, sum_87, sum_88, sum_89, sum_90
     sum_92 = 1.0 - baseline_per_path * sum_91 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
-    del sum_88, sum_89, sum_90, sum_91
     sum_93 = baseline_per_path * sum_92 - 8.0 * product_6
     sum_94 = baseline_per_path * sum_93 + cos_beta_squared
     sum_95 = 7.0 * baseline_per_path - 6.0 * cos_beta
     sum_96 = cos_beta * (40.0 + cos_beta * sum_95) - 9.0 * baseline_per_path
+    del sum_91, sum_92, sum_93, sum_95
     sum_97 = 79.0 - 64.0 * cos_beta_squared + baseline_per_path * sum_96
-    del sum_92, sum_93, sum_95, sum_96
     sum_98 = (62.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_97
     sum_99 = 24.0 - 30.0 * baseline_per_path_squared - cos_beta * sum_98
     sum_100 = (37.0 - 69.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_99
+    del sum_96, sum_97, sum_98, sum_99
     sum_101 = 6.0 + 9.0 * baseline_per_path_squared + cos_beta * sum_100
-    del sum_97, sum_98, sum_99, sum_100
     sum_102 = (30.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_101
     sum_103 = 5.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_102
-    sum_104 = (
-        128.0 * sigma_beta_squared * sum_94
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_79
-        + 64.0 * sum_103 * sum_1_squared
-    )
-    del sum_101, sum_102, sum_103, sum_79, sum_94
+    product_15 = baseline_per_path_squared * product_10
+    sum_104 = 128.0 * sigma_beta_squared * sum_94 - product_15 * sum_79 + 64.0 * sum_103 * sum_1_squared
+    del sum_100, sum_101, sum_102, sum_103, sum_79, sum_94
     sum_105 = 5.0 * baseline_per_path - 9.0 * cos_beta
     sum_106 = cos_beta * (48.0 + cos_beta * sum_105) - 10.0 * baseline_per_path
     sum_107 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_106
@@ -1059,10 +1014,8 @@ def bistatic_unbiased(
     sum_111 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_110
     product_8 = baseline_per_path * baseline_per_path_squared
     sum_112 = cos_beta * sum_111 - 10.0 * product_8
-    sum_113 = (
-        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_112
-        - rho * sum_104
-    )
+    product_23 = product_15 * sigma_beta
+    sum_113 = 128.0 * product_23 * sum_112 - rho * sum_104
     del sum_109, sum_110, sum_111, sum_104, sum_112
     sum_114 = 120.0 - 72.0 * cos_beta_squared
     sum_115 = 204.0 - 21.0 * cos_beta_squared
@@ -1104,7 +1057,7 @@ def bistatic_unbiased(
     sum_144 = (
         16.0 * sigma_beta_squared * sum_129
         - rho * sum_113
-        + 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_143
+        + 64.0 * product_12 * sum_143
         + 64.0 * sum_138 * sum_1_squared
     )
     del sum_142, sum_113, sum_129, sum_138, sum_143
@@ -1116,37 +1069,34 @@ def bistatic_unbiased(
     del sum_145, sum_146, sum_147, sum_148
     sum_150 = baseline_per_path * sum_149 - 5.0 * cos_beta
     sum_151 = 128.0 * sum_150 * sum_1_squared + 96.0 * sigma_beta_squared * sum_67 * sum_78
-    sum_152 = rho * sigma_beta * sin_beta * sum_151 * sum_2 * sum_3 - sigma_path_per_path * sum_144
-    del sum_149, sum_150, sum_78, sum_144, sum_151
-    sum_153 = sum_3_squared * sum_68 * term_4 - sigma_path_per_path * sum_152
-    sum_154 = sigma_beta * sum_153 - rho * sigma_path_per_path * sin_beta * sum_62
+    product_28 = product_13 * product_19
+    del sum_149, sum_150, sum_78, product_19
+    sum_152 = product_28 * sum_151 - sigma_path_per_path * sum_144
+    product_20 = sum_3_squared * term_4
+    del sum_144, sum_151, sum_3_squared, term_4
+    sum_153 = product_20 * sum_68 - sigma_path_per_path * sum_152
+    sum_154 = sigma_beta * sum_153 - product_16 * sum_62
     del sum_152, sum_68, sum_153, sum_62
     sum_61_squared = sum_61**2
     sum_155 = 1.0 + (product_4 - 2.0 * cos_beta) * baseline_per_path
+    product_26 = sum_155 * sum_1_squared
     sum_156 = (
-        384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_155 * sum_1_squared
-        + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
+        384.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * product_26
+        + 576.0 * (1.0 - sin_beta) * product_9 * (1.0 + sin_beta) * sin_beta_squared**2
     )
-    sum_157 = (
-        64.0 * cos_beta_squared * sum_1_squared_squared * sum_61_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sum_156
-    )
+    product_27 = sum_1_squared_squared * sum_61_squared
+    del sum_61, product_4, sum_155, sum_1_squared_squared, sum_61_squared
+    sum_157 = 64.0 * cos_beta_squared * product_27 + product_9 * sum_156
     sum_158 = sigma_path_per_path_squared * sum_157 + sigma_beta * sum_154
-    del product_4, sum_156, sum_154, sum_157
-    sum_159 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    del product_9, sum_156, sum_154, sum_157
+    sum_159 = 5.0 - 5.0 * product_11 - 6.0 * sin_beta_squared
     sum_160 = (6.0 - 2.0 * cos_beta_squared) * baseline_per_path - 13.0 * cos_beta
     sum_161 = 2.0 - 12.0 * cos_beta_squared - baseline_per_path * sum_160
     sum_162 = cos_beta * sum_161 - 2.0 * baseline_per_path
     sum_163 = 1.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_162
-    sum_164 = (
-        384.0 * sum_163 * sum_1_squared
-        - 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_159
-    )
+    sum_164 = 384.0 * sum_163 * sum_1_squared - 576.0 * product_12 * sum_159
     del sum_160, sum_161, sum_162, sum_159, sum_163
-    sum_165 = (
-        64.0 * (1.0 + cos_beta * sum_60) * sum_1_squared_squared * sum_2 * sum_3 * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_164
-    )
+    sum_165 = 64.0 * (1.0 + cos_beta * sum_60) * product_21 - product_12 * sum_164
     sum_166 = 11.0 * baseline_per_path - 5.0 * cos_beta
     sum_167 = cos_beta * (26.0 + cos_beta * sum_166) - 24.0 * baseline_per_path
     sum_168 = 11.0 - 14.0 * cos_beta_squared + baseline_per_path * sum_167
@@ -1178,7 +1128,7 @@ def bistatic_unbiased(
     sum_189 = baseline_per_path * sum_188 - 8.0 * cos_beta_squared
     sum_190 = baseline_per_path * sum_189 + cos_beta
     del sum_186, sum_187, sum_188, sum_189
-    sum_191 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * (5.0 + sin_beta_squared)
+    sum_191 = 8.0 - 11.0 * sin_beta_squared - product_11 * (5.0 + sin_beta_squared)
     sum_192 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_191
     sum_193 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_192
     sum_194 = baseline_per_path * sum_193 - cos_beta
@@ -1206,14 +1156,14 @@ def bistatic_unbiased(
     sum_212 = baseline_per_path * sum_211 - 4.0 * cos_beta_squared
     sum_213 = baseline_per_path * sum_212 + cos_beta
     del sum_209, sum_210, sum_211, sum_212
-    sum_214 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
-    sum_215 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_214
+    sum_214 = 41.0 + 5.0 * product_11 + 6.0 * sin_beta_squared
+    sum_215 = 29.0 - 13.0 * product_11 - sin_beta_squared * sum_214
     sum_216 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_215
     sum_217 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_216
     sum_218 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_217
     del sum_214, sum_215, sum_216, sum_217
     sum_219 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_218
-    sum_220 = 128.0 * rho * sigma_beta * sum_219 - 384.0 * sigma_path_per_path * sin_beta * sum_213
+    sum_220 = 128.0 * product_14 * sum_219 - 384.0 * product_10 * sum_213
     sum_221 = 9.0 * baseline_per_path - 6.0 * cos_beta
     sum_222 = cos_beta * (68.0 + cos_beta * sum_221) - 24.0 * baseline_per_path
     del sum_218, sum_213, sum_219, sum_221
@@ -1224,27 +1174,20 @@ def bistatic_unbiased(
     del sum_222, sum_223, sum_224, sum_225
     sum_227 = baseline_per_path * sum_226 - 42.0 * cos_beta_squared
     sum_228 = 7.0 * cos_beta + baseline_per_path * sum_227
-    sum_229 = (
-        64.0 * sum_1_squared * sum_228
-        - 64.0 * sigma_beta_squared * sum_208
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_220
-    )
+    sum_229 = 64.0 * sum_1_squared * sum_228 - 64.0 * sigma_beta_squared * sum_208 - product_15 * sum_220
     del sum_226, sum_227, sum_208, sum_220, sum_228
     sum_230 = 125.0 - 144.0 * sin_beta_squared
     sum_231 = 112.0 + 96.0 * sin_beta_squared
     sum_232 = 14.0 - 291.0 * sin_beta_squared
-    sum_233 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
-    sum_234 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_233
+    sum_233 = 226.0 + 36.0 * sin_beta_squared + 37.0 * product_11
+    sum_234 = 154.0 - 71.0 * product_11 - sin_beta_squared * sum_233
     sum_235 = cos_beta * sum_232 - baseline_per_path * sum_234
     sum_236 = 172.0 - sin_beta_squared * sum_231 + baseline_per_path * sum_235
     del sum_233, sum_232, sum_234, sum_231, sum_235
     sum_237 = cos_beta * sum_230 - baseline_per_path * sum_236
     sum_238 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_237
-    sum_239 = (
-        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_238
-        - rho * sum_229
-    )
-    del sum_230, sum_236, sum_237, sum_229, sum_238
+    sum_239 = 32.0 * product_23 * sum_238 - rho * sum_229
+    del sum_230, sum_236, sum_237, product_23, sum_229, sum_238
     sum_240 = 3.0 * baseline_per_path - 3.0 * cos_beta
     sum_241 = cos_beta * (17.0 + cos_beta * sum_240) - 6.0 * baseline_per_path
     sum_242 = 14.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_241
@@ -1257,11 +1200,11 @@ def bistatic_unbiased(
     sum_248 = (
         128.0 * sum_1_squared * sum_247
         - 16.0 * sigma_beta_squared * sum_190
-        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_194
+        - 192.0 * product_12 * sum_194
         - rho * sum_239
     )
     del sum_244, sum_245, sum_246, sum_190, sum_194, sum_239, sum_247
-    sum_249 = sum_176 * sum_3_squared * term_4 - sigma_path_per_path_squared * sum_248
+    sum_249 = product_20 * sum_176 - sigma_path_per_path_squared * sum_248
     sum_250 = 124.0 - 68.0 * cos_beta_squared
     sum_251 = 19.0 * baseline_per_path - 28.0 * cos_beta
     sum_252 = 143.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_251
@@ -1276,131 +1219,118 @@ def bistatic_unbiased(
     sum_259 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
     sum_260 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
     sum_261 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_262 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
-    sum_263 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_262
+    sum_262 = 29.0 + 2.0 * sin_beta_squared + 4.0 * product_11
+    sum_263 = 32.0 + 6.0 * product_11 + sin_beta_squared * sum_262
+    del sum_256, sum_257, product_11, sum_262
     sum_264 = 3.0 - sin_beta_squared * sum_263 + product_1
-    del sum_256, sum_257, sum_262, product_1, sum_263
     sum_265 = baseline_per_path * sum_264 + cos_beta * sum_261
+    del product_1, sum_263, sum_261, sum_264
     sum_266 = 21.0 - baseline_per_path * sum_265 + sin_beta_squared * sum_260
-    del sum_261, sum_264, sum_260, sum_265
     sum_267 = cos_beta * sum_259 - baseline_per_path * sum_266
+    del sum_260, sum_265, sum_259, sum_266
     sum_268 = 1.0 + baseline_per_path * sum_267 + (38.0 - 36.0 * sin_beta_squared) * sin_beta_squared
     sum_269 = baseline_per_path * sum_268 - 4.0 * cos_beta
-    del sum_259, sum_266, sum_267, sum_268
     sum_270 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_269
     sum_271 = 32.0 * sum_1_squared * sum_258 + 48.0 * sigma_beta_squared * sum_270
-    sum_272 = rho * sigma_beta * sigma_path_per_path * sum_2 * sum_271 * sum_3 + sin_beta * sum_249
-    del sum_269, sum_258, sum_270, sum_249, sum_271
+    del sum_267, sum_268, sum_269, sum_258, sum_270
+    sum_272 = product_13 * product_24 * sum_271 + sin_beta * sum_249
+    del product_13, product_24, sum_249, sum_271
     sum_273 = sigma_beta * sum_272 - rho * sigma_path_per_path * sum_165
-    sum_274 = (
-        384.0 * sum_155 * sum_1_squared
-        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
-    )
-    sum_275 = (
-        64.0 * sum_1_squared_squared * sum_61_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_274
-    )
-    del sum_165, sum_272, sum_155, sum_274, sum_61_squared
-    sum_276 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_275 + sigma_beta * sum_273
+    sum_274 = 384.0 * product_26 + 576.0 * product_12
+    sum_275 = 64.0 * product_27 + product_12 * sum_274
+    del sum_165, sum_272, product_26, product_27, sum_274
+    product_25 = sigma_path_per_path_squared * sum_275
+    sum_276 = cos_beta * product_25 * sin_beta + sigma_beta * sum_273
+    del sigma_path_per_path_squared, sum_275, sin_beta, sum_273
     sum_277 = 1.0 + 6.0 * cos_beta_squared + (product_7 - 8.0 * cos_beta) * baseline_per_path
     sum_278 = baseline_per_path * sum_277 - 2.0 * cos_beta
-    sum_279 = (
-        3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_170
-        + 768.0 * sum_1_squared * sum_278
-    )
-    del sum_273, product_7, sum_277, sum_278
-    sum_280 = (
-        128.0 * sum_170 * sum_1_squared_squared * sum_2 * sum_3 * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_279
-    )
+    sum_279 = 3456.0 * product_12 * sum_170 + 768.0 * sum_1_squared * sum_278
+    sum_280 = 128.0 * product_21 * sum_170 - product_12 * sum_279
+    del product_7, sum_277, sum_278, product_12, product_21, sum_279
     sum_281 = 20.0 * baseline_per_path - 22.0 * cos_beta
     sum_282 = 31.0 - 5.0 * cos_beta_squared - baseline_per_path * sum_281
-    del sum_1_squared_squared, sum_279, sum_61, sum_281
     sum_283 = cos_beta * sum_282 - 32.0 * baseline_per_path
     sum_284 = 20.0 - 24.0 * baseline_per_path_squared - cos_beta * sum_283
     sum_285 = (16.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_284
+    del sum_281, sum_282, sum_283, sum_284
     sum_286 = 3.0 - 5.0 * cos_beta_squared + baseline_per_path * sum_285
-    del sum_282, sum_283, sum_284, sum_285
     sum_287 = 32.0 * sigma_beta_squared * sum_286 + 64.0 * sum_170**2 * sum_1_squared
     sum_288 = 16.0 * sigma_beta_squared_squared * sum_175**2 + sum_1_squared * sum_287
+    del sum_285, sum_286, sigma_beta_squared_squared, sum_287
     sum_289 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
     sum_290 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_289
-    del sum_286, sigma_beta_squared_squared, sum_287, sum_289
     sum_291 = 67.0 - baseline_per_path * sum_290 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
     sum_292 = baseline_per_path * sum_291 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
     sum_293 = 86.0 - baseline_per_path * sum_292 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    del sum_289, sum_290, sum_291, sum_292
     sum_294 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_293
-    del sum_290, sum_291, sum_292, sum_293
     sum_295 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_294
     sum_296 = baseline_per_path * sum_295 - 8.0 * cos_beta
     sum_297 = 1.0 + baseline_per_path * sum_296
+    del sum_293, sum_294, sum_295, sum_296
     sum_298 = 146.0 + 21.0 * sin_beta_squared
     sum_299 = 112.0 + 164.0 * sin_beta_squared
     sum_300 = 214.0 + 18.0 * sin_beta_squared
     sum_301 = 140.0 + 76.0 * sin_beta_squared
     sum_302 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
     sum_303 = cos_beta * sum_301 - baseline_per_path * sum_302
-    del sum_294, sum_295, sum_296, sum_301, sum_302
     sum_304 = 76.0 - baseline_per_path * sum_303 - sin_beta_squared * sum_300
+    del sum_301, sum_302, sum_300, sum_303
     sum_305 = baseline_per_path * sum_304 + cos_beta * sum_299
-    del sum_300, sum_303, sum_299, sum_304
     sum_306 = 122.0 - baseline_per_path * sum_305 - sin_beta_squared * sum_298
+    del sum_299, sum_304, sum_298, sum_305
     sum_307 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_306
     sum_308 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_307
-    del sum_298, sum_305, sum_306, sum_307
     sum_309 = baseline_per_path * sum_308 - 8.0 * cos_beta
     sum_310 = 16.0 + 128.0 * rho_squared * sum_297 + 16.0 * baseline_per_path * sum_309
+    del sum_306, sum_307, sum_308, sum_297, sum_309
     sum_311 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
     sum_312 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_311
-    del sum_308, sum_297, sum_309, sum_311
     sum_313 = 4.0 * cos_beta + baseline_per_path * sum_312
     sum_314 = 1.0 - baseline_per_path * sum_313
     sum_315 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
     sum_316 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_315
+    del sum_311, sum_312, sum_313, sum_315
     sum_317 = baseline_per_path * sum_316 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
-    del sum_312, sum_313, sum_315, sum_316
     sum_318 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_317
     sum_319 = baseline_per_path * sum_318 - 4.0 * cos_beta
     sum_320 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
     sum_321 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_320
+    del sum_316, sum_317, sum_318, sum_320
     sum_322 = 4.0 * cos_beta + baseline_per_path * sum_321
-    del sum_317, sum_318, sum_320, sum_321
     sum_323 = 1.0 - baseline_per_path * sum_322
     sum_324 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
     sum_325 = baseline_per_path * sum_324 - 4.0 * cos_beta
+    del sum_321, sum_322, product_5, sum_324
     sum_326 = 1.0 + baseline_per_path * sum_325
-    del sum_322, product_5, sum_324, sum_325
-    sum_327 = 384.0 * sigma_path_per_path * sin_beta * sum_323 + 768.0 * rho * sigma_beta * sum_170 * sum_326
+    sum_327 = 384.0 * product_10 * sum_323 + 768.0 * product_14 * sum_170 * sum_326
+    del sum_325, product_14, sum_170, sum_323
     sum_328 = 192.0 * sigma_beta * sum_319 + rho * sum_327
-    del sum_170, sum_323, sum_319, sum_327
-    sum_329 = 192.0 * sigma_path_per_path * sin_beta * sum_314 + rho * sum_328
-    sum_330 = (
-        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_329
-        - sigma_beta_squared * sum_310
-    )
-    del sum_314, sum_328, sum_310, sum_329
+    sum_329 = 192.0 * product_10 * sum_314 + rho * sum_328
+    del sum_319, sum_327, product_10, sum_314, sum_328
+    sum_330 = product_15 * sum_329 - sigma_beta_squared * sum_310
     sum_331 = 10.0 * baseline_per_path - 6.0 * cos_beta
     sum_332 = cos_beta * (48.0 + cos_beta * sum_331) - 33.0 * baseline_per_path
+    del product_15, sum_310, sum_329, sum_331
     sum_333 = 72.0 - 42.0 * cos_beta_squared + baseline_per_path * sum_332
     sum_334 = (44.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_333
     sum_335 = 14.0 - 48.0 * baseline_per_path_squared - cos_beta * sum_334
-    del sum_331, sum_332, sum_333, sum_334
     sum_336 = 15.0 - 24.0 * baseline_per_path_squared
     sum_337 = cos_beta * sum_335 - baseline_per_path * sum_336
+    del sum_332, sum_333, sum_334, sum_335, sum_336
     sum_338 = (9.0 - 24.0 * cos_beta_squared) * cos_beta_squared - baseline_per_path * sum_337
     sum_339 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_338
-    del sum_335, sum_336, sum_337, sum_338
     sum_340 = 124.0 - 14.0 * cos_beta_squared
     sum_341 = 11.0 * baseline_per_path - 6.0 * cos_beta
     sum_342 = cos_beta * (102.0 + cos_beta * sum_341) - 54.0 * baseline_per_path
     sum_343 = 171.0 - 84.0 * cos_beta_squared + baseline_per_path * sum_342
+    del sum_337, sum_338, sum_341, sum_342
     sum_344 = cos_beta * sum_340 - baseline_per_path * sum_343
-    del sum_341, sum_342, sum_340, sum_343
     sum_345 = 10.0 - 126.0 * baseline_per_path_squared - cos_beta * sum_344
     sum_346 = 12.0 - 48.0 * baseline_per_path_squared
     sum_347 = cos_beta * sum_345 - baseline_per_path * sum_346
+    del sum_340, sum_343, sum_344, sum_345, sum_346
     sum_348 = 6.0 - baseline_per_path * sum_347 - (12.0 + 69.0 * cos_beta_squared) * cos_beta_squared
-    del sum_344, sum_345, sum_346, sum_347
     sum_349 = (12.0 - 42.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_348
     sum_350 = 2.0 - 7.0 * cos_beta_squared - baseline_per_path * sum_349
     sum_351 = (
@@ -1409,7 +1339,7 @@ def bistatic_unbiased(
         - 64.0 * baseline_per_path * sum_339
         + 64.0 * rho_squared * sum_350
     )
-    del sum_348, sum_349, rho_squared, sum_339, sum_350
+    del sum_347, sum_348, sum_349, rho_squared, sum_339, sum_350
     sum_352 = sin_beta_squared * sum_330 + sum_1_squared * sum_351
     sum_353 = 19.0 * baseline_per_path - 18.0 * cos_beta
     sum_354 = 101.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_353
@@ -1422,22 +1352,22 @@ def bistatic_unbiased(
     sum_359 = baseline_per_path * sum_358 - 10.0 * cos_beta
     sum_360 = 64.0 * sum_1_squared * sum_359 - 96.0 * sigma_beta_squared * sum_175 * sum_326
     del baseline_per_path, cos_beta, sum_358, sigma_beta_squared, sum_175, sum_1_squared, sum_326, sum_359
-    sum_361 = rho * sigma_beta * sin_beta * sum_2 * sum_3 * sum_360 - sigma_path_per_path * sum_352
-    del sum_2, sum_3, sum_352, sum_360
-    sum_362 = sigma_path_per_path * sum_361 + sum_288 * sum_3_squared * term_4
-    del sum_288, sum_361, sum_3_squared, term_4
-    sum_363 = sigma_beta * sum_362 - rho * sigma_path_per_path * sin_beta * sum_280
-    del sigma_path_per_path, sin_beta, sum_280, sum_362
-    sum_364 = sigma_path_per_path_squared * sin_beta_squared * sum_275 + sigma_beta * sum_363
-    del sigma_path_per_path_squared, sin_beta_squared, sum_275, sum_363
-    mean[..., 0] = path * sum_27 * term_2
-    mean[..., 1] = path * sum_54 * term_2
-    covariance[..., 0, 0] = path_squared * sum_158 * term_3
-    del sum_27, sum_54, term_2, sum_158
-    covariance[..., 0, 1] = path_squared * sum_276 * term_3
+    sum_361 = product_28 * sum_360 - sigma_path_per_path * sum_352
+    sum_362 = product_20 * sum_288 + sigma_path_per_path * sum_361
+    del product_28, sum_352, sum_360, product_20, sigma_path_per_path, sum_288, sum_361
+    sum_363 = sigma_beta * sum_362 - product_16 * sum_280
+    sum_364 = product_25 * sin_beta_squared + sigma_beta * sum_363
+    del product_16, sum_280, sum_362, product_25, sin_beta_squared, sum_363
+    product_22 = path * term_2
+    product_18 = path_squared * term_3
+    mean[..., 0] = product_22 * sum_27
+    del term_2, path_squared, term_3, sum_27
+    mean[..., 1] = product_22 * sum_54
+    covariance[..., 0, 0] = product_18 * sum_158
+    covariance[..., 0, 1] = product_18 * sum_276
+    del product_22, sum_54, sum_158, sum_276
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_364 * term_3
-    del sum_276, path_squared, sum_364, term_3
+    covariance[..., 1, 1] = product_18 * sum_364
 
 
 def bistatic_posterior(
@@ -1459,10 +1389,11 @@ def bistatic_posterior(
     baseline_per_path = baseline * term_1
     sigma_path_per_path = sigma_path * term_1
     cos_beta = np.cos(beta)
-    product_1 = -2.0 * baseline_per_path * cos_beta
+    product_13 = baseline_per_path * cos_beta
+    product_1 = -2.0 * product_13
     divisor_1 = 2.0 + product_1
     term_2 = 1.0 / (divisor_1 * (divisor_1**2)**2)
-    product_2 = baseline_per_path * cos_beta
+    product_2 = product_13
     sum_1 = product_2 - 1.0
     sum_1_squared = sum_1**2
     sigma_path_per_path_squared = sigma_path_per_path**2
@@ -1473,48 +1404,50 @@ def bistatic_posterior(
     sum_1_squared_squared = sum_1_squared**2
     sum_3 = 1.0 - baseline_per_path
     sum_4 = 1.0 + baseline_per_path
-    sum_5 = (
-        16.0 * sum_1_squared_squared * sum_3 * sum_4
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_2
-    )
+    product_15 = sum_3 * sum_4
+    product_19 = product_15 * sum_1_squared_squared
+    product_11 = baseline_per_path_squared * sigma_path_per_path_squared
+    product_14 = product_11 * sin_beta_squared
+    sum_5 = 16.0 * product_19 - product_14 * sum_2
+    del term_1, sum_1, sum_3, sum_2
     sum_6 = baseline_per_path * (1.0 + product_2) - 3.0 * cos_beta
-    del term_1, sum_1, sum_2, product_2
     sum_7 = 1.0 + baseline_per_path * sum_6
     cos_beta_squared = cos_beta**2
     sum_8 = (3.0 - cos_beta_squared) * baseline_per_path - 3.0 * cos_beta
-    sum_9 = (
-        16.0 * sum_1_squared * sum_7
-        + 48.0 * baseline_per_path_squared * (1.0 + cos_beta * sum_8) * sigma_path_per_path_squared
-    )
+    sum_9 = 16.0 * sum_1_squared * sum_7 + 48.0 * (1.0 + cos_beta * sum_8) * product_11
+    del product_2, sum_6, sum_7, sum_8
     product_3 = (20.0 - cos_beta_squared) * baseline_per_path
     sum_10 = 20.0 + (product_3 - 11.0 * cos_beta) * cos_beta
     sum_11 = cos_beta * sum_10 - 24.0 * baseline_per_path
-    del sum_6, sum_7, sum_8, sum_10
     sum_12 = 8.0 - 11.0 * cos_beta_squared + baseline_per_path * sum_11
     sigma_beta_squared = sigma_beta**2
     sum_13 = baseline_per_path * sum_12 - cos_beta
     product_4 = (2.0 - cos_beta_squared) * baseline_per_path
     sum_14 = 8.0 * (product_4 - cos_beta) * sum_1_squared - 2.0 * sigma_beta_squared * sum_13
+    del sum_10, sum_11, sum_12, sum_13
     product_5 = (6.0 - cos_beta_squared) * baseline_per_path
     sum_15 = 29.0 - 3.0 * cos_beta_squared - (product_5 - 11.0 * cos_beta) * baseline_per_path
     sum_16 = cos_beta * sum_15 - 18.0 * baseline_per_path
-    del sum_11, sum_12, sum_13, sum_15
     sum_17 = 7.0 - 17.0 * cos_beta_squared + baseline_per_path * sum_16
     sum_18 = baseline_per_path * sum_17 - 5.0 * cos_beta
     sum_19 = 1.0 + baseline_per_path * sum_18
+    del sum_15, sum_16, sum_17, sum_18
     sum_20 = 4.0 * baseline_per_path - 3.0 * cos_beta
     sum_21 = cos_beta * (13.0 + cos_beta * sum_20) - 6.0 * baseline_per_path
-    del sum_16, sum_17, sum_18, sum_20
     sum_22 = 7.0 - 9.0 * cos_beta_squared + baseline_per_path * sum_21
     rho_squared = rho**2
     sum_23 = cos_beta * sum_22 - 6.0 * baseline_per_path
+    product_16 = rho * sigma_beta
+    product_21 = product_16 * sin_beta
     sum_24 = (
-        8.0 * rho * sigma_beta * sin_beta * sum_19
+        8.0 * product_21 * sum_19
         + (8.0 + 16.0 * rho_squared) * baseline_per_path_squared * sigma_path_per_path * sum_23
     )
-    del sum_21, sum_22, sum_19, sum_23
-    sum_25 = sigma_path_per_path * sum_24 + sum_14 * sum_3 * sum_4
-    sum_26 = sigma_beta * sum_25 - rho * sigma_path_per_path * sin_beta * sum_9
+    del sum_20, sum_21, sum_22, sum_19, sum_23
+    sum_25 = product_15 * sum_14 + sigma_path_per_path * sum_24
+    product_12 = sigma_path_per_path * sin_beta
+    product_18 = product_12 * rho
+    sum_26 = sigma_beta * sum_25 - product_18 * sum_9
     del sum_14, sum_24, sum_25, sum_9
     sum_27 = cos_beta * sum_5 + sigma_beta * sum_26
     sum_28 = 2.0 * baseline_per_path - cos_beta
@@ -1534,13 +1467,10 @@ def bistatic_posterior(
     sum_39 = baseline_per_path * (3.0 + sin_beta_squared) - 3.0 * cos_beta
     sum_40 = cos_beta * (5.0 + cos_beta * sum_28) - 4.0 * baseline_per_path
     sum_41 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_40
-    sum_42 = (
-        (24.0 + 48.0 * rho_squared) * sigma_beta * sum_41
-        - 48.0 * rho * sigma_path_per_path * sin_beta * sum_39
-    )
+    sum_42 = (24.0 + 48.0 * rho_squared) * sigma_beta * sum_41 - 48.0 * product_18 * sum_39
     del sum_37, sum_28, sum_40, sum_39, sum_41
     sum_43 = sin_beta_squared * sum_38 - sigma_beta * sum_42
-    sum_44 = sum_3 * sum_36 * sum_4 - baseline_per_path_squared * sigma_path_per_path_squared * sum_43
+    sum_44 = product_15 * sum_36 - product_11 * sum_43
     del sum_38, sum_42, sum_36, sum_43
     sum_45 = 3.0 * cos_beta_squared + (product_4 - 3.0 * cos_beta) * baseline_per_path
     sum_46 = baseline_per_path * sum_45 - cos_beta
@@ -1553,7 +1483,8 @@ def bistatic_posterior(
     sum_52 = baseline_per_path * sum_51 + cos_beta
     sum_53 = 16.0 * sum_1_squared * sum_46 + 8.0 * sigma_beta_squared * sum_52
     del sum_49, sum_50, sum_51, sum_46, sum_52
-    sum_54 = sin_beta * sum_44 - rho * sigma_beta * sigma_path_per_path * sum_53
+    product_26 = product_16 * sigma_path_per_path
+    sum_54 = sin_beta * sum_44 - product_26 * sum_53
     term_3 = 1.0 / ((divisor_1**2)**2)**2
     path_squared = path**2
     sum_55 = (2.0 - 3.0 * sin_beta_squared) * cos_beta - (2.0 - 2.0 * sin_beta_squared) * baseline_per_path
@@ -1562,79 +1493,69 @@ def bistatic_posterior(
     sum_57 = cos_beta * sum_56 - 4.0 * baseline_per_path
     del sum_44, sum_53, divisor_1, sum_56
     sum_58 = 1.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_57
-    sum_59 = (
-        256.0 * cos_beta * sum_1_squared * sum_58
-        - 1152.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_55
-    )
+    sum_59 = 256.0 * cos_beta * sum_1_squared * sum_58 - 1152.0 * product_14 * sum_55
     sum_60 = baseline_per_path - 2.0 * cos_beta
     sum_61 = 1.0 + baseline_per_path * sum_60
-    sum_62 = (
-        128.0 * cos_beta * sum_1_squared_squared * sum_3 * sum_4 * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sum_59
-    )
-    del sum_57, sum_55, sum_58, sum_59
+    product_23 = product_19 * sum_61
+    del sum_57, sum_55, sum_58, product_19
+    sum_62 = 128.0 * cos_beta * product_23 - product_11 * sum_59
     sum_4_squared = sum_4**2
     term_4 = (baseline_per_path - 1.0)**2
     sum_63 = (18.0 - 3.0 * cos_beta_squared) * baseline_per_path - 10.0 * cos_beta
     sum_64 = cos_beta * (12.0 + cos_beta * sum_63) - 16.0 * baseline_per_path
     sum_65 = 2.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_64
+    del sum_59, sum_4, sum_63, sum_64
     sum_66 = 64.0 * sin_beta_squared * sum_1_squared - 32.0 * sigma_beta_squared * sum_65
     sum_67 = 1.0 - (product_5 - 4.0 * cos_beta) * baseline_per_path
     sum_68 = 16.0 * sigma_beta_squared_squared * sin_beta_squared * sum_67**2 + sum_1_squared * sum_66
-    del sum_63, sum_64, sum_65, sum_66
     product_7 = cos_beta * cos_beta_squared
     sum_69 = (22.0 - 3.0 * cos_beta_squared) * baseline_per_path - 60.0 * cos_beta
     sum_70 = 45.0 - 45.0 * cos_beta_squared - baseline_per_path * sum_69
     sum_71 = cos_beta * sum_70 - 28.0 * baseline_per_path
+    del sum_65, sum_66, sum_69, sum_70
     sum_72 = 12.0 * product_7 + (4.0 - cos_beta * sum_71) * baseline_per_path
     sum_73 = baseline_per_path * sum_72 - 3.0 * cos_beta_squared
-    del sum_69, sum_70, sum_71, sum_72
     sum_74 = 2.0 * baseline_per_path - 3.0 * cos_beta
     sum_75 = 7.0 - 3.0 * cos_beta_squared - (product_4 - 4.0 * cos_beta) * baseline_per_path
     sum_76 = cos_beta * sum_75 - 4.0 * baseline_per_path
+    del sum_71, sum_72, product_4, sum_75
     sum_77 = baseline_per_path * sum_76 - 4.0 * cos_beta_squared
     sum_78 = baseline_per_path * sum_77 + cos_beta
-    del product_4, sum_75, sum_76, sum_77
-    sum_79 = (
-        256.0 * (1.0 + cos_beta * sum_74) * rho * sigma_beta * sum_78
-        - 128.0 * sigma_path_per_path * sin_beta * sum_73
-    )
+    sum_79 = 256.0 * (1.0 + cos_beta * sum_74) * product_16 * sum_78 - 128.0 * product_12 * sum_73
+    del sum_76, sum_77, sum_73, sum_74
     sum_80 = 105.0 - 12.0 * cos_beta_squared
     sum_81 = 128.0 - 46.0 * cos_beta_squared
     sum_82 = 72.0 - 9.0 * cos_beta_squared - (product_6 - 10.0 * cos_beta) * baseline_per_path
     sum_83 = cos_beta * sum_82 - 38.0 * baseline_per_path
     sum_84 = 93.0 - 4.0 * baseline_per_path_squared - cos_beta * sum_83
-    del sum_73, sum_74, sum_82, sum_83
     sum_85 = cos_beta * sum_81 - baseline_per_path * sum_84
+    del sum_82, sum_83, sum_81, sum_84
     sum_86 = 114.0 - cos_beta_squared * sum_80 + baseline_per_path * sum_85
-    del sum_81, sum_84, sum_80, sum_85
     sum_87 = 74.0 - 28.0 * baseline_per_path_squared
     sum_88 = cos_beta * sum_86 - baseline_per_path * sum_87
+    del sum_80, sum_85, sum_86, sum_87
     sum_89 = 2.0 - baseline_per_path * sum_88 + (66.0 - 36.0 * cos_beta_squared) * cos_beta_squared
     sum_90 = 7.0 - 22.0 * baseline_per_path_squared
     sum_91 = baseline_per_path * sum_90 + cos_beta * sum_89
-    del sum_86, sum_87, sum_88, sum_89, sum_90
     sum_92 = 1.0 - baseline_per_path * sum_91 + (10.0 + 13.0 * cos_beta_squared) * cos_beta_squared
+    del sum_88, sum_89, sum_90, sum_91
     sum_93 = baseline_per_path * sum_92 - 8.0 * product_7
     sum_94 = baseline_per_path * sum_93 + cos_beta_squared
     product_8 = (46.0 - 14.0 * cos_beta_squared) * cos_beta
     sum_95 = 3.0 * baseline_per_path - 6.0 * cos_beta
     sum_96 = cos_beta * (32.0 + cos_beta * sum_95) - 5.0 * baseline_per_path
-    del sum_91, sum_92, sum_93, sum_95
     sum_97 = 51.0 - 40.0 * cos_beta_squared + baseline_per_path * sum_96
+    del sum_92, sum_93, sum_95, sum_96
     sum_98 = product_8 - baseline_per_path * sum_97
     sum_99 = 8.0 - 22.0 * baseline_per_path_squared - cos_beta * sum_98
     sum_100 = (9.0 - 33.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_99
-    del sum_96, sum_97, sum_98, sum_99
     sum_101 = 2.0 - 5.0 * baseline_per_path_squared - cos_beta * sum_100
+    del sum_97, sum_98, sum_99, sum_100
     sum_102 = baseline_per_path * sum_101 + (6.0 - 18.0 * cos_beta_squared) * cos_beta
     sum_103 = 1.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_102
-    sum_104 = (
-        128.0 * sigma_beta_squared * sum_94
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_79
-        + 64.0 * sum_103 * sum_1_squared
-    )
-    del sum_100, sum_101, sum_102, sum_103, sum_79, sum_94
+    product_17 = baseline_per_path_squared * product_12
+    sum_104 = 128.0 * sigma_beta_squared * sum_94 - product_17 * sum_79 + 64.0 * sum_103 * sum_1_squared
+    del sum_101, sum_102, sum_103, sum_79, sum_94
     sum_105 = 5.0 * baseline_per_path - 9.0 * cos_beta
     sum_106 = cos_beta * (48.0 + cos_beta * sum_105) - 10.0 * baseline_per_path
     sum_107 = 81.0 - 51.0 * cos_beta_squared + baseline_per_path * sum_106
@@ -1645,10 +1566,8 @@ def bistatic_posterior(
     sum_111 = 1.0 - 6.0 * cos_beta_squared - baseline_per_path * sum_110
     product_9 = baseline_per_path * baseline_per_path_squared
     sum_112 = cos_beta * sum_111 - 10.0 * product_9
-    sum_113 = (
-        128.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_112
-        - rho * sum_104
-    )
+    product_25 = product_17 * sigma_beta
+    sum_113 = 128.0 * product_25 * sum_112 - rho * sum_104
     del sum_109, sum_110, sum_111, sum_104, sum_112
     sum_114 = 120.0 - 72.0 * cos_beta_squared
     sum_115 = 204.0 - 21.0 * cos_beta_squared
@@ -1690,7 +1609,7 @@ def bistatic_posterior(
     sum_144 = (
         16.0 * sigma_beta_squared * sum_129
         - rho * sum_113
-        + 64.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_143
+        + 64.0 * product_14 * sum_143
         + 64.0 * sum_138 * sum_1_squared
     )
     del sum_140, sum_141, sum_142, sum_113, sum_129, sum_138, sum_143
@@ -1702,36 +1621,33 @@ def bistatic_posterior(
     del sum_145, sum_146, sum_147, sum_148
     sum_150 = baseline_per_path * sum_149 - 3.0 * cos_beta
     sum_151 = 128.0 * sum_150 * sum_1_squared + 96.0 * sigma_beta_squared * sum_67 * sum_78
-    sum_152 = rho * sigma_beta * sin_beta * sum_151 * sum_3 * sum_4 - sigma_path_per_path * sum_144
-    del sum_149, sum_150, sum_78, sum_144, sum_151
-    sum_153 = sum_4_squared * sum_68 * term_4 - sigma_path_per_path * sum_152
-    sum_154 = sigma_beta * sum_153 - rho * sigma_path_per_path * sin_beta * sum_62
+    product_30 = product_15 * product_21
+    del sum_149, sum_150, sum_78, product_21
+    sum_152 = product_30 * sum_151 - sigma_path_per_path * sum_144
+    product_22 = sum_4_squared * term_4
+    del sum_144, sum_151, sum_4_squared, term_4
+    sum_153 = product_22 * sum_68 - sigma_path_per_path * sum_152
+    sum_154 = sigma_beta * sum_153 - product_18 * sum_62
     del sum_152, sum_68, sum_153, sum_62
     sum_61_squared = sum_61**2
     sum_155 = 3.0 + (product_6 - 6.0 * cos_beta) * baseline_per_path
+    product_28 = sum_155 * sum_1_squared
     sum_156 = (
-        128.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * sum_155 * sum_1_squared
-        + 576.0 * (1.0 - sin_beta) * baseline_per_path_squared * sigma_path_per_path_squared * (1.0 + sin_beta) * sin_beta_squared**2
+        128.0 * (1.0 - cos_beta) * (1.0 + cos_beta) * cos_beta_squared * product_28
+        + 576.0 * (1.0 - sin_beta) * product_11 * (1.0 + sin_beta) * sin_beta_squared**2
     )
-    sum_157 = (
-        64.0 * cos_beta_squared * sum_1_squared_squared * sum_61_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sum_156
-    )
+    product_29 = sum_1_squared_squared * sum_61_squared
+    del sum_61, product_6, sum_155, sum_1_squared_squared, sum_61_squared
+    sum_157 = 64.0 * cos_beta_squared * product_29 + product_11 * sum_156
     sum_158 = sigma_path_per_path_squared * sum_157 + sigma_beta * sum_154
-    del product_6, sum_156, sum_154, sum_157
-    sum_159 = 5.0 - 5.0 * baseline_per_path * cos_beta - 6.0 * sin_beta_squared
+    del product_11, sum_156, sum_154, sum_157
+    sum_159 = 5.0 - 5.0 * product_13 - 6.0 * sin_beta_squared
     sum_160 = (12.0 - 2.0 * cos_beta_squared) * baseline_per_path - 31.0 * cos_beta
     sum_161 = 24.0 * product_7 + baseline_per_path * (4.0 + cos_beta * sum_160)
     sum_162 = 1.0 - 8.0 * cos_beta_squared + baseline_per_path * sum_161
-    sum_163 = (
-        128.0 * sum_162 * sum_1_squared
-        - 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_159
-    )
+    sum_163 = 128.0 * sum_162 * sum_1_squared - 576.0 * product_14 * sum_159
     del product_7, sum_160, sum_161, sum_159, sum_162
-    sum_164 = (
-        64.0 * (1.0 + cos_beta * sum_60) * sum_1_squared_squared * sum_3 * sum_4 * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_163
-    )
+    sum_164 = 64.0 * (1.0 + cos_beta * sum_60) * product_23 - product_14 * sum_163
     sum_165 = 7.0 * baseline_per_path - 3.0 * cos_beta
     sum_166 = cos_beta * (18.0 + cos_beta * sum_165) - 16.0 * baseline_per_path
     sum_167 = 7.0 - 10.0 * cos_beta_squared + baseline_per_path * sum_166
@@ -1763,7 +1679,7 @@ def bistatic_posterior(
     sum_188 = baseline_per_path * sum_187 - 8.0 * cos_beta_squared
     sum_189 = baseline_per_path * sum_188 + cos_beta
     del sum_185, sum_186, sum_187, sum_188
-    sum_190 = 8.0 - 11.0 * sin_beta_squared - baseline_per_path * cos_beta * (5.0 + sin_beta_squared)
+    sum_190 = 8.0 - 11.0 * sin_beta_squared - product_13 * (5.0 + sin_beta_squared)
     sum_191 = 6.0 * cos_beta * sin_beta_squared + baseline_per_path * sum_190
     sum_192 = 4.0 - 4.0 * sin_beta_squared - baseline_per_path * sum_191
     sum_193 = baseline_per_path * sum_192 - cos_beta
@@ -1791,14 +1707,14 @@ def bistatic_posterior(
     sum_211 = baseline_per_path * sum_210 - 4.0 * cos_beta_squared
     sum_212 = baseline_per_path * sum_211 + cos_beta
     del sum_208, sum_209, sum_210, sum_211
-    sum_213 = 41.0 + 5.0 * baseline_per_path * cos_beta + 6.0 * sin_beta_squared
-    sum_214 = 29.0 - 13.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_213
+    sum_213 = 41.0 + 5.0 * product_13 + 6.0 * sin_beta_squared
+    sum_214 = 29.0 - 13.0 * product_13 - sin_beta_squared * sum_213
     sum_215 = (4.0 - 51.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_214
     sum_216 = 32.0 - (17.0 + 18.0 * sin_beta_squared) * sin_beta_squared + baseline_per_path * sum_215
     sum_217 = (25.0 - 24.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_216
     del sum_213, sum_214, sum_215, sum_216
     sum_218 = 5.0 - 6.0 * sin_beta_squared - baseline_per_path * sum_217
-    sum_219 = 128.0 * rho * sigma_beta * sum_218 - 384.0 * sigma_path_per_path * sin_beta * sum_212
+    sum_219 = 128.0 * product_16 * sum_218 - 384.0 * product_12 * sum_212
     sum_220 = 5.0 * baseline_per_path - 6.0 * cos_beta
     sum_221 = cos_beta * (52.0 + cos_beta * sum_220) - 16.0 * baseline_per_path
     del sum_217, sum_212, sum_218, sum_220
@@ -1809,27 +1725,20 @@ def bistatic_posterior(
     sum_225 = baseline_per_path * sum_224 + (6.0 + 33.0 * cos_beta_squared) * cos_beta
     sum_226 = baseline_per_path * sum_225 - 18.0 * cos_beta_squared
     sum_227 = 3.0 * cos_beta + baseline_per_path * sum_226
-    sum_228 = (
-        64.0 * sum_1_squared * sum_227
-        - 64.0 * sigma_beta_squared * sum_207
-        - baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_219
-    )
+    sum_228 = 64.0 * sum_1_squared * sum_227 - 64.0 * sigma_beta_squared * sum_207 - product_17 * sum_219
     del sum_224, sum_225, sum_226, sum_207, sum_219, sum_227
     sum_229 = 125.0 - 144.0 * sin_beta_squared
     sum_230 = 112.0 + 96.0 * sin_beta_squared
     sum_231 = 14.0 - 291.0 * sin_beta_squared
-    sum_232 = 226.0 + 36.0 * sin_beta_squared + 37.0 * baseline_per_path * cos_beta
-    sum_233 = 154.0 - 71.0 * baseline_per_path * cos_beta - sin_beta_squared * sum_232
+    sum_232 = 226.0 + 36.0 * sin_beta_squared + 37.0 * product_13
+    sum_233 = 154.0 - 71.0 * product_13 - sin_beta_squared * sum_232
     sum_234 = cos_beta * sum_231 - baseline_per_path * sum_233
     sum_235 = 172.0 - sin_beta_squared * sum_230 + baseline_per_path * sum_234
     del sum_232, sum_231, sum_233, sum_230, sum_234
     sum_236 = cos_beta * sum_229 - baseline_per_path * sum_235
     sum_237 = 22.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_236
-    sum_238 = (
-        32.0 * baseline_per_path_squared * sigma_beta * sigma_path_per_path * sin_beta * sum_237
-        - rho * sum_228
-    )
-    del sum_229, sum_235, sum_236, sum_228, sum_237
+    sum_238 = 32.0 * product_25 * sum_237 - rho * sum_228
+    del sum_229, sum_235, sum_236, product_25, sum_228, sum_237
     sum_239 = cos_beta * (13.0 + cos_beta * sum_169) - 4.0 * baseline_per_path
     sum_240 = 10.0 - 13.0 * cos_beta_squared + baseline_per_path * sum_239
     sum_241 = (13.0 - 3.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_240
@@ -1841,11 +1750,11 @@ def bistatic_posterior(
     sum_246 = (
         128.0 * sum_1_squared * sum_245
         - 16.0 * sigma_beta_squared * sum_189
-        - 192.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_193
+        - 192.0 * product_14 * sum_193
         - rho * sum_238
     )
     del sum_243, sum_244, sum_189, sum_193, sum_238, sum_245
-    sum_247 = sum_175 * sum_4_squared * term_4 - sigma_path_per_path_squared * sum_246
+    sum_247 = product_22 * sum_175 - sigma_path_per_path_squared * sum_246
     sum_248 = 11.0 * baseline_per_path - 20.0 * cos_beta
     sum_249 = 95.0 - 4.0 * cos_beta_squared - baseline_per_path * sum_248
     sum_250 = cos_beta * sum_249 - 76.0 * baseline_per_path
@@ -1859,10 +1768,10 @@ def bistatic_posterior(
     sum_256 = 14.0 - (52.0 + 32.0 * sin_beta_squared) * sin_beta_squared
     sum_257 = 36.0 - (91.0 + 6.0 * sin_beta_squared) * sin_beta_squared
     sum_258 = 8.0 + (98.0 + 32.0 * sin_beta_squared) * sin_beta_squared
-    sum_259 = 29.0 + 2.0 * sin_beta_squared + 4.0 * baseline_per_path * cos_beta
-    sum_260 = 32.0 + 6.0 * baseline_per_path * cos_beta + sin_beta_squared * sum_259
+    sum_259 = 29.0 + 2.0 * sin_beta_squared + 4.0 * product_13
+    sum_260 = 32.0 + 6.0 * product_13 + sin_beta_squared * sum_259
     sum_261 = 3.0 - sin_beta_squared * sum_260 + product_1
-    del sum_254, sum_259, product_1, sum_260
+    del sum_254, product_13, sum_259, product_1, sum_260
     sum_262 = baseline_per_path * sum_261 + cos_beta * sum_258
     sum_263 = 21.0 - baseline_per_path * sum_262 + sin_beta_squared * sum_257
     del sum_258, sum_261, sum_257, sum_262
@@ -1872,118 +1781,104 @@ def bistatic_posterior(
     del sum_256, sum_263, sum_264, sum_265
     sum_267 = 1.0 - 2.0 * sin_beta_squared + baseline_per_path * sum_266
     sum_268 = 32.0 * sum_1_squared * sum_255 + 48.0 * sigma_beta_squared * sum_267
-    sum_269 = rho * sigma_beta * sigma_path_per_path * sum_268 * sum_3 * sum_4 + sin_beta * sum_247
-    del sum_266, sum_255, sum_267, sum_247, sum_268
+    sum_269 = product_15 * product_26 * sum_268 + sin_beta * sum_247
+    del sum_266, sum_255, sum_267, product_15, product_26, sum_247, sum_268
     sum_270 = sigma_beta * sum_269 - rho * sigma_path_per_path * sum_164
-    sum_271 = (
-        128.0 * sum_155 * sum_1_squared
-        + 576.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared
-    )
-    sum_272 = (
-        64.0 * sum_1_squared_squared * sum_61_squared
-        + baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_271
-    )
-    del sum_164, sum_269, sum_155, sum_271, sum_61_squared
-    sum_273 = cos_beta * sigma_path_per_path_squared * sin_beta * sum_272 + sigma_beta * sum_270
+    sum_271 = 128.0 * product_28 + 576.0 * product_14
+    sum_272 = 64.0 * product_29 + product_14 * sum_271
+    del sum_164, sum_269, product_28, product_29, sum_271
+    product_27 = sigma_path_per_path_squared * sum_272
+    sum_273 = cos_beta * product_27 * sin_beta + sigma_beta * sum_270
+    del sigma_path_per_path_squared, sum_272, sin_beta, sum_270
     sum_274 = (8.0 - cos_beta_squared) * baseline_per_path - 18.0 * cos_beta
     sum_275 = 3.0 + 12.0 * cos_beta_squared + baseline_per_path * sum_274
     sum_276 = baseline_per_path * sum_275 - 4.0 * cos_beta
-    sum_277 = (
-        256.0 * sum_1_squared * sum_276
-        + 3456.0 * baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_169
-    )
-    del sum_270, sum_274, sum_275, sum_276
-    sum_278 = (
-        128.0 * sum_169 * sum_1_squared_squared * sum_3 * sum_4 * sum_61
-        - baseline_per_path_squared * sigma_path_per_path_squared * sin_beta_squared * sum_277
-    )
+    sum_277 = 256.0 * sum_1_squared * sum_276 + 3456.0 * product_14 * sum_169
+    sum_278 = 128.0 * product_23 * sum_169 - product_14 * sum_277
+    del sum_274, sum_275, sum_276, product_14, product_23, sum_277
     sum_279 = 12.0 * baseline_per_path - 14.0 * cos_beta
     sum_280 = 21.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_279
-    del sum_1_squared_squared, sum_277, sum_61, sum_279
     sum_281 = cos_beta * sum_280 - 24.0 * baseline_per_path
     sum_282 = 12.0 - 16.0 * baseline_per_path_squared - cos_beta * sum_281
     sum_283 = (12.0 - 10.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_282
+    del sum_279, sum_280, sum_281, sum_282
     sum_284 = 1.0 - 3.0 * cos_beta_squared + baseline_per_path * sum_283
-    del sum_280, sum_281, sum_282, sum_283
     sum_285 = 32.0 * sigma_beta_squared * sum_284 + 64.0 * sum_169**2 * sum_1_squared
     sum_286 = 16.0 * sigma_beta_squared_squared * sum_174**2 + sum_1_squared * sum_285
+    del sum_283, sum_284, sigma_beta_squared_squared, sum_285
     sum_287 = 31.0 + sin_beta_squared * (22.0 + sin_beta_squared)
     sum_288 = (95.0 + 31.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_287
-    del sum_284, sigma_beta_squared_squared, sum_285, sum_287
     sum_289 = 67.0 - baseline_per_path * sum_288 - (124.0 + 9.0 * sin_beta_squared) * sin_beta_squared
     sum_290 = baseline_per_path * sum_289 + (58.0 + 83.0 * sin_beta_squared) * cos_beta
     sum_291 = 86.0 - baseline_per_path * sum_290 - (83.0 + 12.0 * sin_beta_squared) * sin_beta_squared
+    del sum_287, sum_288, sum_289, sum_290
     sum_292 = (13.0 - 36.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_291
-    del sum_288, sum_289, sum_290, sum_291
     sum_293 = 19.0 - 13.0 * sin_beta_squared + baseline_per_path * sum_292
     sum_294 = baseline_per_path * sum_293 - 8.0 * cos_beta
     sum_295 = 1.0 + baseline_per_path * sum_294
+    del sum_291, sum_292, sum_293, sum_294
     sum_296 = 146.0 + 21.0 * sin_beta_squared
     sum_297 = 112.0 + 164.0 * sin_beta_squared
     sum_298 = 214.0 + 18.0 * sin_beta_squared
     sum_299 = 140.0 + 76.0 * sin_beta_squared
     sum_300 = 49.0 + sin_beta_squared * (58.0 + sin_beta_squared)
     sum_301 = cos_beta * sum_299 - baseline_per_path * sum_300
-    del sum_292, sum_293, sum_294, sum_299, sum_300
     sum_302 = 76.0 - baseline_per_path * sum_301 - sin_beta_squared * sum_298
+    del sum_299, sum_300, sum_298, sum_301
     sum_303 = baseline_per_path * sum_302 + cos_beta * sum_297
-    del sum_298, sum_301, sum_297, sum_302
     sum_304 = 122.0 - baseline_per_path * sum_303 - sin_beta_squared * sum_296
+    del sum_297, sum_302, sum_296, sum_303
     sum_305 = (4.0 - 72.0 * sin_beta_squared) * cos_beta - baseline_per_path * sum_304
     sum_306 = 28.0 - 22.0 * sin_beta_squared + baseline_per_path * sum_305
-    del sum_296, sum_303, sum_304, sum_305
     sum_307 = baseline_per_path * sum_306 - 8.0 * cos_beta
     sum_308 = 16.0 + 128.0 * rho_squared * sum_295 + 16.0 * baseline_per_path * sum_307
+    del sum_304, sum_305, sum_306, sum_295, sum_307
     sum_309 = baseline_per_path * (8.0 + sin_beta_squared) - 14.0 * cos_beta
     sum_310 = 3.0 - 6.0 * sin_beta_squared + baseline_per_path * sum_309
-    del sum_306, sum_295, sum_307, sum_309
     sum_311 = 4.0 * cos_beta + baseline_per_path * sum_310
     sum_312 = 1.0 - baseline_per_path * sum_311
     sum_313 = (68.0 + 6.0 * sin_beta_squared) * cos_beta - (27.0 + 9.0 * sin_beta_squared) * baseline_per_path
     sum_314 = 38.0 - 63.0 * sin_beta_squared - baseline_per_path * sum_313
+    del sum_309, sum_310, sum_311, sum_313
     sum_315 = baseline_per_path * sum_314 + (24.0 + 16.0 * sin_beta_squared) * cos_beta
-    del sum_310, sum_311, sum_313, sum_314
     sum_316 = 25.0 - 24.0 * sin_beta_squared - baseline_per_path * sum_315
     sum_317 = baseline_per_path * sum_316 - 4.0 * cos_beta
     sum_318 = baseline_per_path * (17.0 + sin_beta_squared) - 32.0 * cos_beta
     sum_319 = 12.0 - 15.0 * sin_beta_squared + baseline_per_path * sum_318
+    del sum_314, sum_315, sum_316, sum_318
     sum_320 = 4.0 * cos_beta + baseline_per_path * sum_319
-    del sum_315, sum_316, sum_318, sum_319
     sum_321 = 1.0 - baseline_per_path * sum_320
     sum_322 = 3.0 - 3.0 * cos_beta_squared - (product_5 - 8.0 * cos_beta) * baseline_per_path
     sum_323 = baseline_per_path * sum_322 - 4.0 * cos_beta
+    del sum_319, sum_320, product_5, sum_322
     sum_324 = 1.0 + baseline_per_path * sum_323
-    del sum_320, product_5, sum_322, sum_323
-    sum_325 = 384.0 * sigma_path_per_path * sin_beta * sum_321 + 768.0 * rho * sigma_beta * sum_169 * sum_324
+    sum_325 = 384.0 * product_12 * sum_321 + 768.0 * product_16 * sum_169 * sum_324
+    del sum_323, product_16, sum_169, sum_321
     sum_326 = 192.0 * sigma_beta * sum_317 + rho * sum_325
-    del sum_169, sum_321, sum_317, sum_325
-    sum_327 = 192.0 * sigma_path_per_path * sin_beta * sum_312 + rho * sum_326
-    sum_328 = (
-        baseline_per_path_squared * sigma_path_per_path * sin_beta * sum_327
-        - sigma_beta_squared * sum_308
-    )
-    del sum_312, sum_326, sum_308, sum_327
+    sum_327 = 192.0 * product_12 * sum_312 + rho * sum_326
+    del sum_317, sum_325, product_12, sum_312, sum_326
+    sum_328 = product_17 * sum_327 - sigma_beta_squared * sum_308
     sum_329 = cos_beta * (40.0 + product_10) - 17.0 * baseline_per_path
+    del product_17, sum_308, sum_327, product_10
     sum_330 = 48.0 - 30.0 * cos_beta_squared + baseline_per_path * sum_329
     sum_331 = (36.0 - 6.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_330
     sum_332 = 10.0 - 44.0 * baseline_per_path_squared - cos_beta * sum_331
-    del product_10, sum_329, sum_330, sum_331
     sum_333 = 3.0 - 16.0 * baseline_per_path_squared
     sum_334 = cos_beta * sum_332 - baseline_per_path * sum_333
+    del sum_329, sum_330, sum_331, sum_332, sum_333
     sum_335 = 4.0 - baseline_per_path * sum_334 + (1.0 - 20.0 * cos_beta_squared) * cos_beta_squared
     sum_336 = (6.0 - 12.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_335
-    del sum_332, sum_333, sum_334, sum_335
     sum_337 = 7.0 * baseline_per_path - 6.0 * cos_beta
     sum_338 = cos_beta * (78.0 + cos_beta * sum_337) - 38.0 * baseline_per_path
     sum_339 = 87.0 - 60.0 * cos_beta_squared + baseline_per_path * sum_338
+    del sum_334, sum_335, sum_337, sum_338
     sum_340 = (60.0 - 14.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_339
     sum_341 = 26.0 - 78.0 * baseline_per_path_squared - cos_beta * sum_340
-    del sum_337, sum_338, sum_339, sum_340
     sum_342 = 12.0 - 32.0 * baseline_per_path_squared
     sum_343 = cos_beta * sum_341 - baseline_per_path * sum_342
+    del sum_339, sum_340, sum_341, sum_342
     sum_344 = 6.0 - baseline_per_path * sum_343 + (12.0 - 33.0 * cos_beta_squared) * cos_beta_squared
     sum_345 = (12.0 - 18.0 * cos_beta_squared) * cos_beta - baseline_per_path * sum_344
-    del sum_341, sum_342, sum_343, sum_344
     sum_346 = 2.0 - 3.0 * cos_beta_squared - baseline_per_path * sum_345
     sum_347 = (
         64.0
@@ -1991,7 +1886,7 @@ def bistatic_posterior(
         - 64.0 * baseline_per_path * sum_336
         + 64.0 * rho_squared * sum_346
     )
-    del sum_345, rho_squared, sum_336, sum_346
+    del sum_343, sum_344, sum_345, rho_squared, sum_336, sum_346
     sum_348 = sin_beta_squared * sum_328 + sum_1_squared * sum_347
     sum_349 = 11.0 * baseline_per_path - 14.0 * cos_beta
     sum_350 = 61.0 - 2.0 * cos_beta_squared - baseline_per_path * sum_349
@@ -2004,22 +1899,22 @@ def bistatic_posterior(
     sum_355 = baseline_per_path * sum_354 - 6.0 * cos_beta
     sum_356 = 64.0 * sum_1_squared * sum_355 - 96.0 * sigma_beta_squared * sum_174 * sum_324
     del baseline_per_path, cos_beta, sum_354, sigma_beta_squared, sum_174, sum_1_squared, sum_324, sum_355
-    sum_357 = rho * sigma_beta * sin_beta * sum_3 * sum_356 * sum_4 - sigma_path_per_path * sum_348
-    del sum_3, sum_348, sum_356, sum_4
-    sum_358 = sigma_path_per_path * sum_357 + sum_286 * sum_4_squared * term_4
-    del sum_286, sum_357, sum_4_squared, term_4
-    sum_359 = sigma_beta * sum_358 - rho * sigma_path_per_path * sin_beta * sum_278
-    del sigma_path_per_path, sin_beta, sum_278, sum_358
-    sum_360 = sigma_path_per_path_squared * sin_beta_squared * sum_272 + sigma_beta * sum_359
-    del sigma_path_per_path_squared, sin_beta_squared, sum_272, sum_359
-    mean[..., 0] = path * sum_27 * term_2
-    mean[..., 1] = path * sum_54 * term_2
-    covariance[..., 0, 0] = path_squared * sum_158 * term_3
-    del sum_27, sum_54, term_2, sum_158
-    covariance[..., 0, 1] = path_squared * sum_273 * term_3
+    sum_357 = product_30 * sum_356 - sigma_path_per_path * sum_348
+    sum_358 = product_22 * sum_286 + sigma_path_per_path * sum_357
+    del product_30, sum_348, sum_356, product_22, sigma_path_per_path, sum_286, sum_357
+    sum_359 = sigma_beta * sum_358 - product_18 * sum_278
+    sum_360 = product_27 * sin_beta_squared + sigma_beta * sum_359
+    del product_18, sum_278, sum_358, product_27, sin_beta_squared, sum_359
+    product_24 = path * term_2
+    product_20 = path_squared * term_3
+    mean[..., 0] = product_24 * sum_27
+    del term_2, path_squared, term_3, sum_27
+    mean[..., 1] = product_24 * sum_54
+    covariance[..., 0, 0] = product_20 * sum_158
+    covariance[..., 0, 1] = product_20 * sum_273
+    del product_24, sum_54, sum_158, sum_273
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = path_squared * sum_360 * term_3
-    del sum_273, path_squared, sum_360, term_3
+    covariance[..., 1, 1] = product_20 * sum_360
 
 
 def polar_linear(
@@ -2038,26 +1933,32 @@ def polar_linear(
     """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
-    part_00_cos_beta_sin_beta = -2.0 * r * rho * sigma_beta * sigma_r
+    product_2 = r * rho
+    product_4 = sigma_beta * sigma_r
+    product_5 = product_2 * product_4
+    part_00_cos_beta_sin_beta = -2.0 * product_5
     r_squared = r**2
     sigma_beta_squared = sigma_beta**2
-    part_00_sin_beta2 = r_squared * sigma_beta_squared
-    part_01_cos_beta2 = r * rho * sigma_beta * sigma_r
+    product_3 = r_squared * sigma_beta_squared
+    del product_2, product_4, r_squared, sigma_beta_squared
+    part_00_sin_beta2 = product_3
+    part_01_cos_beta2 = product_5
     sigma_r_squared = sigma_r**2
-    part_01_cos_beta_sin_beta = sigma_r_squared - r_squared * sigma_beta_squared
-    sum_1 = cos_beta * sigma_r_squared + part_00_cos_beta_sin_beta * sin_beta
+    part_01_cos_beta_sin_beta = sigma_r_squared - product_3
+    product_1 = part_00_cos_beta_sin_beta * sin_beta
+    sum_1 = cos_beta * sigma_r_squared + product_1
     sin_beta_squared = sin_beta**2
     sum_2 = cos_beta * part_01_cos_beta2 + part_01_cos_beta_sin_beta * sin_beta
-    sum_3 = cos_beta * part_00_sin_beta2 - part_00_cos_beta_sin_beta * sin_beta
-    del r_squared, sigma_beta_squared, part_01_cos_beta_sin_beta, part_00_cos_beta_sin_beta
+    del product_5, product_3, part_00_cos_beta_sin_beta, part_01_cos_beta_sin_beta
+    sum_3 = cos_beta * part_00_sin_beta2 - product_1
     mean[..., 0] = cos_beta * r
     mean[..., 1] = r * sin_beta
     covariance[..., 0, 0] = cos_beta * sum_1 + part_00_sin_beta2 * sin_beta_squared
+    del product_1, sin_beta, part_00_sin_beta2, sum_1
     covariance[..., 0, 1] = cos_beta * sum_2 - part_01_cos_beta2 * sin_beta_squared
-    del sin_beta, part_00_sin_beta2, sum_1, part_01_cos_beta2, sum_2
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta * sum_3 + sigma_r_squared * sin_beta_squared
-    del cos_beta, sigma_r_squared, sin_beta_squared, sum_3
+    del part_01_cos_beta2, sum_2, cos_beta, sigma_r_squared, sin_beta_squared, sum_3
 
 
 def polar_second_order(
@@ -2078,25 +1979,30 @@ def polar_second_order(
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
     part_0_cos_beta = -0.5 * r * sigma_beta_squared
-    part_0_sin_beta = -rho * sigma_beta * sigma_r
+    product_2 = rho * sigma_beta
+    product_3 = product_2 * sigma_r
+    part_0_sin_beta = -product_3
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     part_00_cos_beta2 = 0.5 * r_squared * sigma_beta_squared**2 + sigma_r_squared
-    part_00_cos_beta_sin_beta = -(2.0 - 2.0 * sigma_beta_squared) * r * rho * sigma_beta * sigma_r
+    product_5 = product_3 * r
+    part_00_cos_beta_sin_beta = -(2.0 - 2.0 * sigma_beta_squared) * product_5
     product_1 = (1.0 + rho**2) * sigma_r_squared
     part_00_sin_beta2 = (product_1 + r_squared) * sigma_beta_squared
-    part_01_cos_beta2 = (1.0 - sigma_beta_squared) * r * rho * sigma_beta * sigma_r
+    part_01_cos_beta2 = (1.0 - sigma_beta_squared) * product_5
     sum_1 = product_1 + (1.0 - 0.5 * sigma_beta_squared) * r_squared
+    del product_2, product_3, product_5, product_1, r_squared
     part_01_cos_beta_sin_beta = sigma_r_squared - sigma_beta_squared * sum_1
-    del product_1, r_squared, sigma_beta_squared, sigma_r_squared, sum_1
     sum_2 = part_0_cos_beta - r
-    sum_3 = cos_beta * part_00_cos_beta2 + part_00_cos_beta_sin_beta * sin_beta
+    del sigma_beta_squared, sigma_r_squared, sum_1, part_0_cos_beta
+    product_4 = part_00_cos_beta_sin_beta * sin_beta
+    sum_3 = cos_beta * part_00_cos_beta2 + product_4
     sin_beta_squared = sin_beta**2
     sum_4 = cos_beta * part_01_cos_beta2 + part_01_cos_beta_sin_beta * sin_beta
-    sum_5 = cos_beta * part_00_sin_beta2 - part_00_cos_beta_sin_beta * sin_beta
+    sum_5 = cos_beta * part_00_sin_beta2 - product_4
     mean[..., 0] = -cos_beta * sum_2 - part_0_sin_beta * sin_beta
     mean[..., 1] = cos_beta * part_0_sin_beta - sin_beta * sum_2
-    del part_0_cos_beta, part_01_cos_beta_sin_beta, part_00_cos_beta_sin_beta, part_0_sin_beta, sin_beta, sum_2
+    del part_00_cos_beta_sin_beta, part_01_cos_beta_sin_beta, product_4, part_0_sin_beta, sin_beta, sum_2
     covariance[..., 0, 0] = cos_beta * sum_3 + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * sum_4 - part_01_cos_beta2 * sin_beta_squared
     del part_00_sin_beta2, sum_3, part_01_cos_beta2, sum_4
@@ -2123,67 +2029,74 @@ def polar_averaged(
     sin_beta = np.sin(beta)
     sigma_beta_squared = sigma_beta**2
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
-    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
+    term_1 = np.expm1(-0.5 * sigma_beta_squared)
+    shortfall_beta = -term_1
     part_0_cos_beta = -attenuation_beta * r * shortfall_beta
     attenuation_beta_2 = attenuation_beta**2
-    shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
+    attenuation_beta_less_one = term_1
+    sum_1 = 2.0 + attenuation_beta_less_one
+    shortfall_beta_2 = -attenuation_beta_less_one * sum_1
     r_squared = r**2
     shortfall_beta_2_squared = shortfall_beta_2**2
-    sum_1 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
+    sum_2 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
     attenuation_beta_2_squared = attenuation_beta_2**2
-    sum_2 = 0.5 + (0.5 - attenuation_beta_2) * attenuation_beta_2_squared
-    sum_3 = 8.0 * attenuation_beta_2 - 6.0 * shortfall_beta_2
-    sum_4 = 3.0 * shortfall_beta_2_squared + attenuation_beta_2 * sum_3
+    sum_3 = 0.5 + (0.5 - attenuation_beta_2) * attenuation_beta_2_squared
+    sum_4 = 8.0 * attenuation_beta_2 - 6.0 * shortfall_beta_2
+    sum_5 = 3.0 * shortfall_beta_2_squared + attenuation_beta_2 * sum_4
+    del term_1, attenuation_beta_less_one, sum_1, sum_4
     product_1 = shortfall_beta_2 * shortfall_beta_2_squared
     rho_squared = rho**2
-    sum_5 = attenuation_beta_2 * sum_4 + product_1
+    sum_6 = attenuation_beta_2 * sum_5 + product_1
     sigma_r_squared = sigma_r**2
-    sum_6 = (
-        1.0
-        - 0.5 * attenuation_beta_2 * rho_squared * sigma_beta_squared * sum_5
-        - attenuation_beta_2 * sum_2
-    )
-    del sum_3, sum_4, sum_2, sum_5
-    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_2_squared * sum_1 + sigma_r_squared * sum_6
-    sum_7 = 6.0 * attenuation_beta_2 - 12.0 * shortfall_beta_2
-    sum_8 = attenuation_beta_2 * sum_7 - 3.0 * shortfall_beta_2_squared
-    del sum_1, sum_6, shortfall_beta_2_squared, sum_7
-    sum_9 = attenuation_beta_2 * sum_8 - product_1
+    product_6 = rho_squared * sigma_beta_squared
+    product_8 = attenuation_beta_2 * product_6
+    sum_7 = 1.0 - attenuation_beta_2 * sum_3 - 0.5 * product_8 * sum_6
+    del sum_5, rho_squared, sigma_beta_squared, sum_3, sum_6
+    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_2_squared * sum_2 + sigma_r_squared * sum_7
+    sum_8 = 6.0 * attenuation_beta_2 - 12.0 * shortfall_beta_2
+    sum_9 = attenuation_beta_2 * sum_8 - 3.0 * shortfall_beta_2_squared
+    del sum_2, sum_7, shortfall_beta_2_squared, sum_8
+    sum_10 = attenuation_beta_2 * sum_9 - product_1
     product_2 = attenuation_beta_2 * attenuation_beta_2_squared
-    sum_10 = 1.0 + (1.0 + 2.0 * attenuation_beta_2) * attenuation_beta_2
-    sum_11 = 2.0 + attenuation_beta_2 * sum_10
-    del product_1, sum_8, attenuation_beta_2_squared, sum_10
-    sum_12 = 0.5 * (1.0 + product_2) * r_squared + 0.5 * sigma_r_squared * sum_11
-    part_00_sin_beta2 = (
-        0.5 * attenuation_beta_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_9
-        + shortfall_beta_2 * sum_12
-    )
-    sum_13 = 7.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
-    sum_14 = attenuation_beta_2 - rho_squared * sigma_beta_squared * sum_13 - shortfall_beta_2
-    del sum_11, sum_12, sum_9, rho_squared, sigma_beta_squared, sum_13
-    sum_15 = r_squared * shortfall_beta_2 - sigma_r_squared * sum_14
-    part_01_cos_beta_sin_beta = -product_2 * sum_15
-    del r_squared, sigma_r_squared, sum_14, sum_15
-    sum_16 = part_0_cos_beta - r
-    sum_17 = attenuation_beta - shortfall_beta
-    sum_18 = attenuation_beta_2 - 3.0 * shortfall_beta_2
-    del part_0_cos_beta, shortfall_beta, attenuation_beta_2, shortfall_beta_2
-    product_3 = 2.0 * product_2 * r * rho * sigma_beta * sigma_r * sin_beta * sum_18
-    sum_19 = product_3 - cos_beta * part_00_cos_beta2
+    sum_11 = 1.0 + (1.0 + 2.0 * attenuation_beta_2) * attenuation_beta_2
+    sum_12 = 2.0 + attenuation_beta_2 * sum_11
+    del product_1, sum_9, attenuation_beta_2_squared, sum_11
+    sum_13 = 0.5 * (1.0 + product_2) * r_squared + 0.5 * sigma_r_squared * sum_12
+    part_00_sin_beta2 = 0.5 * product_8 * sigma_r_squared * sum_10 + shortfall_beta_2 * sum_13
+    del sum_12, product_8, sum_10, sum_13
+    sum_14 = 7.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
+    sum_15 = attenuation_beta_2 - product_6 * sum_14 - shortfall_beta_2
+    sum_16 = r_squared * shortfall_beta_2 - sigma_r_squared * sum_15
+    del product_6, sum_14, r_squared, sigma_r_squared, sum_15
+    part_01_cos_beta_sin_beta = -product_2 * sum_16
+    sum_17 = part_0_cos_beta - r
+    sum_18 = attenuation_beta - shortfall_beta
+    sum_19 = attenuation_beta_2 - 3.0 * shortfall_beta_2
+    del sum_16, part_0_cos_beta, shortfall_beta, attenuation_beta_2, shortfall_beta_2
+    product_4 = rho * sigma_beta
+    product_5 = product_4 * sigma_r
+    product_10 = product_5 * sin_beta
+    product_9 = product_2 * r
+    product_11 = product_9 * sum_19
+    del product_4, product_2, product_9, sum_19
+    product_3 = 2.0 * product_10 * product_11
+    sum_20 = product_3 - cos_beta * part_00_cos_beta2
     sin_beta_squared = sin_beta**2
-    sum_20 = cos_beta * part_00_sin_beta2 + product_3
-    mean[..., 0] = attenuation_beta * rho * sigma_beta * sigma_r * sin_beta * sum_17 - cos_beta * sum_16
-    mean[..., 1] = -attenuation_beta * cos_beta * rho * sigma_beta * sigma_r * sum_17 - sin_beta * sum_16
-    del product_3, attenuation_beta, sum_16, sum_17
-    covariance[..., 0, 0] = part_00_sin_beta2 * sin_beta_squared - cos_beta * sum_19
+    sum_21 = cos_beta * part_00_sin_beta2 + product_3
+    product_7 = attenuation_beta * sum_18
+    mean[..., 0] = product_10 * product_7 - cos_beta * sum_17
+    del product_3, attenuation_beta, sum_18, product_10
+    mean[..., 1] = -cos_beta * product_5 * product_7 - sin_beta * sum_17
+    covariance[..., 0, 0] = part_00_sin_beta2 * sin_beta_squared - cos_beta * sum_20
+    del product_7, sum_17, part_00_sin_beta2, sum_20
     covariance[..., 0, 1] = (
         cos_beta * part_01_cos_beta_sin_beta * sin_beta
-        + (cos_beta**2 - sin_beta_squared) * product_2 * r * rho * sigma_beta * sigma_r * sum_18
+        + (cos_beta**2 - sin_beta_squared) * product_11 * product_5
     )
-    del part_00_sin_beta2, sum_19, part_01_cos_beta_sin_beta, product_2, sin_beta, sum_18
+    del part_01_cos_beta_sin_beta, product_11, product_5, sin_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta * sum_20 + part_00_cos_beta2 * sin_beta_squared
-    del cos_beta, part_00_cos_beta2, sin_beta_squared, sum_20
+    covariance[..., 1, 1] = cos_beta * sum_21 + part_00_cos_beta2 * sin_beta_squared
+    del cos_beta, part_00_cos_beta2, sin_beta_squared, sum_21
 
 
 def polar_unbiased(
@@ -2205,60 +2118,64 @@ def polar_unbiased(
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     term_1 = 1.0 / attenuation_beta
     part_0_cos_beta = r * term_1
-    part_0_sin_beta = rho * sigma_beta * sigma_r * term_1
+    product_1 = rho * sigma_beta
+    product_2 = product_1 * sigma_r
+    part_0_sin_beta = product_2 * term_1
     attenuation_beta_2 = attenuation_beta**2
-    shortfall_beta = -np.expm1(-sigma_beta_squared)
+    attenuation_beta_less_one = np.expm1(-0.5 * sigma_beta_squared)
+    sum_1 = 2.0 + attenuation_beta_less_one
+    shortfall_beta = -attenuation_beta_less_one * sum_1
+    del product_1, term_1, attenuation_beta, attenuation_beta_less_one, sum_1
     term_2 = 1.0 / attenuation_beta_2
     r_squared = r**2
     shortfall_beta_squared = shortfall_beta**2
     attenuation_beta_2_squared = attenuation_beta_2**2
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    sum_1 = (
-        0.5
-        - 2.0 * attenuation_beta_2_squared * rho_squared * sigma_beta_squared
-        + 0.5 * attenuation_beta_2_squared
-    )
+    product_4 = rho_squared * sigma_beta_squared
+    sum_2 = 0.5 - 2.0 * attenuation_beta_2_squared * product_4 + 0.5 * attenuation_beta_2_squared
     part_00_cos_beta2 = (
         0.5 * (2.0 + attenuation_beta_2) * r_squared * shortfall_beta_squared * term_2
-        + sigma_r_squared * sum_1
+        + sigma_r_squared * sum_2
     )
-    sum_2 = 2.0 + 2.0 * attenuation_beta_2_squared
-    sum_3 = 1.0 + attenuation_beta_2 * sum_2
-    del term_1, attenuation_beta, sum_1, sum_2
-    sum_4 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    part_00_sin_beta2 = (
-        rho_squared * sigma_beta_squared * sigma_r_squared * sum_3 * term_2
-        + (1.0 + attenuation_beta_2) * shortfall_beta * sum_4
-    )
-    sum_5 = 2.0 + 4.0 * attenuation_beta_2_squared
-    sum_6 = 1.0 + attenuation_beta_2 * sum_5
-    sum_7 = attenuation_beta_2 - shortfall_beta
-    sum_8 = attenuation_beta_2 * sum_7 - shortfall_beta_squared
-    del sum_3, sum_4, sum_5, sum_7
-    sum_9 = r_squared * shortfall_beta * sum_8 + rho_squared * sigma_beta_squared * sigma_r_squared * sum_6
-    del r_squared, rho_squared, sigma_beta_squared, sum_6, sum_8
-    part_01_cos_beta_sin_beta = attenuation_beta_2_squared * sigma_r_squared - sum_9 * term_2
-    sum_10 = attenuation_beta_2 - 3.0 * shortfall_beta
-    sum_11 = attenuation_beta_2 * sum_10 - 3.0 * shortfall_beta_squared
-    del attenuation_beta_2_squared, sigma_r_squared, sum_9, sum_10
-    sum_12 = attenuation_beta_2 * sum_11 - shortfall_beta * shortfall_beta_squared
-    del attenuation_beta_2, shortfall_beta, shortfall_beta_squared, sum_11
-    sum_13 = cos_beta * part_00_cos_beta2 - 2.0 * r * rho * sigma_beta * sigma_r * sin_beta * sum_12 * term_2
+    sum_3 = 2.0 + 2.0 * attenuation_beta_2_squared
+    sum_4 = 1.0 + attenuation_beta_2 * sum_3
+    del rho_squared, sigma_beta_squared, sum_2, sum_3
+    sum_5 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    product_7 = product_4 * sigma_r_squared
+    part_00_sin_beta2 = product_7 * sum_4 * term_2 + (1.0 + attenuation_beta_2) * shortfall_beta * sum_5
+    sum_6 = 2.0 + 4.0 * attenuation_beta_2_squared
+    sum_7 = 1.0 + attenuation_beta_2 * sum_6
+    del product_4, sum_4, sum_5, sum_6
+    sum_8 = attenuation_beta_2 - shortfall_beta
+    sum_9 = attenuation_beta_2 * sum_8 - shortfall_beta_squared
+    sum_10 = product_7 * sum_7 + r_squared * shortfall_beta * sum_9
+    del sum_8, product_7, r_squared, sum_7, sum_9
+    part_01_cos_beta_sin_beta = attenuation_beta_2_squared * sigma_r_squared - sum_10 * term_2
+    sum_11 = attenuation_beta_2 - 3.0 * shortfall_beta
+    sum_12 = attenuation_beta_2 * sum_11 - 3.0 * shortfall_beta_squared
+    del attenuation_beta_2_squared, sigma_r_squared, sum_10, sum_11
+    sum_13 = attenuation_beta_2 * sum_12 - shortfall_beta * shortfall_beta_squared
+    del attenuation_beta_2, shortfall_beta, shortfall_beta_squared, sum_12
+    product_3 = r * sum_13
+    product_5 = product_2 * term_2
+    product_6 = product_3 * product_5
+    del sum_13, product_2, term_2, product_3, product_5
+    product_8 = product_6 * sin_beta
+    sum_14 = cos_beta * part_00_cos_beta2 - 2.0 * product_8
     sin_beta_squared = sin_beta**2
-    sum_14 = 2.0 * r * rho * sigma_beta * sigma_r * sin_beta * sum_12 * term_2 + cos_beta * part_00_sin_beta2
+    sum_15 = 2.0 * product_8 + cos_beta * part_00_sin_beta2
     mean[..., 0] = cos_beta * part_0_cos_beta + part_0_sin_beta * sin_beta
     mean[..., 1] = part_0_cos_beta * sin_beta - cos_beta * part_0_sin_beta
-    covariance[..., 0, 0] = cos_beta * sum_13 + part_00_sin_beta2 * sin_beta_squared
-    del part_0_cos_beta, part_0_sin_beta, part_00_sin_beta2, sum_13
+    covariance[..., 0, 0] = cos_beta * sum_14 + part_00_sin_beta2 * sin_beta_squared
+    del product_8, part_0_cos_beta, part_0_sin_beta, part_00_sin_beta2, sum_14
     covariance[..., 0, 1] = (
         cos_beta * part_01_cos_beta_sin_beta * sin_beta
-        + (cos_beta**2 - sin_beta_squared) * r * rho * sigma_beta * sigma_r * sum_12 * term_2
+        + (cos_beta**2 - sin_beta_squared) * product_6
     )
-    del part_01_cos_beta_sin_beta, sin_beta, sum_12, term_2
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta * sum_14 + part_00_cos_beta2 * sin_beta_squared
-    del cos_beta, part_00_cos_beta2, sin_beta_squared, sum_14
+    covariance[..., 1, 1] = cos_beta * sum_15 + part_00_cos_beta2 * sin_beta_squared
+    del part_01_cos_beta_sin_beta, product_6, sin_beta, cos_beta, part_00_cos_beta2, sin_beta_squared, sum_15
 
 
 def polar_posterior(
@@ -2280,47 +2197,53 @@ def polar_posterior(
     sigma_beta_squared = sigma_beta**2
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     part_0_cos_beta = attenuation_beta * r
-    part_0_sin_beta = -attenuation_beta * rho * sigma_beta * sigma_r
+    product_3 = rho * sigma_beta
+    product_5 = product_3 * sigma_r
+    part_0_sin_beta = -attenuation_beta * product_5
     attenuation_beta_2 = attenuation_beta**2
-    shortfall_beta = -np.expm1(-sigma_beta_squared)
+    attenuation_beta_less_one = np.expm1(-0.5 * sigma_beta_squared)
+    sum_1 = 2.0 + attenuation_beta_less_one
+    shortfall_beta = -attenuation_beta_less_one * sum_1
+    del product_3, attenuation_beta, attenuation_beta_less_one, sum_1
     r_squared = r**2
     attenuation_beta_2_squared = attenuation_beta_2**2
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    sum_1 = (
-        0.5
-        - 2.0 * attenuation_beta_2_squared * rho_squared * sigma_beta_squared
-        + 0.5 * attenuation_beta_2_squared
-    )
-    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta**2 + sigma_r_squared * sum_1
-    sum_2 = attenuation_beta_2 - shortfall_beta
-    sum_3 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    product_4 = rho_squared * sigma_beta_squared
+    sum_2 = 0.5 - 2.0 * attenuation_beta_2_squared * product_4 + 0.5 * attenuation_beta_2_squared
+    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta**2 + sigma_r_squared * sum_2
+    del rho_squared, sigma_beta_squared, attenuation_beta_2_squared, sum_2
+    sum_3 = attenuation_beta_2 - shortfall_beta
+    sum_4 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    product_2 = attenuation_beta_2 * sum_3
     part_00_sin_beta2 = (
-        attenuation_beta_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_2
-        + (1.0 + attenuation_beta_2) * shortfall_beta * sum_3
+        product_2 * product_4 * sigma_r_squared
+        + (1.0 + attenuation_beta_2) * shortfall_beta * sum_4
     )
-    del attenuation_beta, attenuation_beta_2_squared, sum_1, sum_3
-    sum_4 = 3.0 * attenuation_beta_2 - shortfall_beta
-    sum_5 = attenuation_beta_2 - rho_squared * sigma_beta_squared * sum_4
-    sum_6 = r_squared * shortfall_beta - sigma_r_squared * sum_5
-    del rho_squared, sigma_beta_squared, sum_4, r_squared, shortfall_beta, sigma_r_squared, sum_5
-    part_01_cos_beta_sin_beta = -attenuation_beta_2 * sum_6
-    product_1 = 2.0 * attenuation_beta_2 * r * rho * sigma_beta * sigma_r * sin_beta * sum_2
-    sum_7 = product_1 - cos_beta * part_00_cos_beta2
+    sum_5 = 3.0 * attenuation_beta_2 - shortfall_beta
+    sum_6 = attenuation_beta_2 - product_4 * sum_5
+    del sum_3, sum_4, product_4, sum_5
+    sum_7 = r_squared * shortfall_beta - sigma_r_squared * sum_6
+    del r_squared, shortfall_beta, sigma_r_squared, sum_6
+    part_01_cos_beta_sin_beta = -attenuation_beta_2 * sum_7
+    product_6 = product_2 * r
+    product_7 = product_5 * product_6
+    del attenuation_beta_2, sum_7, product_2, product_5, product_6
+    product_1 = 2.0 * product_7 * sin_beta
+    sum_8 = product_1 - cos_beta * part_00_cos_beta2
     sin_beta_squared = sin_beta**2
-    sum_8 = cos_beta * part_00_sin_beta2 + product_1
+    sum_9 = cos_beta * part_00_sin_beta2 + product_1
     mean[..., 0] = cos_beta * part_0_cos_beta + part_0_sin_beta * sin_beta
     mean[..., 1] = part_0_cos_beta * sin_beta - cos_beta * part_0_sin_beta
-    del sum_6, product_1, part_0_cos_beta, part_0_sin_beta
-    covariance[..., 0, 0] = part_00_sin_beta2 * sin_beta_squared - cos_beta * sum_7
+    covariance[..., 0, 0] = part_00_sin_beta2 * sin_beta_squared - cos_beta * sum_8
+    del product_1, part_0_cos_beta, part_0_sin_beta, part_00_sin_beta2, sum_8
     covariance[..., 0, 1] = (
-        attenuation_beta_2 * (cos_beta**2 - sin_beta_squared) * r * rho * sigma_beta * sigma_r * sum_2
-        + cos_beta * part_01_cos_beta_sin_beta * sin_beta
+        cos_beta * part_01_cos_beta_sin_beta * sin_beta
+        + (cos_beta**2 - sin_beta_squared) * product_7
     )
-    del part_00_sin_beta2, sum_7, attenuation_beta_2, part_01_cos_beta_sin_beta, sin_beta, sum_2
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta * sum_8 + part_00_cos_beta2 * sin_beta_squared
-    del cos_beta, part_00_cos_beta2, sin_beta_squared, sum_8
+    covariance[..., 1, 1] = cos_beta * sum_9 + part_00_cos_beta2 * sin_beta_squared
+    del part_01_cos_beta_sin_beta, product_7, sin_beta, cos_beta, part_00_cos_beta2, sin_beta_squared, sum_9
 
 
 def polar_doppler_linear(
@@ -2343,29 +2266,32 @@ def polar_doppler_linear(
     sin_beta = np.sin(beta)
     r_squared = r**2
     sigma_beta_squared = sigma_beta**2
-    part_00_sin_beta2 = r_squared * sigma_beta_squared
+    product_2 = r_squared * sigma_beta_squared
+    part_00_sin_beta2 = product_2
     sigma_r_squared = sigma_r**2
-    part_01_cos_beta_sin_beta = sigma_r_squared - r_squared * sigma_beta_squared
-    sum_1 = r * rho * sigma_rdot + rdot * sigma_r
+    part_01_cos_beta_sin_beta = sigma_r_squared - product_2
+    product_3 = rdot * sigma_r
+    product_1 = r * sigma_rdot
+    sum_1 = product_1 * rho + product_3
     part_02_cos_beta = sigma_r * sum_1
+    del r_squared, sigma_beta_squared, product_2, sum_1
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
-    sum_2 = 2.0 * rdot * rho * sigma_r + r * sigma_rdot
+    sum_2 = 2.0 * product_3 * rho + product_1
     mean[..., 0] = cos_beta * r
     mean[..., 1] = r * sin_beta
     mean[..., 2] = r * rdot
     covariance[..., 0, 0] = cos_beta_squared * sigma_r_squared + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * part_01_cos_beta_sin_beta * sin_beta
-    del r_squared, sigma_beta_squared, sum_1, part_01_cos_beta_sin_beta
     covariance[..., 0, 2] = cos_beta * part_02_cos_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * part_00_sin_beta2 + sigma_r_squared * sin_beta_squared
-    del cos_beta, cos_beta_squared, part_00_sin_beta2, sin_beta_squared
+    del product_3, part_01_cos_beta_sin_beta, cos_beta, cos_beta_squared, part_00_sin_beta2, sin_beta_squared
     covariance[..., 1, 2] = part_02_cos_beta * sin_beta
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
-    covariance[..., 2, 2] = rdot**2 * sigma_r_squared + r * sigma_rdot * sum_2
-    del part_02_cos_beta, sin_beta, sigma_r_squared, sum_2
+    covariance[..., 2, 2] = product_1 * sum_2 + rdot**2 * sigma_r_squared
+    del part_02_cos_beta, sin_beta, product_1, sigma_r_squared, sum_2
 
 
 def polar_doppler_second_order(
@@ -2394,7 +2320,8 @@ def polar_doppler_second_order(
     part_00_sin_beta2 = (r_squared + sigma_r_squared) * sigma_beta_squared
     sum_1 = (1.0 - 0.5 * sigma_beta_squared) * r_squared + sigma_r_squared
     part_01_cos_beta_sin_beta = sigma_r_squared - sigma_beta_squared * sum_1
-    sum_2 = r * rho * sigma_rdot + rdot * sigma_r
+    product_1 = rho * sigma_rdot
+    sum_2 = product_1 * r + rdot * sigma_r
     part_02_cos_beta = sigma_r * sum_2
     del sigma_beta_squared, sigma_r_squared, sum_1, sum_2
     sum_3 = part_0_cos_beta - r
@@ -2402,17 +2329,18 @@ def polar_doppler_second_order(
     sin_beta_squared = sin_beta**2
     sigma_rdot_squared = sigma_rdot**2
     sum_4 = rdot**2 + (1.0 + rho**2) * sigma_rdot_squared
-    sum_5 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_4
+    product_2 = r * rdot
+    sum_5 = 2.0 * product_1 * product_2 + sigma_r * sum_4
     mean[..., 0] = -cos_beta * sum_3
     mean[..., 1] = -sin_beta * sum_3
-    mean[..., 2] = r * rdot - rho * sigma_r * sigma_rdot
+    mean[..., 2] = product_2 - product_1 * sigma_r
+    del part_0_cos_beta, sum_4, sum_3, product_1, product_2
     covariance[..., 0, 0] = cos_beta_squared * part_00_cos_beta2 + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * part_01_cos_beta_sin_beta * sin_beta
-    del part_0_cos_beta, sum_4, sum_3, part_01_cos_beta_sin_beta
     covariance[..., 0, 2] = cos_beta * part_02_cos_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * part_00_sin_beta2 + part_00_cos_beta2 * sin_beta_squared
-    del cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
+    del part_01_cos_beta_sin_beta, cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
     covariance[..., 1, 2] = part_02_cos_beta * sin_beta
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -2438,54 +2366,58 @@ def polar_doppler_averaged(
     """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
-    sigma_beta_squared = sigma_beta**2
-    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
-    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    term_1 = np.expm1(-0.5 * sigma_beta**2)
+    shortfall_beta = -term_1
     part_0_cos_beta = -attenuation_beta * r * shortfall_beta
     attenuation_beta_2 = attenuation_beta**2
-    shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
+    attenuation_beta_less_one = term_1
+    sum_1 = 2.0 + attenuation_beta_less_one
+    shortfall_beta_2 = -attenuation_beta_less_one * sum_1
+    del shortfall_beta, attenuation_beta, term_1, attenuation_beta_less_one, sum_1
     r_squared = r**2
-    sum_1 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
+    sum_2 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
     attenuation_beta_2_squared = attenuation_beta_2**2
-    sum_2 = 0.5 + (0.5 - attenuation_beta_2) * attenuation_beta_2_squared
+    sum_3 = 0.5 + (0.5 - attenuation_beta_2) * attenuation_beta_2_squared
     sigma_r_squared = sigma_r**2
-    sum_3 = 1.0 - attenuation_beta_2 * sum_2
-    del shortfall_beta, attenuation_beta, sigma_beta_squared, sum_2
-    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_2**2 * sum_1 + sigma_r_squared * sum_3
+    sum_4 = 1.0 - attenuation_beta_2 * sum_3
+    part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_2**2 * sum_2 + sigma_r_squared * sum_4
     product_1 = attenuation_beta_2 * attenuation_beta_2_squared
-    sum_4 = 1.0 + (1.0 + 2.0 * attenuation_beta_2) * attenuation_beta_2
-    sum_5 = 2.0 + attenuation_beta_2 * sum_4
-    del sum_1, sum_3, attenuation_beta_2_squared, sum_4
-    sum_6 = 0.5 * (1.0 + product_1) * r_squared + 0.5 * sigma_r_squared * sum_5
-    part_00_sin_beta2 = shortfall_beta_2 * sum_6
-    sum_7 = attenuation_beta_2 - shortfall_beta_2
-    sum_8 = r_squared * shortfall_beta_2 - sigma_r_squared * sum_7
-    del sum_5, sum_6, shortfall_beta_2, sigma_r_squared, sum_7
-    part_01_cos_beta_sin_beta = -product_1 * sum_8
-    sum_9 = r * rho * sigma_rdot + rdot * sigma_r
-    part_02_cos_beta = attenuation_beta_2 * sigma_r * sum_9
-    del product_1, sum_8, attenuation_beta_2, sum_9
-    sum_10 = part_0_cos_beta - r
+    del sum_3, sum_2, sum_4, attenuation_beta_2_squared
+    sum_5 = 1.0 + (1.0 + 2.0 * attenuation_beta_2) * attenuation_beta_2
+    sum_6 = 2.0 + attenuation_beta_2 * sum_5
+    sum_7 = 0.5 * (1.0 + product_1) * r_squared + 0.5 * sigma_r_squared * sum_6
+    part_00_sin_beta2 = shortfall_beta_2 * sum_7
+    sum_8 = attenuation_beta_2 - shortfall_beta_2
+    sum_9 = r_squared * shortfall_beta_2 - sigma_r_squared * sum_8
+    del sum_5, sum_6, sum_7, shortfall_beta_2, sigma_r_squared, sum_8
+    part_01_cos_beta_sin_beta = -product_1 * sum_9
+    product_2 = rho * sigma_rdot
+    sum_10 = product_2 * r + rdot * sigma_r
+    part_02_cos_beta = attenuation_beta_2 * sigma_r * sum_10
+    del product_1, sum_9, attenuation_beta_2, sum_10
+    sum_11 = part_0_cos_beta - r
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
     sigma_rdot_squared = sigma_rdot**2
-    sum_11 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
-    sum_12 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_11
-    mean[..., 0] = -cos_beta * sum_10
-    mean[..., 1] = -sin_beta * sum_10
-    mean[..., 2] = r * rdot - rho * sigma_r * sigma_rdot
+    sum_12 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
+    product_3 = r * rdot
+    sum_13 = 2.0 * product_2 * product_3 + sigma_r * sum_12
+    mean[..., 0] = -cos_beta * sum_11
+    mean[..., 1] = -sin_beta * sum_11
+    mean[..., 2] = product_3 - product_2 * sigma_r
+    del part_0_cos_beta, sum_12, sum_11, product_2, product_3
     covariance[..., 0, 0] = cos_beta_squared * part_00_cos_beta2 + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * part_01_cos_beta_sin_beta * sin_beta
-    del part_0_cos_beta, sum_11, sum_10, part_01_cos_beta_sin_beta
     covariance[..., 0, 2] = cos_beta * part_02_cos_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * part_00_sin_beta2 + part_00_cos_beta2 * sin_beta_squared
-    del cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
+    del part_01_cos_beta_sin_beta, cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
     covariance[..., 1, 2] = part_02_cos_beta * sin_beta
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
-    covariance[..., 2, 2] = r_squared * sigma_rdot_squared + sigma_r * sum_12
-    del part_02_cos_beta, sin_beta, r_squared, sigma_rdot_squared, sum_12
+    covariance[..., 2, 2] = r_squared * sigma_rdot_squared + sigma_r * sum_13
+    del part_02_cos_beta, sin_beta, r_squared, sigma_rdot_squared, sum_13
 
 
 def polar_doppler_unbiased(
@@ -2507,7 +2439,8 @@ def polar_doppler_unbiased(
     sin_beta = np.sin(beta)
     attenuation_beta = np.exp(-0.5 * sigma_beta**2)
     term_1 = 1.0 / attenuation_beta
-    part_0_cos_beta = r * term_1
+    product_3 = r * term_1
+    part_0_cos_beta = product_3
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     sum_1 = 3.0 + attenuation_beta * (2.0 + attenuation_beta)
     term_2 = 1.0 / attenuation_beta**2
@@ -2516,42 +2449,45 @@ def polar_doppler_unbiased(
     sum_2 = 2.0 + attenuation_beta * (4.0 + attenuation_beta * sum_1)
     term_3 = (attenuation_beta**2)**2
     sigma_r_squared = sigma_r**2
+    product_4 = r_squared * term_2
     part_00_cos_beta2 = (
-        0.5 * r_squared * shortfall_beta_squared * sum_2 * term_2
+        0.5 * product_4 * shortfall_beta_squared * sum_2
         + sigma_r_squared * (0.5 + 0.5 * term_3)
     )
+    del term_1, sum_1, term_2, sum_2
     sum_3 = 1.0 + attenuation_beta * (1.0 + attenuation_beta)
     sum_4 = 0.5 * r_squared + 0.5 * sigma_r_squared
     part_00_sin_beta2 = (1.0 + attenuation_beta * sum_3) * shortfall_beta * sum_4
-    del sum_1, sum_2, sum_3, sum_4
     sum_5 = 2.0 * attenuation_beta - 3.0 * shortfall_beta
     sum_6 = attenuation_beta * sum_5 - 12.0 * shortfall_beta_squared
     sum_7 = attenuation_beta * sum_6 - 13.0 * shortfall_beta * shortfall_beta_squared
+    del sum_3, sum_4, sum_5, sum_6
     sum_8 = attenuation_beta * sum_7 - 6.0 * shortfall_beta_squared**2
     sum_9 = attenuation_beta * sum_8 - shortfall_beta * shortfall_beta_squared**2
-    del sum_5, sum_6, sum_7, sum_8
-    part_01_cos_beta_sin_beta = sigma_r_squared * term_3 - r_squared * shortfall_beta * sum_9 * term_2
-    del sigma_r_squared, sum_9, term_2, term_3
+    part_01_cos_beta_sin_beta = sigma_r_squared * term_3 - product_4 * shortfall_beta * sum_9
+    del sum_7, sum_8, product_4, sigma_r_squared, sum_9, term_3
     sum_10 = attenuation_beta - 4.0 * shortfall_beta
     sum_11 = attenuation_beta * sum_10 - 2.0 * shortfall_beta_squared
-    sum_12 = attenuation_beta * rdot * sigma_r + r * rho * sigma_rdot * sum_11 * term_1
-    del shortfall_beta, shortfall_beta_squared, sum_10, attenuation_beta, sum_11, term_1
+    product_1 = rho * sigma_rdot
+    sum_12 = attenuation_beta * rdot * sigma_r + product_1 * product_3 * sum_11
+    del shortfall_beta, shortfall_beta_squared, sum_10, attenuation_beta, product_3, sum_11
     part_02_cos_beta = sigma_r * sum_12
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
     sigma_rdot_squared = sigma_rdot**2
     sum_13 = rdot**2 + (1.0 + 5.0 * rho**2) * sigma_rdot_squared
-    sum_14 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_13
+    product_2 = r * rdot
+    sum_14 = 2.0 * product_1 * product_2 + sigma_r * sum_13
     mean[..., 0] = cos_beta * part_0_cos_beta
     mean[..., 1] = part_0_cos_beta * sin_beta
-    mean[..., 2] = r * rdot - rho * sigma_r * sigma_rdot
+    mean[..., 2] = product_2 - product_1 * sigma_r
+    del sum_12, sum_13, part_0_cos_beta, product_1, product_2
     covariance[..., 0, 0] = cos_beta_squared * part_00_cos_beta2 + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * part_01_cos_beta_sin_beta * sin_beta
-    del sum_12, sum_13, part_0_cos_beta, part_01_cos_beta_sin_beta
     covariance[..., 0, 2] = cos_beta * part_02_cos_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * part_00_sin_beta2 + part_00_cos_beta2 * sin_beta_squared
-    del cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
+    del part_01_cos_beta_sin_beta, cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
     covariance[..., 1, 2] = part_02_cos_beta * sin_beta
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -2594,23 +2530,26 @@ def polar_doppler_posterior(
     sum_6 = attenuation_beta_squared * sigma_r_squared - r_squared * shortfall_beta * sum_3
     part_01_cos_beta_sin_beta = attenuation_beta_squared * sum_6
     del shortfall_beta, sigma_r_squared, sum_3, attenuation_beta_squared, sum_6
-    sum_7 = r * rho * sigma_rdot + rdot * sigma_r
+    product_1 = rho * sigma_rdot
+    sum_7 = product_1 * r + rdot * sigma_r
     part_02_cos_beta = attenuation_beta * sigma_r * sum_7
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
     sigma_rdot_squared = sigma_rdot**2
     sum_8 = rdot**2 + (1.0 + rho**2) * sigma_rdot_squared
-    sum_9 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_8
+    product_2 = r * rdot
+    sum_9 = 2.0 * product_1 * product_2 + sigma_r * sum_8
     mean[..., 0] = cos_beta * part_0_cos_beta
     mean[..., 1] = part_0_cos_beta * sin_beta
     del attenuation_beta, sum_7, sum_8, part_0_cos_beta
-    mean[..., 2] = r * rdot + rho * sigma_r * sigma_rdot
+    mean[..., 2] = product_1 * sigma_r + product_2
     covariance[..., 0, 0] = cos_beta_squared * part_00_cos_beta2 + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * part_01_cos_beta_sin_beta * sin_beta
     covariance[..., 0, 2] = cos_beta * part_02_cos_beta
+    del product_1, product_2, part_01_cos_beta_sin_beta, cos_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * part_00_sin_beta2 + part_00_cos_beta2 * sin_beta_squared
-    del part_01_cos_beta_sin_beta, cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
+    del cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
     covariance[..., 1, 2] = part_02_cos_beta * sin_beta
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -2641,24 +2580,30 @@ def ruv_linear(
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     term_1 = 1.0 / root_1
-    product_1 = sigma_u * u
-    sum_2 = (product_1 + rho * sigma_v * v) * r_squared * sigma_u - sigma_r_squared * sum_1 * u
+    product_3 = sigma_u * u
+    product_1 = product_3
+    product_2 = rho * sigma_v
+    product_6 = product_2 * v
+    product_4 = r_squared * sigma_u
+    product_5 = sigma_r_squared * sum_1
+    sum_2 = (product_1 + product_6) * product_4 - product_5 * u
     sigma_v_squared = sigma_v**2
-    sum_3 = rho * sigma_u * u + sigma_v * v
-    sum_4 = r_squared * sigma_v * sum_3 - sigma_r_squared * sum_1 * v
-    sum_5 = 2.0 * rho * sigma_v * v + product_1
-    sum_6 = sigma_v_squared * v_squared + sigma_u * sum_5 * u
-    del sum_1, sum_3, product_1, sum_5
+    sum_3 = product_3 * rho + sigma_v * v
+    sum_4 = r_squared * sigma_v * sum_3 - product_5 * v
+    sum_5 = 2.0 * product_6 + product_1
+    del sum_1, product_5, sum_3, product_1, product_6
+    sum_6 = product_3 * sum_5 + sigma_v_squared * v_squared
     sum_7 = r_squared * sum_6 + (u_squared - 1.0 + v_squared)**2 * sigma_r_squared
     mean[..., 0] = r * u
     mean[..., 1] = r * v
     mean[..., 2] = r * root_1
     covariance[..., 0, 0] = r_squared * sigma_u**2 + sigma_r_squared * u_squared
-    covariance[..., 0, 1] = r_squared * rho * sigma_u * sigma_v + sigma_r_squared * u * v
+    del product_3, sum_5, sum_6, u_squared
+    covariance[..., 0, 1] = product_2 * product_4 + sigma_r_squared * u * v
     covariance[..., 0, 2] = -sum_2 * term_1
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = r_squared * sigma_v_squared + sigma_r_squared * v_squared
-    del sum_6, u_squared, sum_2, r_squared, sigma_r_squared, sigma_v_squared, v_squared
+    del product_2, product_4, sum_2, r_squared, sigma_r_squared, sigma_v_squared, v_squared
     covariance[..., 1, 2] = -sum_4 * term_1
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -2688,50 +2633,60 @@ def ruv_second_order(
     root_1 = np.sqrt(sum_1)
     sum_2 = 1.0 - v
     sum_3 = 1.0 + v
-    sum_4 = rho * sigma_v * u * v + 0.5 * sigma_u * sum_2 * sum_3
+    product_7 = sum_2 * sum_3
+    product_2 = rho * sigma_v
+    product_4 = product_2 * v
+    product_9 = product_4 * u
+    sum_4 = 0.5 * product_7 * sigma_u + product_9
     sum_5 = 1.0 - u
     sigma_v_squared = sigma_v**2
     sum_6 = 1.0 + u
-    sum_7 = 0.5 * sigma_v_squared * sum_5 * sum_6 + sigma_u * sum_4
+    product_6 = sigma_v_squared * sum_5
+    product_8 = product_6 * sum_6
+    sum_7 = 0.5 * product_8 + sigma_u * sum_4
+    del sum_2, sum_5, product_6, sum_4
     sum_8 = root_1 + sum_7 / (root_1 * root_1**2)
     r_squared = r**2
     sigma_u_squared = sigma_u**2
     sigma_r_squared = sigma_r**2
     term_1 = 1.0 / root_1
-    product_1 = sigma_u * u
-    sum_9 = product_1 + rho * sigma_v * v
+    product_3 = sigma_u * u
+    product_1 = product_3
+    sum_9 = product_1 + product_4
     sum_10 = r_squared * sum_9 + sigma_r_squared * sum_9
-    sum_11 = sigma_r_squared * sum_1 * u - sigma_u * sum_10
-    del sum_4, sum_7, sum_9, sum_10
-    sum_12 = rho * sigma_u * u + sigma_v * v
+    product_5 = sigma_r_squared * sum_1
+    sum_11 = product_5 * u - sigma_u * sum_10
+    del sum_7, sum_9, sum_1, sum_10
+    sum_12 = product_3 * rho + sigma_v * v
     sum_13 = r_squared * sum_12 + sigma_r_squared * sum_12
-    sum_14 = sigma_r_squared * sum_1 * v - sigma_v * sum_13
+    sum_14 = product_5 * v - sigma_v * sum_13
     term_2 = (u_squared - 1.0 + v_squared)**2
-    sum_15 = 2.0 * sigma_v_squared * sum_5 * sum_6 + 2.0 * term_2
-    del sum_12, sum_1, sum_13, sum_5
+    sum_15 = 2.0 * product_8 + 2.0 * term_2
+    del sum_12, product_5, sum_13, product_8
     sum_16 = 1.0 - (1.0 - 2.0 * v_squared) * u_squared - v_squared
-    sum_17 = 2.0 * sigma_u * sum_2 * sum_3 * u * v + rho * sigma_v * sum_16
+    sum_17 = 2.0 * product_3 * product_7 * v + product_2 * sum_16
     sum_18 = rho * sum_17 + sigma_v * u_squared * v_squared
     sum_19 = 0.5 * (v - 1.0)**2 * sigma_u_squared * sum_3**2 + sigma_v * sum_18 + term_2 * u_squared
-    del sum_16, sum_2, sum_17, sum_18, sum_3
-    sum_20 = rho * sigma_v * sum_15 * u * v + sigma_u * sum_19
+    del product_7, sum_16, sum_17, sum_18, sum_3
+    sum_20 = product_9 * sum_15 + sigma_u * sum_19
     sum_21 = 0.5 * (u - 1.0)**2 * sigma_v_squared * sum_6**2 + term_2 * v_squared
+    del product_9, sum_15, sum_19, sum_6
     sum_22 = sigma_v_squared * sum_21 + sigma_u * sum_20
-    del sum_15, sum_19, sum_6, sum_20, sum_21
-    sum_23 = 2.0 * rho * sigma_v * v + product_1
-    sum_24 = sigma_v_squared * v_squared + sigma_u * sum_23 * u + term_2
+    sum_23 = 2.0 * product_4 + product_1
+    del sum_20, sum_21, product_1, product_4
+    sum_24 = product_3 * sum_23 + sigma_v_squared * v_squared + term_2
     sum_25 = r_squared * sum_22 + sigma_r_squared * sum_24 * term_2
-    del product_1, sum_23, sum_22, sum_24, term_2
+    del product_3, sum_23, sum_22, sum_24, term_2
     mean[..., 0] = r * u
     mean[..., 1] = r * v
     mean[..., 2] = r * sum_8
     covariance[..., 0, 0] = r_squared * sigma_u_squared + sigma_r_squared * (sigma_u_squared + u_squared)
-    covariance[..., 0, 1] = (r_squared + sigma_r_squared) * rho * sigma_u * sigma_v + sigma_r_squared * u * v
+    covariance[..., 0, 1] = product_2 * (r_squared + sigma_r_squared) * sigma_u + sigma_r_squared * u * v
+    del sum_8, sigma_u_squared, u_squared, product_2
     covariance[..., 0, 2] = sum_11 * term_1
-    del sum_8, sigma_u_squared, u_squared, sum_11
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = r_squared * sigma_v_squared + sigma_r_squared * (sigma_v_squared + v_squared)
-    del r_squared, sigma_r_squared, sigma_v_squared, v_squared
+    del sum_11, r_squared, sigma_r_squared, sigma_v_squared, v_squared
     covariance[..., 1, 2] = sum_14 * term_1
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -2764,7 +2719,8 @@ def ruv_averaged(
     sum_2_squared = sum_2**2
     sum_3 = 3.0 - 3.0 * u_squared + 2.0 * v_squared
     sigma_v_squared = sigma_v**2
-    sum_4 = 4.5 * sigma_v_squared * sum_3 + sum_2_squared
+    product_18 = sigma_v_squared * sum_3
+    sum_4 = 4.5 * product_18 + sum_2_squared
     sum_5 = 1.0 - v
     sum_6 = 1.0 - v_squared + 4.0 * u_squared
     sigma_u_squared = sigma_u**2
@@ -2773,87 +2729,108 @@ def ruv_averaged(
     sum_9 = 1.0 - 2.0 * u_squared + 11.0 * v_squared
     sum_10 = 1.0 + sum_9 * u_squared + (1.0 - 2.0 * v_squared) * v_squared
     sum_11 = 3.0 - 3.0 * v_squared + 2.0 * u_squared
-    sum_12 = 1.5 * rho * sigma_v * sum_10 + 4.5 * sigma_u * sum_11 * u * v
+    product_14 = rho * sigma_v
+    product_6 = sigma_u * u
+    sum_12 = 1.5 * product_14 * sum_10 + 4.5 * product_6 * sum_11 * v
     sum_13 = 0.75 * sigma_v * sum_10 + rho * sum_12
-    sum_14 = sigma_v * sum_13 + sum_5 * sum_7 * sum_8
-    del sum_9, sum_10, sum_12, sum_13, sum_8
-    sum_15 = sigma_u * sum_14 + rho * sigma_v * sum_4 * u * v
+    del sum_3, sum_9, sum_10, sum_12
+    product_20 = sum_5 * sum_7
+    sum_14 = product_20 * sum_8 + sigma_v * sum_13
+    product_3 = sigma_v * v
+    product_4 = product_3 * rho
+    product_12 = product_4 * u
+    sum_15 = product_12 * sum_4 + sigma_u * sum_14
+    del sum_13, sum_8, sum_14, sum_4
     sum_16 = 1.0 - u
     sum_17 = 1.0 - u_squared + 4.0 * v_squared
     sum_18 = 1.0 + u
     sum_19 = 1.125 * sigma_v_squared * sum_17 + 0.5 * sum_2_squared
-    sum_20 = sigma_v_squared * sum_16 * sum_18 * sum_19 + sigma_u * sum_15
-    del sum_14, sum_4, sum_15, sum_19
+    product_5 = sum_16 * sum_18
+    product_8 = product_5 * sigma_v_squared
+    sum_20 = product_8 * sum_19 + sigma_u * sum_15
     sum_21 = root_1 + sum_20 / (root_1 * (root_1 * root_1**2)**2)
+    del sum_16, sum_15, sum_19, sum_20
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     sum_22 = 3.0 * sigma_u_squared + u_squared
     sum_23 = 3.0 * sigma_r_squared + r_squared
     term_1 = 1.0 / (root_1 * (root_1**2)**2)
     product_1 = sum_2 * sum_2_squared
-    sum_24 = product_1 + sigma_v_squared * sum_1 * sum_16 * sum_18
-    sum_25 = 3.0 * sigma_v_squared * sum_16 * sum_18 + sum_2_squared
+    sum_24 = product_1 + product_8 * sum_1
+    sum_25 = 3.0 * product_8 + sum_2_squared
     sum_26 = 1.0 - v_squared + 2.0 * u_squared
-    product_2 = 3.0 * sigma_u_squared * sum_5 * sum_7
+    product_7 = sigma_u_squared * sum_7
+    product_11 = product_7 * sum_5
+    product_2 = 3.0 * product_11
     sum_27 = 1.0 - u_squared + 2.0 * v_squared
     rho_squared = rho**2
-    sum_28 = product_2 + (1.0 + 2.0 * rho_squared) * sigma_v_squared * sum_27 + sum_2_squared
-    sum_29 = 3.0 * rho * sigma_u * sigma_v * sum_26 * v + sum_28 * u
-    sum_30 = rho * sigma_v * sum_25 * v + sigma_u * sum_29
-    del sum_20, sum_2, sum_28, sum_29
+    product_17 = sigma_v_squared * sum_27
+    sum_28 = (1.0 + 2.0 * rho_squared) * product_17 + product_2 + sum_2_squared
+    product_10 = sigma_u * sum_26
+    product_22 = product_10 * product_4
+    sum_29 = 3.0 * product_22 + sum_28 * u
+    sum_30 = product_4 * sum_25 + sigma_u * sum_29
     sum_31 = 3.0 - 3.0 * v_squared - u_squared
     sum_32 = 4.0 - 3.0 * u_squared - 4.0 * v_squared
-    sum_33 = rho * sigma_v * sum_31 * v + sigma_u * sum_32 * u
-    sum_34 = r_squared * sum_30 + sigma_r_squared * sum_1 * sum_33
-    del sum_31, sum_32, sum_30, sum_33
-    sum_35 = sigma_r_squared * sum_24 * u + sigma_u * sum_34
+    sum_33 = product_4 * sum_31 + product_6 * sum_32
+    del sum_2, sum_28, sum_29, product_4, sum_31, sum_32
+    product_15 = sigma_r_squared * sum_1
+    sum_34 = product_15 * sum_33 + r_squared * sum_30
+    product_16 = sigma_r_squared * u
+    sum_35 = product_16 * sum_24 + sigma_u * sum_34
+    del sum_30, sum_33, sum_24, sum_34
     sum_36 = 3.0 * sigma_v_squared + v_squared
-    sum_37 = product_1 + sigma_u_squared * sum_1 * sum_5 * sum_7
-    sum_38 = 3.0 * sigma_v_squared * sum_27 + product_2 + sum_2_squared
-    del sum_24, sum_34, product_1, product_2
-    sum_39 = 2.0 * rho * sigma_u * sigma_v * sum_26 * v + sum_38 * u
-    sum_40 = sigma_u * sigma_v * sum_26 * v + rho * sum_39
-    sum_41 = sigma_v * sum_25 * v + sigma_u * sum_40
-    del sum_38, sum_39, sum_25, sum_40
+    sum_37 = product_1 + product_11 * sum_1
+    sum_38 = 3.0 * product_17 + product_2 + sum_2_squared
+    del product_1, sum_1, product_17, product_2
+    sum_39 = 2.0 * product_22 + sum_38 * u
+    sum_40 = product_10 * product_3 + rho * sum_39
+    del product_22, sum_38, product_10, sum_39
+    sum_41 = product_3 * sum_25 + sigma_u * sum_40
     sum_42 = 3.0 - 3.0 * u_squared - v_squared
     sum_43 = 4.0 - 3.0 * v_squared - 4.0 * u_squared
-    sum_44 = rho * sigma_u * sum_42 * u + sigma_v * sum_43 * v
-    sum_45 = r_squared * sum_41 + sigma_r_squared * sum_1 * sum_44
-    del sum_42, sum_43, sum_1, sum_41, sum_44
+    product_9 = product_6 * rho
+    sum_44 = product_3 * sum_43 + product_9 * sum_42
+    del sum_25, sum_40, sum_42, sum_43
+    sum_45 = product_15 * sum_44 + r_squared * sum_41
     sum_46 = sigma_r_squared * sum_37 * v + sigma_v * sum_45
-    sum_47 = 2.0 * sum_2_squared + 6.0 * sigma_v_squared * sum_3
-    sum_48 = 2.0 * sum_2_squared + 4.0 * sigma_v_squared * sum_16 * sum_18
+    del product_15, sum_41, sum_44, sum_37, sum_45
+    sum_47 = 2.0 * sum_2_squared + 6.0 * product_18
+    sum_48 = 2.0 * sum_2_squared + 4.0 * product_8
     sum_49 = r_squared * sum_47 + sigma_r_squared * sum_48
-    del sum_37, sum_45, sum_3, sum_47, sum_48
     sigma_v_squared_squared = sigma_v_squared**2
-    sum_50 = 18.0 * r_squared * sigma_v_squared_squared * sum_16 * sum_18 * sum_27 + sum_2_squared * sum_49
+    product_13 = r_squared * sigma_v_squared_squared
+    del product_18, sum_47, sum_48, sigma_v_squared_squared
+    sum_50 = 18.0 * product_13 * product_5 * sum_27 + sum_2_squared * sum_49
     sum_51 = 2.0 - 2.0 * v_squared - 3.0 * u_squared
     term_2 = (v - 1.0)**2
-    sum_52 = 2.0 * sigma_v * sum_16 * sum_18 + 4.0 * rho * sigma_u * u * v
-    sum_53 = 4.0 * rho_squared * sigma_v * u_squared * v_squared + sum_5 * sum_52 * sum_7
+    product_21 = product_9 * v
+    sum_52 = 2.0 * product_5 * sigma_v + 4.0 * product_21
+    sum_53 = 4.0 * rho_squared * sigma_v * u_squared * v_squared + product_20 * sum_52
+    del sum_49, product_9, product_5, product_20, rho_squared, sum_52
     sum_54 = sum_2_squared * sum_51 - sigma_u_squared * sum_7**2 * term_2 - sigma_v * sum_53
-    del sum_49, rho_squared, sum_52, sum_51, sum_53
-    sum_55 = 1.5 * sum_2_squared * sum_5 * sum_6 + 9.0 * sigma_u_squared * sum_7 * term_2 * u_squared
-    sum_56 = 18.0 * sigma_u_squared * sum_26 * sum_5 * sum_7 + 6.0 * sum_11 * sum_2_squared
-    del sum_6, term_2, sum_11, sum_5
+    sum_55 = 1.5 * sum_2_squared * sum_5 * sum_6 + 9.0 * product_7 * term_2 * u_squared
+    del sum_51, sum_53, sum_7, sum_5, sum_6, term_2
+    sum_56 = 18.0 * product_11 * sum_26 + 6.0 * sum_11 * sum_2_squared
     sum_57 = 2.0 - 2.0 * u_squared + 11.0 * v_squared
     sum_58 = sum_57 * u_squared + (2.0 - 2.0 * v_squared) * v_squared
     sum_59 = 2.0 - 17.0 * v_squared + 5.0 * u_squared
     sum_60 = 7.0 - sum_59 * u_squared - (2.0 + 5.0 * v_squared) * v_squared
+    del product_11, sum_11, sum_57, sum_59
     sum_61 = 1.0 - 4.0 * u_squared + 22.0 * v_squared
     sum_62 = 3.0 + sum_61 * u_squared + (1.0 - 4.0 * v_squared) * v_squared
     sum_63 = 4.0 - 2.0 * u_squared + 14.0 * v_squared
     sum_64 = 2.0 - sum_63 * u_squared + (11.0 + 11.0 * v_squared) * v_squared
-    del sum_57, sum_59, sum_61, sum_63
     sum_65 = sum_64 * u_squared + (3.0 - 3.0 * v_squared) * v_squared
     sum_66 = 11.0 - 14.0 * v_squared + 11.0 * u_squared
     sum_67 = 2.0 - (4.0 - 2.0 * v_squared) * v_squared + sum_66 * u_squared
+    del sum_61, sum_63, sum_64, sum_66
     sum_68 = sum_67 * v_squared + (3.0 - 3.0 * u_squared) * u_squared
-    sum_69 = 4.0 * sigma_u * sum_68 + 8.0 * rho * sigma_v * sum_26 * sum_27 * u * v
-    del sum_64, sum_66, sum_67, sum_26, sum_27, sum_68
+    sum_69 = 4.0 * sigma_u * sum_68 + 8.0 * product_12 * sum_26 * sum_27
+    del sum_67, sum_26, sum_27, sum_68
     sum_70 = 4.0 * sigma_v_squared * sum_65 + sum_2_squared * sum_62 + sigma_u * sum_69
-    sum_71 = 4.0 * sigma_u * sigma_v * sum_60 * u * v + rho * sum_70
-    del sum_62, sum_65, sum_69, sum_60, sum_70
+    sum_71 = 4.0 * product_3 * product_6 * sum_60 + rho * sum_70
+    del sum_62, sum_65, sum_69, product_3, product_6, sum_60, sum_70
     sum_72 = 10.0 - 16.0 * v_squared + 10.0 * u_squared
     sum_73 = 1.0 - (2.0 - v_squared) * v_squared + sum_72 * u_squared
     sum_74 = sum_73 * v_squared + (6.0 - 6.0 * u_squared) * u_squared
@@ -2863,36 +2840,35 @@ def ruv_averaged(
     del sum_72, sum_73, sum_75, sum_76
     sum_78 = sigma_u_squared * sum_74 + sigma_v_squared * sum_77 + sum_2_squared * sum_58 + rho * sum_71
     del sum_58, sum_71, sum_74, sum_77
-    sum_79 = rho * sigma_u * sum_56 * u * v + sigma_v * sum_78
-    sum_80 = sigma_u_squared * sum_55 * sum_7 + sum_2_squared**2 * u_squared + sigma_v * sum_79
-    del sum_56, sum_78, sum_55, sum_7, sum_79
+    sum_79 = product_21 * sum_56 + sigma_v * sum_78
+    sum_80 = product_7 * sum_55 + sum_2_squared**2 * u_squared + sigma_v * sum_79
+    del product_21, sum_56, sum_78, product_7, sum_55, sum_79
     sum_81 = r_squared * sum_80 - sigma_r_squared * sum_2_squared * sum_54
-    sum_82 = rho * sigma_v * sum_50 * u * v + sigma_u * sum_81
-    del sum_54, sum_80, sum_50, sum_81
+    sum_82 = product_12 * sum_50 + sigma_u * sum_81
+    del sum_54, sum_80, product_12, sum_50, sum_81
     sum_83 = 2.0 - 2.0 * u_squared - 3.0 * v_squared
     sum_18_squared = sum_18**2
     term_3 = (u - 1.0)**2
-    sum_84 = sum_2_squared * sum_83 - sigma_v_squared * sum_18_squared * term_3
-    sum_85 = 1.5 * sigma_v_squared * sum_16 * sum_17 * sum_18 + sum_2_squared * v_squared
-    del u_squared, sum_83, sum_16, sum_17, sum_18
+    product_19 = sum_18_squared * term_3
+    del u_squared, sum_18, sum_18_squared, term_3
+    sum_84 = sum_2_squared * sum_83 - product_19 * sigma_v_squared
+    sum_85 = 1.5 * product_8 * sum_17 + sum_2_squared * v_squared
     sum_86 = r_squared * sum_85 - sigma_r_squared * sum_84
-    sum_87 = (
-        9.0 * r_squared * sigma_v_squared_squared * sum_18_squared * term_3 * v_squared
-        + sum_2_squared * sum_86
-    )
-    del sum_84, sum_85, sigma_v_squared_squared, sum_18_squared, sum_86, term_3, v_squared
+    del sum_83, product_8, sum_17, sum_84, sum_85
+    sum_87 = 9.0 * product_13 * product_19 * v_squared + sum_2_squared * sum_86
+    del product_13, product_19, sum_86, v_squared
     sum_88 = sigma_r_squared * sum_2_squared * sum_2_squared**2 + sigma_v_squared * sum_87 + sigma_u * sum_82
     mean[..., 0] = r * u
     mean[..., 1] = r * v
     mean[..., 2] = r * sum_21
     del sum_2_squared, sum_82, sum_87, sum_21
     covariance[..., 0, 0] = r_squared * sigma_u_squared + sigma_r_squared * sum_22
-    covariance[..., 0, 1] = sigma_r_squared * u * v + rho * sigma_u * sigma_v * sum_23
+    covariance[..., 0, 1] = product_14 * sigma_u * sum_23 + product_16 * v
+    del sigma_u_squared, sum_22, product_14, product_16, sum_23
     covariance[..., 0, 2] = -sum_35 * term_1
-    del sigma_u_squared, sum_22, sum_23, sum_35
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = r_squared * sigma_v_squared + sigma_r_squared * sum_36
-    del r_squared, sigma_r_squared, sigma_v_squared, sum_36
+    del sum_35, r_squared, sigma_r_squared, sigma_v_squared, sum_36
     covariance[..., 1, 2] = -sum_46 * term_1
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -2935,67 +2911,87 @@ def ruv_unbiased(
     sum_10 = 1.0 - 2.0 * u_squared + 11.0 * v_squared
     product_1 = (1.0 - 2.0 * v_squared) * v_squared
     sum_11 = 1.0 + product_1 + sum_10 * u_squared
-    sum_12 = 1.5 * sigma_u * sum_9 * u * v + 0.5 * rho * sigma_v * sum_11
+    product_14 = rho * sigma_v
+    product_7 = sigma_u * u
+    sum_12 = 1.5 * product_7 * sum_9 * v + 0.5 * product_14 * sum_11
     del sum_3, sum_5, sum_10, sum_9
     sum_13 = 0.25 * sigma_v * sum_11 + rho * sum_12
-    sum_14 = sum_6 * sum_7 * sum_8 - sigma_v * sum_13
+    product_9 = sum_6 * sum_7
+    sum_14 = product_9 * sum_8 - sigma_v * sum_13
     del sum_11, sum_12, sum_13, sum_8
-    sum_15 = sigma_u * sum_14 + rho * sigma_v * sum_4 * u * v
+    product_4 = sigma_v * v
+    product_6 = product_4 * rho
+    product_13 = product_6 * u
+    sum_15 = product_13 * sum_4 + sigma_u * sum_14
     sum_16 = 1.0 - u_squared + 4.0 * v_squared
     sum_17 = 1.0 - u
     sum_18 = 1.0 + u
     sum_19 = 0.5 * sum_2_squared - 0.375 * sigma_v_squared * sum_16
-    sum_20 = sigma_v_squared * sum_17 * sum_18 * sum_19 + sigma_u * sum_15 + sum_2_squared_squared
-    del sum_14, sum_4, sum_16, sum_15, sum_19
+    product_5 = sum_17 * sum_18
+    del sum_14, sum_4, sum_16, sum_17
+    product_8 = product_5 * sigma_v_squared
+    sum_20 = product_8 * sum_19 + sigma_u * sum_15 + sum_2_squared_squared
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     term_1 = 1.0 / (root_1 * (root_1**2)**2)
     product_2 = sum_2 * sum_2_squared
-    sum_21 = product_2 + 0.5 * sigma_v_squared * sum_1 * sum_17 * sum_18
-    sum_22 = 1.5 * sigma_v_squared * sum_17 * sum_18 + sum_2_squared
+    sum_21 = product_2 + 0.5 * product_8 * sum_1
+    sum_22 = 1.5 * product_8 + sum_2_squared
     sum_23 = 1.0 - v_squared + 2.0 * u_squared
-    product_3 = 1.5 * sigma_u_squared * sum_6 * sum_7
+    product_12 = product_9 * sigma_u_squared
+    product_3 = 1.5 * product_12
     sum_24 = 1.0 - u_squared + 2.0 * v_squared
     rho_squared = rho**2
-    sum_25 = product_3 + (0.5 + rho_squared) * sigma_v_squared * sum_24 + sum_2_squared
-    sum_26 = 1.5 * rho * sigma_u * sigma_v * sum_23 * v + sum_25 * u
-    sum_27 = rho * sigma_v * sum_22 * v + sigma_u * sum_26
+    product_19 = sigma_v_squared * sum_24
+    sum_25 = product_19 * (0.5 + rho_squared) + product_3 + sum_2_squared
+    product_11 = sigma_u * sum_23
+    product_23 = product_11 * product_6
+    sum_26 = 1.5 * product_23 + sum_25 * u
+    del sum_15, sum_19, sum_2, sum_25
+    sum_27 = product_6 * sum_22 + sigma_u * sum_26
     sum_28 = 3.0 - 2.0 * u_squared - 3.0 * v_squared
-    sum_29 = 0.5 * sigma_u * sum_28 * u + rho * sigma_v * sum_6 * sum_7 * v
-    del sum_2, sum_25, sum_26, sum_28
-    sum_30 = r_squared * sum_27 + sigma_r_squared * sum_1 * sum_29
-    sum_31 = sigma_r_squared * sum_21 * u + sigma_u * sum_30
-    del sum_27, sum_29, sum_21, sum_30
-    sum_32 = product_2 + 0.5 * sigma_u_squared * sum_1 * sum_6 * sum_7
-    sum_33 = 1.5 * sigma_v_squared * sum_24 + product_3 + sum_2_squared
-    sum_34 = rho * sigma_u * sigma_v * sum_23 * v + sum_33 * u
-    sum_35 = 0.5 * sigma_u * sigma_v * sum_23 * v + rho * sum_34
-    sum_36 = sigma_v * sum_22 * v + sigma_u * sum_35
-    del product_3, sum_33, sum_34, sum_22, sum_35
+    sum_29 = product_6 * product_9 + 0.5 * product_7 * sum_28
+    product_15 = sigma_r_squared * sum_1
+    sum_30 = product_15 * sum_29 + r_squared * sum_27
+    del sum_26, product_6, sum_28, sum_27, sum_29
+    product_17 = sigma_r_squared * u
+    sum_31 = product_17 * sum_21 + sigma_u * sum_30
+    sum_32 = 0.5 * product_12 * sum_1 + product_2
+    sum_33 = 1.5 * product_19 + product_3 + sum_2_squared
+    del sum_21, sum_30, sum_1, product_19, product_3
+    sum_34 = product_23 + sum_33 * u
+    sum_35 = 0.5 * product_11 * product_4 + rho * sum_34
+    del product_23, sum_33, product_11, sum_34
+    sum_36 = product_4 * sum_22 + sigma_u * sum_35
     sum_37 = 3.0 - 2.0 * v_squared - 3.0 * u_squared
-    sum_38 = rho * sigma_u * sum_17 * sum_18 * u + 0.5 * sigma_v * sum_37 * v
-    sum_39 = r_squared * sum_36 + sigma_r_squared * sum_1 * sum_38
-    del sum_37, sum_1, sum_36, sum_38
+    product_10 = product_7 * rho
+    sum_38 = product_10 * product_5 + 0.5 * product_4 * sum_37
+    sum_39 = product_15 * sum_38 + r_squared * sum_36
+    del sum_22, sum_35, sum_37, product_15, sum_36, sum_38
     sum_40 = sigma_r_squared * sum_32 * v + sigma_v * sum_39
     sum_41 = 2.0 - 2.0 * u_squared + v_squared
-    sum_42 = 6.0 * sum_2_squared * sum_41 + 4.5 * sigma_v_squared * sum_17 * sum_18 * sum_24
+    product_21 = product_8 * sum_24
+    sum_42 = 6.0 * sum_2_squared * sum_41 + 4.5 * product_21
     sum_43 = 2.0 * sum_2_squared_squared + sigma_v_squared * sum_42
     del sum_32, sum_39, sum_41, sum_42
-    sum_44 = r_squared * sum_43 + sigma_r_squared * sigma_v_squared * sum_17 * sum_18 * sum_2_squared
+    product_16 = sigma_r_squared * sum_2_squared
+    sum_44 = product_16 * product_8 + r_squared * sum_43
     term_2 = (v - 1.0)**2
-    sum_45 = 1.5 * sum_23 * sum_2_squared * sum_6 + 2.25 * sigma_u_squared * sum_7 * term_2 * u_squared
+    product_18 = sigma_u_squared * sum_7
+    sum_45 = 1.5 * sum_23 * sum_2_squared * sum_6 + 2.25 * product_18 * term_2 * u_squared
     sum_46 = 2.0 - 2.0 * v_squared + u_squared
-    sum_47 = 6.0 * sum_2_squared * sum_46 + 4.5 * sigma_u_squared * sum_23 * sum_6 * sum_7
+    sum_47 = 6.0 * sum_2_squared * sum_46 + 4.5 * product_12 * sum_23
+    del product_8, sum_43, sum_6, product_12, sum_46
     sum_48 = 1.0 - 7.0 * v_squared + u_squared
     sum_49 = 2.0 - sum_48 * u_squared - v_squared * (1.0 + v_squared)
     sum_50 = 1.0 - 2.0 * u_squared + 14.0 * v_squared
     sum_51 = 1.0 + product_1 + sum_50 * u_squared
-    del sum_43, sum_46, sum_48, product_1, sum_50
     sum_52 = 11.0 - 14.0 * v_squared + 11.0 * u_squared
     sum_53 = 2.0 - (4.0 - 2.0 * v_squared) * v_squared + sum_52 * u_squared
+    del sum_48, product_1, sum_50, sum_52
     sum_54 = sum_53 * v_squared + (3.0 - 3.0 * u_squared) * u_squared
-    sum_55 = 2.0 * rho * sigma_v * sum_23 * sum_24 * u * v + sigma_u * sum_54
-    del sum_52, sum_53, sum_23, sum_54
+    sum_55 = 2.0 * product_13 * sum_23 * sum_24 + sigma_u * sum_54
+    del sum_53, sum_23, sum_24, sum_54
     sum_56 = 4.0 - 2.0 * u_squared + 14.0 * v_squared
     sum_57 = 2.0 - sum_56 * u_squared + (11.0 + 11.0 * v_squared) * v_squared
     sum_58 = sum_57 * u_squared + (3.0 - 3.0 * v_squared) * v_squared
@@ -3003,53 +2999,55 @@ def ruv_unbiased(
     del sum_56, sum_57, sum_51, sum_55, sum_58
     sum_60 = 2.0 - 17.0 * v_squared + 5.0 * u_squared
     sum_61 = 7.0 - sum_60 * u_squared - (2.0 + 5.0 * v_squared) * v_squared
-    sum_62 = rho * sum_59 + sigma_u * sigma_v * sum_61 * u * v
+    sum_62 = product_4 * product_7 * sum_61 + rho * sum_59
+    del sum_60, product_4, product_7, sum_59, sum_61
     sum_63 = 10.0 - 16.0 * v_squared + 10.0 * u_squared
     sum_64 = 1.0 - (2.0 - v_squared) * v_squared + sum_63 * u_squared
-    del sum_60, sum_59, sum_61, sum_63
     sum_65 = sum_64 * v_squared + (6.0 - 6.0 * u_squared) * u_squared
     sum_66 = 2.0 - u_squared + 16.0 * v_squared
     sum_67 = 1.0 - sum_66 * u_squared + (10.0 + 10.0 * v_squared) * v_squared
     sum_68 = sum_67 * u_squared + (6.0 - 6.0 * v_squared) * v_squared
+    del sum_63, sum_64, sum_66, sum_67
     sum_69 = (
         0.25 * sigma_u_squared * sum_65
         + 0.25 * sigma_v_squared * sum_68
         + sum_2_squared * sum_49
         + rho * sum_62
     )
-    del sum_64, sum_66, sum_67, sum_49, sum_62, sum_65, sum_68
-    sum_70 = rho * sigma_u * sum_47 * u * v + sigma_v * sum_69
-    sum_71 = sigma_u_squared * sum_45 * sum_7 + sum_2_squared_squared * u_squared + sigma_v * sum_70
-    del sum_47, sum_69, sum_2_squared_squared, sum_45, sum_70
-    sum_72 = rho * sigma_u * u * v + 0.5 * sigma_v * sum_17 * sum_18
-    sum_73 = rho_squared * sigma_v * u_squared * v_squared + sum_6 * sum_7 * sum_72
+    del sum_49, sum_62, sum_65, sum_68
+    product_22 = product_10 * v
+    sum_70 = product_22 * sum_47 + sigma_v * sum_69
+    sum_71 = product_18 * sum_45 + sum_2_squared_squared * u_squared + sigma_v * sum_70
+    del product_10, sum_47, sum_69, product_18, sum_2_squared_squared, sum_45, sum_70
+    sum_72 = product_22 + 0.5 * product_5 * sigma_v
+    sum_73 = product_9 * sum_72 + rho_squared * sigma_v * u_squared * v_squared
+    del product_22, product_5, product_9, rho_squared, sum_72
     sum_74 = product_2 + 0.25 * sigma_u_squared * sum_7**2 * term_2 + sigma_v * sum_73
-    del rho_squared, sum_6, sum_72, sum_7, sum_73, term_2
-    sum_75 = r_squared * sum_71 + sigma_r_squared * sum_2_squared * sum_74
-    sum_76 = rho * sigma_v * sum_44 * u * v + sigma_u * sum_75
-    del sum_71, sum_74, sum_44, sum_75
-    sum_77 = 1.5 * sigma_v_squared * sum_17 * sum_18 * sum_24 + sum_2_squared * v_squared
+    sum_75 = product_16 * sum_74 + r_squared * sum_71
+    del sum_7, sum_73, term_2, product_16, sum_71, sum_74
+    sum_76 = product_13 * sum_44 + sigma_u * sum_75
+    sum_77 = 1.5 * product_21 + sum_2_squared * v_squared
+    del product_13, sum_44, sum_75, product_21
     sum_18_squared = sum_18**2
     term_3 = (u - 1.0)**2
-    sum_78 = product_2 + 0.25 * sigma_v_squared * sum_18_squared * term_3
-    del sum_17, sum_24, sum_18, product_2
+    product_20 = sum_18_squared * term_3
+    sum_78 = product_2 + 0.25 * product_20 * sigma_v_squared
+    del sum_18, sum_18_squared, term_3, product_2
     sum_79 = r_squared * sum_77 + sigma_r_squared * sum_78
-    sum_80 = (
-        2.25 * r_squared * sigma_v_squared**2 * sum_18_squared * term_3 * v_squared
-        + sum_2_squared * sum_79
-    )
-    del sum_77, sum_78, sum_18_squared, sum_79, term_3
+    sum_80 = 2.25 * product_20 * r_squared * sigma_v_squared**2 * v_squared + sum_2_squared * sum_79
+    del sum_77, sum_78, product_20, sum_79
     sum_81 = sigma_r_squared * sum_2_squared * sum_2_squared**2 + sigma_v_squared * sum_80 + sigma_u * sum_76
     mean[..., 0] = r * u
     mean[..., 1] = r * v
     mean[..., 2] = r * sum_20 / (root_1 * (root_1 * root_1**2)**2)
     del sum_2_squared, sum_76, sum_80, sum_20
     covariance[..., 0, 0] = r_squared * sigma_u_squared + sigma_r_squared * (sigma_u_squared + u_squared)
-    covariance[..., 0, 1] = (r_squared + sigma_r_squared) * rho * sigma_u * sigma_v + sigma_r_squared * u * v
+    covariance[..., 0, 1] = product_14 * (r_squared + sigma_r_squared) * sigma_u + product_17 * v
+    del sigma_u_squared, u_squared, product_14, product_17
     covariance[..., 0, 2] = -sum_31 * term_1
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = r_squared * sigma_v_squared + sigma_r_squared * (sigma_v_squared + v_squared)
-    del sigma_u_squared, u_squared, sum_31, r_squared, sigma_r_squared, sigma_v_squared, v_squared
+    del sum_31, r_squared, sigma_r_squared, sigma_v_squared, v_squared
     covariance[..., 1, 2] = -sum_40 * term_1
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -3092,124 +3090,144 @@ def ruv_posterior(
     sum_10 = 1.0 - 2.0 * u_squared + 11.0 * v_squared
     product_1 = (1.0 - 2.0 * v_squared) * v_squared
     sum_11 = 1.0 + product_1 + sum_10 * u_squared
-    sum_12 = 1.5 * sigma_u * sum_9 * u * v + 0.5 * rho * sigma_v * sum_11
+    product_14 = rho * sigma_v
+    product_7 = sigma_u * u
+    sum_12 = 1.5 * product_7 * sum_9 * v + 0.5 * product_14 * sum_11
     del sum_3, sum_6, sum_10, sum_9
     sum_13 = 0.25 * sigma_v * sum_11 + rho * sum_12
-    sum_14 = sigma_v * sum_13 + sum_5 * sum_7 * sum_8
+    product_9 = sum_5 * sum_7
+    sum_14 = product_9 * sum_8 + sigma_v * sum_13
     del sum_11, sum_12, sum_13, sum_8
-    sum_15 = sigma_u * sum_14 + rho * sigma_v * sum_4 * u * v
+    product_4 = sigma_v * v
+    product_6 = product_4 * rho
+    product_13 = product_6 * u
+    sum_15 = product_13 * sum_4 + sigma_u * sum_14
     sum_16 = 1.0 - u
     sum_17 = 1.0 - u_squared + 4.0 * v_squared
     sum_18 = 1.0 + u
     sum_19 = 0.375 * sigma_v_squared * sum_17 + 0.5 * sum_2_squared
-    sum_20 = sum_2_squared_squared - sigma_v_squared * sum_16 * sum_18 * sum_19 - sigma_u * sum_15
-    del sum_14, sum_4, sum_17, sum_15, sum_19
+    product_5 = sum_16 * sum_18
+    del sum_14, sum_4, sum_17, sum_16
+    product_8 = product_5 * sigma_v_squared
+    sum_20 = sum_2_squared_squared - product_8 * sum_19 - sigma_u * sum_15
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     term_1 = 1.0 / (root_1 * (root_1**2)**2)
     product_2 = sum_2 * sum_2_squared
-    sum_21 = product_2 + 0.5 * sigma_v_squared * sum_1 * sum_16 * sum_18
-    sum_22 = 1.5 * sigma_v_squared * sum_16 * sum_18 + sum_2_squared
+    sum_21 = product_2 + 0.5 * product_8 * sum_1
+    sum_22 = 1.5 * product_8 + sum_2_squared
     sum_23 = 1.0 - v_squared + 2.0 * u_squared
-    product_3 = 1.5 * sigma_u_squared * sum_5 * sum_7
+    product_12 = product_9 * sigma_u_squared
+    product_3 = 1.5 * product_12
     sum_24 = 1.0 - u_squared + 2.0 * v_squared
     rho_squared = rho**2
-    sum_25 = product_3 + (0.5 + rho_squared) * sigma_v_squared * sum_24 + sum_2_squared
-    sum_26 = 1.5 * rho * sigma_u * sigma_v * sum_23 * v + sum_25 * u
-    sum_27 = rho * sigma_v * sum_22 * v + sigma_u * sum_26
+    product_19 = sigma_v_squared * sum_24
+    sum_25 = product_19 * (0.5 + rho_squared) + product_3 + sum_2_squared
+    product_11 = sigma_u * sum_23
+    product_22 = product_11 * product_6
+    sum_26 = 1.5 * product_22 + sum_25 * u
+    del sum_15, sum_19, sum_2, sum_25
+    sum_27 = product_6 * sum_22 + sigma_u * sum_26
     sum_28 = 3.0 - 2.0 * u_squared - 3.0 * v_squared
-    sum_29 = 0.5 * sigma_u * sum_28 * u + rho * sigma_v * sum_5 * sum_7 * v
-    del sum_2, sum_25, sum_26, sum_28
-    sum_30 = r_squared * sum_27 + sigma_r_squared * sum_1 * sum_29
-    sum_31 = sigma_r_squared * sum_21 * u + sigma_u * sum_30
-    del sum_27, sum_29, sum_21, sum_30
-    sum_32 = product_2 + 0.5 * sigma_u_squared * sum_1 * sum_5 * sum_7
-    sum_33 = 1.5 * sigma_v_squared * sum_24 + product_3 + sum_2_squared
-    sum_34 = rho * sigma_u * sigma_v * sum_23 * v + sum_33 * u
-    sum_35 = 0.5 * sigma_u * sigma_v * sum_23 * v + rho * sum_34
-    sum_36 = sigma_v * sum_22 * v + sigma_u * sum_35
-    del product_3, sum_33, sum_34, sum_22, sum_35
+    sum_29 = product_6 * product_9 + 0.5 * product_7 * sum_28
+    product_15 = sigma_r_squared * sum_1
+    sum_30 = product_15 * sum_29 + r_squared * sum_27
+    del sum_26, product_6, sum_28, sum_27, sum_29
+    product_17 = sigma_r_squared * u
+    sum_31 = product_17 * sum_21 + sigma_u * sum_30
+    sum_32 = 0.5 * product_12 * sum_1 + product_2
+    sum_33 = 1.5 * product_19 + product_3 + sum_2_squared
+    del sum_21, sum_30, sum_1, product_19, product_3
+    sum_34 = product_22 + sum_33 * u
+    sum_35 = 0.5 * product_11 * product_4 + rho * sum_34
+    del product_22, sum_33, product_11, sum_34
+    sum_36 = product_4 * sum_22 + sigma_u * sum_35
     sum_37 = 3.0 - 2.0 * v_squared - 3.0 * u_squared
-    sum_38 = rho * sigma_u * sum_16 * sum_18 * u + 0.5 * sigma_v * sum_37 * v
-    sum_39 = r_squared * sum_36 + sigma_r_squared * sum_1 * sum_38
-    del sum_37, sum_1, sum_36, sum_38
+    product_10 = product_7 * rho
+    sum_38 = product_10 * product_5 + 0.5 * product_4 * sum_37
+    sum_39 = product_15 * sum_38 + r_squared * sum_36
+    del sum_22, sum_35, sum_37, product_15, sum_36, sum_38
     sum_40 = sigma_r_squared * sum_32 * v + sigma_v * sum_39
     sum_41 = 4.0 - 4.0 * u_squared + 3.0 * v_squared
-    sum_42 = 2.0 * sum_2_squared * sum_41 + 4.5 * sigma_v_squared * sum_16 * sum_18 * sum_24
+    sum_42 = 2.0 * sum_2_squared * sum_41 + 4.5 * product_8 * sum_24
     sum_43 = 2.0 * sum_2_squared_squared + sigma_v_squared * sum_42
     del sum_32, sum_39, sum_41, sum_42
-    sum_44 = r_squared * sum_43 + sigma_r_squared * sigma_v_squared * sum_16 * sum_18 * sum_2_squared
+    product_16 = sigma_r_squared * sum_2_squared
+    sum_44 = product_16 * product_8 + r_squared * sum_43
     sum_45 = 1.0 - v_squared + 6.0 * u_squared
     term_2 = (v - 1.0)**2
-    sum_46 = 2.25 * sigma_u_squared * sum_7 * term_2 * u_squared + 0.5 * sum_2_squared * sum_45 * sum_5
+    product_18 = sigma_u_squared * sum_7
+    sum_46 = 2.25 * product_18 * term_2 * u_squared + 0.5 * sum_2_squared * sum_45 * sum_5
     sum_47 = 4.0 - 4.0 * v_squared + 3.0 * u_squared
-    sum_48 = 2.0 * sum_2_squared * sum_47 + 4.5 * sigma_u_squared * sum_23 * sum_5 * sum_7
+    sum_48 = 2.0 * sum_2_squared * sum_47 + 4.5 * product_12 * sum_23
+    del sum_43, sum_45, sum_5, product_12, sum_47
     sum_49 = 1.0 - u_squared + 5.0 * v_squared
     sum_50 = sum_49 * u_squared + (1.0 - v_squared) * v_squared
-    del sum_43, sum_45, sum_47, sum_49
     sum_51 = 1.0 - 2.0 * u_squared + 10.0 * v_squared
     sum_52 = 1.0 + product_1 + sum_51 * u_squared
     sum_53 = 11.0 - 14.0 * v_squared + 11.0 * u_squared
     sum_54 = 2.0 - (4.0 - 2.0 * v_squared) * v_squared + sum_53 * u_squared
+    del sum_49, product_1, sum_51, sum_53
     sum_55 = sum_54 * v_squared + (3.0 - 3.0 * u_squared) * u_squared
-    del product_1, sum_51, sum_53, sum_54
-    sum_56 = 2.0 * rho * sigma_v * sum_23 * sum_24 * u * v + sigma_u * sum_55
+    sum_56 = 2.0 * product_13 * sum_23 * sum_24 + sigma_u * sum_55
+    del sum_54, sum_23, sum_24, sum_55
     sum_57 = 4.0 - 2.0 * u_squared + 14.0 * v_squared
     sum_58 = 2.0 - sum_57 * u_squared + (11.0 + 11.0 * v_squared) * v_squared
-    del sum_23, sum_24, sum_55, sum_57
     sum_59 = sum_58 * u_squared + (3.0 - 3.0 * v_squared) * v_squared
     sum_60 = sigma_v_squared * sum_59 + sum_2_squared * sum_52 + sigma_u * sum_56
-    del sum_58, sum_52, sum_56, sum_59
+    del sum_57, sum_58, sum_52, sum_56, sum_59
     sum_61 = 2.0 - 17.0 * v_squared + 5.0 * u_squared
     sum_62 = 7.0 - sum_61 * u_squared - (2.0 + 5.0 * v_squared) * v_squared
-    sum_63 = rho * sum_60 + sigma_u * sigma_v * sum_62 * u * v
+    sum_63 = product_4 * product_7 * sum_62 + rho * sum_60
+    del sum_61, product_4, product_7, sum_60, sum_62
     sum_64 = 10.0 - 16.0 * v_squared + 10.0 * u_squared
     sum_65 = 1.0 - (2.0 - v_squared) * v_squared + sum_64 * u_squared
-    del sum_61, sum_60, sum_62, sum_64
     sum_66 = sum_65 * v_squared + (6.0 - 6.0 * u_squared) * u_squared
     sum_67 = 2.0 - u_squared + 16.0 * v_squared
     sum_68 = 1.0 - sum_67 * u_squared + (10.0 + 10.0 * v_squared) * v_squared
     sum_69 = sum_68 * u_squared + (6.0 - 6.0 * v_squared) * v_squared
+    del sum_64, sum_65, sum_67, sum_68
     sum_70 = (
         0.25 * sigma_u_squared * sum_66
         + 0.25 * sigma_v_squared * sum_69
         + sum_2_squared * sum_50
         + rho * sum_63
     )
-    del sum_65, sum_67, sum_68, sum_50, sum_63, sum_66, sum_69
-    sum_71 = rho * sigma_u * sum_48 * u * v + sigma_v * sum_70
-    sum_72 = sigma_u_squared * sum_46 * sum_7 + sum_2_squared_squared * u_squared + sigma_v * sum_71
-    del sum_48, sum_70, sum_2_squared_squared, sum_46, sum_71
-    sum_73 = rho * sigma_u * u * v + 0.5 * sigma_v * sum_16 * sum_18
-    sum_74 = rho_squared * sigma_v * u_squared * v_squared + sum_5 * sum_7 * sum_73
+    del sum_50, sum_63, sum_66, sum_69
+    product_21 = product_10 * v
+    sum_71 = product_21 * sum_48 + sigma_v * sum_70
+    sum_72 = product_18 * sum_46 + sum_2_squared_squared * u_squared + sigma_v * sum_71
+    del product_10, sum_48, sum_70, product_18, sum_2_squared_squared, sum_46, sum_71
+    sum_73 = product_21 + 0.5 * product_5 * sigma_v
+    sum_74 = product_9 * sum_73 + rho_squared * sigma_v * u_squared * v_squared
+    del product_21, product_5, product_9, rho_squared, sum_73
     sum_75 = product_2 + 0.25 * sigma_u_squared * sum_7**2 * term_2 + sigma_v * sum_74
-    del rho_squared, sum_5, sum_73, sum_7, sum_74, term_2
-    sum_76 = r_squared * sum_72 + sigma_r_squared * sum_2_squared * sum_75
-    sum_77 = rho * sigma_v * sum_44 * u * v + sigma_u * sum_76
-    del sum_72, sum_75, sum_44, sum_76
+    sum_76 = product_16 * sum_75 + r_squared * sum_72
+    del sum_7, sum_74, term_2, product_16, sum_72, sum_75
+    sum_77 = product_13 * sum_44 + sigma_u * sum_76
     sum_78 = 1.0 - u_squared + 6.0 * v_squared
-    sum_79 = 0.5 * sigma_v_squared * sum_16 * sum_18 * sum_78 + sum_2_squared * v_squared
+    sum_79 = 0.5 * product_8 * sum_78 + sum_2_squared * v_squared
+    del product_13, sum_44, sum_76, product_8, sum_78
     sum_18_squared = sum_18**2
     term_3 = (u - 1.0)**2
-    sum_80 = product_2 + 0.25 * sigma_v_squared * sum_18_squared * term_3
-    del sum_16, sum_78, sum_18, product_2
+    product_20 = sum_18_squared * term_3
+    sum_80 = product_2 + 0.25 * product_20 * sigma_v_squared
+    del sum_18, sum_18_squared, term_3, product_2
     sum_81 = r_squared * sum_79 + sigma_r_squared * sum_80
-    sum_82 = (
-        2.25 * r_squared * sigma_v_squared**2 * sum_18_squared * term_3 * v_squared
-        + sum_2_squared * sum_81
-    )
-    del sum_79, sum_80, sum_18_squared, sum_81, term_3
+    sum_82 = 2.25 * product_20 * r_squared * sigma_v_squared**2 * v_squared + sum_2_squared * sum_81
+    del sum_79, sum_80, product_20, sum_81
     sum_83 = sigma_r_squared * sum_2_squared * sum_2_squared**2 + sigma_v_squared * sum_82 + sigma_u * sum_77
     mean[..., 0] = r * u
     mean[..., 1] = r * v
     mean[..., 2] = r * sum_20 / (root_1 * (root_1 * root_1**2)**2)
     del sum_2_squared, sum_77, sum_82, sum_20
     covariance[..., 0, 0] = r_squared * sigma_u_squared + sigma_r_squared * (sigma_u_squared + u_squared)
-    covariance[..., 0, 1] = (r_squared + sigma_r_squared) * rho * sigma_u * sigma_v + sigma_r_squared * u * v
+    covariance[..., 0, 1] = product_14 * (r_squared + sigma_r_squared) * sigma_u + product_17 * v
+    del sigma_u_squared, u_squared, product_14, product_17
     covariance[..., 0, 2] = -sum_31 * term_1
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = r_squared * sigma_v_squared + sigma_r_squared * (sigma_v_squared + v_squared)
-    del sigma_u_squared, u_squared, sum_31, r_squared, sigma_r_squared, sigma_v_squared, v_squared
+    del sum_31, r_squared, sigma_r_squared, sigma_v_squared, v_squared
     covariance[..., 1, 2] = -sum_40 * term_1
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -3239,55 +3257,58 @@ def spherical_linear(
     sin_epsilon = np.sin(epsilon)
     r_squared = r**2
     sigma_beta_squared = sigma_beta**2
-    part_00_cos_beta2_cos_epsilon2 = r_squared * sigma_beta_squared
-    part_00_cos_beta_cos_epsilon2_sin_beta = 2.0 * r * rho * sigma_beta * sigma_r
+    product_8 = r_squared * sigma_beta_squared
+    part_00_cos_beta2_cos_epsilon2 = product_8
+    product_7 = r * rho
+    product_10 = sigma_beta * sigma_r
+    product_11 = product_10 * product_7
+    part_00_cos_beta_cos_epsilon2_sin_beta = 2.0 * product_11
     sigma_epsilon_squared = sigma_epsilon**2
-    part_00_sin_beta2_sin_epsilon2 = r_squared * sigma_epsilon_squared
-    part_01_cos_beta2_cos_epsilon2 = r * rho * sigma_beta * sigma_r
+    product_9 = r_squared * sigma_epsilon_squared
+    del sigma_beta_squared, product_10, product_7, r_squared, sigma_epsilon_squared
+    part_00_sin_beta2_sin_epsilon2 = product_9
+    part_01_cos_beta2_cos_epsilon2 = product_11
     sigma_r_squared = sigma_r**2
-    part_01_cos_beta_cos_epsilon2_sin_beta = sigma_r_squared - r_squared * sigma_beta_squared
-    part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - r_squared * sigma_epsilon_squared
-    sum_1 = cos_beta * part_00_cos_beta2_cos_epsilon2 + part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+    part_01_cos_beta_cos_epsilon2_sin_beta = sigma_r_squared - product_8
+    part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - product_9
+    product_6 = part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
+    del product_11, product_8, product_9, part_00_cos_beta_cos_epsilon2_sin_beta
+    sum_1 = cos_beta * part_00_cos_beta2_cos_epsilon2 + product_6
     sin_beta_squared = sin_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sum_2 = cos_beta * sum_1 + sigma_r_squared * sin_beta_squared
-    del sigma_beta_squared, r_squared, sigma_epsilon_squared, sum_1
     sin_epsilon_squared = sin_epsilon**2
     product_1 = cos_beta * part_01_cos_beta2_cos_epsilon2
     sum_3 = part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta + product_1
-    sum_4 = cos_epsilon_squared * sum_3 + part_00_sin_beta2_sin_epsilon2 * sin_beta * sin_epsilon_squared
+    product_2 = part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+    sum_4 = cos_epsilon_squared * sum_3 + product_2 * sin_beta
     sum_5 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta + product_1
-    sum_6 = cos_epsilon_squared * sigma_r_squared + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
-    sum_7 = cos_beta * sum_6 - cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta * sin_beta
-    del part_01_cos_beta_cos_epsilon2_sin_beta, sum_3, product_1, part_00_cos_beta_cos_epsilon2_sin_beta, sum_6
+    del sum_1, part_01_cos_beta_cos_epsilon2_sin_beta, sum_3, product_1
+    sum_6 = cos_epsilon_squared * sigma_r_squared + product_2
+    sum_7 = cos_beta * sum_6 - cos_epsilon_squared * product_6
     sum_8 = cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon - part_01_cos_beta2_cos_epsilon2 * sin_beta
-    mean[..., 0] = cos_epsilon * r * sin_beta
-    mean[..., 1] = cos_beta * cos_epsilon * r
+    product_3 = cos_epsilon * r
+    product_5 = cos_epsilon_squared * sin_beta_squared
+    product_4 = cos_epsilon * sin_epsilon
+    del product_6, sum_6, part_02_cos_epsilon_sin_beta_sin_epsilon, cos_epsilon
+    mean[..., 0] = product_3 * sin_beta
+    mean[..., 1] = cos_beta * product_3
     mean[..., 2] = r * sin_epsilon
-    covariance[..., 0, 0] = (
-        cos_epsilon_squared * sum_2
-        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
-    )
-    covariance[..., 0, 1] = (
-        cos_beta * sum_4
-        - cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2 * sin_beta_squared
-    )
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, sin_beta, sum_2, part_01_cos_beta2_cos_epsilon2, sum_4
-    covariance[..., 0, 2] = cos_epsilon * sin_epsilon * sum_5
+    covariance[..., 0, 0] = cos_epsilon_squared * sum_2 + product_2 * sin_beta_squared
+    del sin_beta, product_3, sin_epsilon, product_2, sin_beta_squared, sum_2
+    covariance[..., 0, 1] = cos_beta * sum_4 - part_01_cos_beta2_cos_epsilon2 * product_5
+    covariance[..., 0, 2] = product_4 * sum_5
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = (
-        cos_beta * sum_7
-        + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
-    )
-    del sum_5, cos_beta, part_00_cos_beta2_cos_epsilon2, sin_beta_squared, sum_7
-    covariance[..., 1, 2] = cos_epsilon * sin_epsilon * sum_8
+    covariance[..., 1, 1] = cos_beta * sum_7 + part_00_cos_beta2_cos_epsilon2 * product_5
+    del part_01_cos_beta2_cos_epsilon2, sum_4, sum_5, cos_beta, part_00_cos_beta2_cos_epsilon2, product_5, sum_7
+    covariance[..., 1, 2] = product_4 * sum_8
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_00_sin_beta2_sin_epsilon2
         + sigma_r_squared * sin_epsilon_squared
     )
-    del cos_epsilon, sin_epsilon, sum_8, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, sigma_r_squared, sin_epsilon_squared
+    del product_4, sum_8, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, sigma_r_squared, sin_epsilon_squared
 
 
 def spherical_second_order(
@@ -3310,7 +3331,9 @@ def spherical_second_order(
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
     sin_epsilon = np.sin(epsilon)
-    part_0_cos_beta_cos_epsilon = rho * sigma_beta * sigma_r
+    product_3 = rho * sigma_beta
+    product_4 = product_3 * sigma_r
+    part_0_cos_beta_cos_epsilon = product_4
     sigma_beta_squared = sigma_beta**2
     sigma_epsilon_squared = sigma_epsilon**2
     sum_1 = 0.5 * sigma_beta_squared + 0.5 * sigma_epsilon_squared
@@ -3320,49 +3343,53 @@ def spherical_second_order(
     product_1 = (1.0 + rho**2) * sigma_r_squared
     part_00_cos_beta2_cos_epsilon2 = (product_1 + r_squared) * sigma_beta_squared
     part_00_cos_beta2_sin_epsilon2 = r_squared * sigma_beta_squared * sigma_epsilon_squared
-    part_00_cos_beta_cos_epsilon2_sin_beta = (2.0 - 2.0 * sigma_beta_squared) * r * rho * sigma_beta * sigma_r
-    part_00_cos_beta_sin_beta_sin_epsilon2 = 2.0 * r * rho * sigma_beta * sigma_epsilon_squared * sigma_r
+    product_5 = product_4 * r
+    part_00_cos_beta_cos_epsilon2_sin_beta = (2.0 - 2.0 * sigma_beta_squared) * product_5
+    product_7 = product_5 * sigma_epsilon_squared
+    part_00_cos_beta_sin_beta_sin_epsilon2 = 2.0 * product_7
     sigma_epsilon_squared_squared = sigma_epsilon_squared**2
     sum_2 = 0.5 * sigma_beta_squared**2 + 0.5 * sigma_epsilon_squared_squared
     part_00_cos_epsilon2_sin_beta2 = r_squared * sum_2 + sigma_r_squared
+    del product_3, sum_1, product_4, sum_2
     part_00_sin_beta2_sin_epsilon2 = (r_squared + sigma_r_squared) * sigma_epsilon_squared
     sum_3 = 1.0 - sigma_beta_squared
-    part_01_cos_beta2_cos_epsilon2 = r * rho * sigma_beta * sigma_r * sum_3
-    part_01_cos_beta2_sin_epsilon2 = r * rho * sigma_beta * sigma_epsilon_squared * sigma_r
+    part_01_cos_beta2_cos_epsilon2 = product_5 * sum_3
+    part_01_cos_beta2_sin_epsilon2 = product_7
     sum_4 = product_1 + (1.0 - 0.5 * sigma_beta_squared) * r_squared
     product_2 = 0.5 * r_squared * sigma_epsilon_squared_squared
-    del sum_1, sum_2, product_1, sigma_epsilon_squared_squared
     part_01_cos_beta_cos_epsilon2_sin_beta = product_2 - sigma_beta_squared * sum_4 + sigma_r_squared
+    del product_7, product_1, sigma_epsilon_squared_squared, sigma_beta_squared, sum_4
     sum_5 = r_squared * sum_3 + sigma_r_squared
     part_01_cos_beta_sin_beta_sin_epsilon2 = sigma_epsilon_squared * sum_5
-    del sigma_beta_squared, sum_4, sum_3, sum_5
-    part_02_cos_beta_cos_epsilon_sin_epsilon = (1.0 - sigma_epsilon_squared) * r * rho * sigma_beta * sigma_r
+    part_02_cos_beta_cos_epsilon_sin_epsilon = (1.0 - sigma_epsilon_squared) * product_5
     sum_6 = 1.0 - 0.5 * sigma_epsilon_squared
     sum_7 = r_squared * sum_6 + sigma_r_squared
+    del sum_3, sum_5, product_5, r_squared, sum_6
     part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - sigma_epsilon_squared * sum_7
     part_22_sin_epsilon2 = product_2 + sigma_r_squared
-    del r_squared, sum_6, sum_7, product_2, sigma_r_squared
     sum_8 = part_0_cos_epsilon_sin_beta - r
+    del sum_7, product_2, sigma_r_squared, part_0_cos_epsilon_sin_beta
     sum_9 = cos_beta * part_0_cos_beta_cos_epsilon + sin_beta * sum_8
     sum_10 = cos_beta * sum_8 - part_0_cos_beta_cos_epsilon * sin_beta
     sum_11 = 1.0 + 0.5 * sigma_epsilon_squared
-    del part_0_cos_epsilon_sin_beta, part_0_cos_beta_cos_epsilon, sum_8, sigma_epsilon_squared
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
     sum_12 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
+    del part_0_cos_beta_cos_epsilon, sum_8, sigma_epsilon_squared, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
     sum_13 = (
         cos_epsilon_squared * part_00_cos_beta_cos_epsilon2_sin_beta
         + part_00_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    del part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_beta_cos_epsilon2_sin_beta, part_00_cos_beta_sin_beta_sin_epsilon2
-    sum_14 = cos_beta * sum_12 + sin_beta * sum_13
+    product_8 = sin_beta * sum_13
+    sum_14 = cos_beta * sum_12 + product_8
     sum_15 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
+    del part_00_cos_beta_cos_epsilon2_sin_beta, part_00_cos_beta_sin_beta_sin_epsilon2, sum_13, part_00_cos_epsilon2_sin_beta2
     sin_beta_squared = sin_beta**2
     sum_16 = (
         cos_epsilon_squared * part_01_cos_beta2_cos_epsilon2
@@ -3372,36 +3399,38 @@ def spherical_second_order(
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    del part_00_cos_epsilon2_sin_beta2, part_01_cos_beta2_cos_epsilon2, part_01_cos_beta2_sin_epsilon2, part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2
+    del part_01_cos_beta2_cos_epsilon2, part_01_cos_beta2_sin_epsilon2, part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2
     sum_18 = cos_beta * sum_16 + sin_beta * sum_17
     sum_19 = (
         cos_beta * part_02_cos_beta_cos_epsilon_sin_epsilon
         + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
     )
-    sum_20 = cos_beta * sum_15 - sin_beta * sum_13
+    sum_20 = cos_beta * sum_15 - product_8
     sum_21 = (
         cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
         - part_02_cos_beta_cos_epsilon_sin_epsilon * sin_beta
     )
-    del sum_17, sum_13, part_02_cos_beta_cos_epsilon_sin_epsilon, part_02_cos_epsilon_sin_beta_sin_epsilon, sin_beta
+    del sum_17, product_8, part_02_cos_beta_cos_epsilon_sin_epsilon, part_02_cos_epsilon_sin_beta_sin_epsilon, sin_beta
+    product_6 = cos_epsilon * sin_epsilon
     mean[..., 0] = -cos_epsilon * sum_9
     mean[..., 1] = -cos_epsilon * sum_10
     mean[..., 2] = r * sin_epsilon * sum_11
+    del sum_9, cos_epsilon, sum_10, sin_epsilon, sum_11
     covariance[..., 0, 0] = cos_beta * sum_14 + sin_beta_squared * sum_15
-    del sum_9, sum_10, sum_11, sum_14, sum_15
     covariance[..., 0, 1] = cos_beta * sum_18 - sin_beta_squared * sum_16
-    covariance[..., 0, 2] = cos_epsilon * sin_epsilon * sum_19
+    del sum_14, sum_15, sum_16, sum_18
+    covariance[..., 0, 2] = product_6 * sum_19
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta * sum_20 + sin_beta_squared * sum_12
-    del sum_16, sum_18, sum_19, cos_beta, sin_beta_squared, sum_12, sum_20
-    covariance[..., 1, 2] = cos_epsilon * sin_epsilon * sum_21
+    del sum_19, cos_beta, sin_beta_squared, sum_12, sum_20
+    covariance[..., 1, 2] = product_6 * sum_21
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_00_sin_beta2_sin_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon, sin_epsilon, sum_21, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_6, sum_21, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_averaged(
@@ -3426,343 +3455,344 @@ def spherical_averaged(
     sin_epsilon = np.sin(epsilon)
     sigma_beta_squared = sigma_beta**2
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
-    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
-    sigma_epsilon_squared = sigma_epsilon**2
-    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon_squared)
-    shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon_squared)
+    term_1 = np.expm1(-0.5 * sigma_beta_squared)
+    shortfall_beta = -term_1
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    term_2 = np.expm1(-0.5 * sigma_epsilon**2)
+    shortfall_epsilon = -term_2
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
-    part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
+    product_21 = attenuation_beta * attenuation_epsilon
+    part_0_cos_epsilon_sin_beta = -product_21 * r * sum_1
     attenuation_beta_2 = attenuation_beta**2
-    shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
+    attenuation_beta_less_one = term_1
+    sum_2 = 2.0 + attenuation_beta_less_one
+    shortfall_beta_2 = -attenuation_beta_less_one * sum_2
+    del sum_1, term_1, attenuation_beta_less_one, sum_2
     attenuation_epsilon_2 = attenuation_epsilon**2
-    shortfall_epsilon_2 = -np.expm1(-sigma_epsilon_squared)
+    attenuation_epsilon_less_one = term_2
+    sum_3 = 2.0 + attenuation_epsilon_less_one
+    shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3
     attenuation_beta_2_squared = attenuation_beta_2**2
     product_1 = attenuation_beta_2 * attenuation_beta_2_squared
     shortfall_epsilon_2_squared = shortfall_epsilon_2**2
     shortfall_epsilon_2_squared_squared = shortfall_epsilon_2_squared**2
     product_2 = 16.0 * product_1 * shortfall_epsilon_2_squared_squared
-    sum_2 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon_2
-    sum_3 = 3.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_2
+    sum_4 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon_2
+    sum_5 = 3.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_4
     product_3 = shortfall_epsilon_2 * shortfall_epsilon_2_squared
-    sum_4 = attenuation_epsilon_2 * sum_3 + product_3
+    sum_6 = attenuation_epsilon_2 * sum_5 + product_3
+    del term_2, attenuation_epsilon_less_one, sum_3, sum_5
     shortfall_beta_2_squared = shortfall_beta_2**2
     product_4 = shortfall_beta_2 * shortfall_beta_2_squared
-    sum_5 = 12.0 * shortfall_epsilon_2 + 6.0 * attenuation_epsilon_2
-    sum_6 = 9.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_5
-    sum_7 = 24.0 * attenuation_epsilon_2 + 48.0 * shortfall_epsilon_2
-    sum_8 = 12.0 * attenuation_epsilon_2 + 24.0 * shortfall_epsilon_2
-    sum_9 = attenuation_beta_2 * sum_8 - shortfall_beta_2 * sum_7
-    del sum_1, sigma_epsilon_squared, sum_3, sum_7
-    sum_10 = 66.0 * attenuation_beta_2 - 36.0 * shortfall_beta_2
-    sum_11 = attenuation_epsilon_2 * sum_9 + shortfall_epsilon_2_squared * sum_10
-    sum_12 = attenuation_beta_2 * sum_11 - shortfall_beta_2_squared * sum_6
-    sum_13 = 54.0 * attenuation_beta_2 - 12.0 * shortfall_beta_2
-    sum_14 = attenuation_beta_2 * sum_13 - 3.0 * shortfall_beta_2_squared
-    sum_15 = attenuation_epsilon_2 * sum_12 + product_3 * sum_14
-    del sum_10, sum_9, sum_11, sum_12, sum_14
-    sum_16 = attenuation_beta_2 * sum_15 - product_4 * sum_4
+    sum_7 = 12.0 * shortfall_epsilon_2 + 6.0 * attenuation_epsilon_2
+    sum_8 = 9.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_7
+    sum_9 = 24.0 * attenuation_epsilon_2 + 48.0 * shortfall_epsilon_2
+    sum_10 = 12.0 * attenuation_epsilon_2 + 24.0 * shortfall_epsilon_2
+    sum_11 = attenuation_beta_2 * sum_10 - shortfall_beta_2 * sum_9
+    sum_12 = 66.0 * attenuation_beta_2 - 36.0 * shortfall_beta_2
+    sum_13 = attenuation_epsilon_2 * sum_11 + shortfall_epsilon_2_squared * sum_12
+    product_29 = shortfall_beta_2_squared * sum_8
+    del sum_9, sum_11, sum_12, sum_8
+    sum_14 = attenuation_beta_2 * sum_13 - product_29
+    sum_15 = 54.0 * attenuation_beta_2 - 12.0 * shortfall_beta_2
+    sum_16 = attenuation_beta_2 * sum_15 - 3.0 * shortfall_beta_2_squared
+    sum_17 = attenuation_epsilon_2 * sum_14 + product_3 * sum_16
+    product_28 = product_4 * sum_6
+    del sum_13, sum_14, sum_16, sum_6
+    sum_18 = attenuation_beta_2 * sum_17 - product_28
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    sum_17 = attenuation_epsilon_2 * sum_16 + product_2
-    sum_18 = 1.0 + attenuation_beta_2
-    sum_19 = 1.0 - attenuation_epsilon_2 * sum_18
+    sum_19 = attenuation_epsilon_2 * sum_18 + product_2
+    sum_20 = 1.0 + attenuation_beta_2
+    sum_21 = 1.0 - attenuation_epsilon_2 * sum_20
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_20 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_19
-    sum_21 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_20
-    del sum_15, sum_16, sum_19, sum_20
-    sum_22 = 1.0 - attenuation_epsilon_2 * sum_21 + attenuation_beta_2 * sum_18
+    sum_22 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_21
+    sum_23 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_22
+    del sum_17, sum_18, sum_21, sum_22
+    sum_24 = 1.0 - attenuation_epsilon_2 * sum_23 + attenuation_beta_2 * sum_20
     attenuation_epsilon_2_squared_squared = attenuation_epsilon_2_squared**2
     r_squared = r**2
-    sum_23 = 1.0 + attenuation_beta_2 * sum_22 + attenuation_epsilon_2_squared_squared
-    sum_24 = 2.0 + 2.0 * attenuation_beta_2
-    sum_25 = 1.0 - attenuation_epsilon_2 * sum_24
-    sum_26 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_25
-    del sum_18, sum_21, sum_22, sum_25
-    sum_27 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_26
-    product_5 = attenuation_beta_2 * sum_24
-    sum_28 = 2.0 - attenuation_epsilon_2 * sum_27 + product_5
-    sum_29 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_28
-    del sum_26, sum_24, sum_27, sum_28
-    sum_30 = 0.25 * r_squared * sum_23 + 0.25 * sigma_r_squared * sum_29
-    part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * attenuation_beta_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_17
-        + shortfall_beta_2 * sum_30
-    )
-    del sum_23, sum_29, sum_17, sum_30
-    sum_31 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_32 = attenuation_epsilon_2 * sum_31 + shortfall_epsilon_2_squared
-    sum_33 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
-    sum_34 = 3.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_33
-    sum_35 = 24.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
-    sum_36 = 44.0 * attenuation_epsilon_2 + 66.0 * shortfall_epsilon_2
-    sum_37 = attenuation_beta_2 * sum_36 - shortfall_beta_2 * sum_35
-    sum_38 = attenuation_epsilon_2 * sum_37 + shortfall_epsilon_2_squared * sum_13
-    del sum_35, sum_36, sum_13, sum_37
-    sum_39 = attenuation_beta_2 * sum_38 - shortfall_beta_2_squared * sum_34
-    sum_40 = attenuation_beta_2 * sum_39 - product_4 * sum_32
-    del sum_34, sum_38, sum_32, sum_39
-    sum_41 = 16.0 * product_1 * product_3 + attenuation_epsilon_2 * sum_40
+    sum_25 = 1.0 + attenuation_beta_2 * sum_24 + attenuation_epsilon_2_squared_squared
+    sum_26 = 2.0 + 2.0 * attenuation_beta_2
+    sum_27 = 1.0 - attenuation_epsilon_2 * sum_26
+    sum_28 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_27
+    del sum_20, sum_23, sum_24, sum_27
+    sum_29 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_28
+    product_5 = attenuation_beta_2 * sum_26
+    sum_30 = 2.0 - attenuation_epsilon_2 * sum_29 + product_5
+    sum_31 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_30
+    del sum_28, sum_26, sum_29, sum_30
+    sum_32 = 0.25 * r_squared * sum_25 + 0.25 * sigma_r_squared * sum_31
+    product_16 = rho_squared * sigma_beta_squared
+    del sum_25, sum_31, rho_squared, sigma_beta_squared
+    product_19 = attenuation_beta_2 * product_16
+    product_31 = product_19 * sigma_r_squared
+    part_00_cos_beta2_cos_epsilon2 = 0.25 * product_31 * sum_19 + shortfall_beta_2 * sum_32
+    sum_33 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_34 = attenuation_epsilon_2 * sum_33 + shortfall_epsilon_2_squared
+    sum_35 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
+    sum_36 = 3.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_35
+    sum_37 = 24.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
+    sum_38 = 44.0 * attenuation_epsilon_2 + 66.0 * shortfall_epsilon_2
+    sum_39 = attenuation_beta_2 * sum_38 - shortfall_beta_2 * sum_37
+    del sum_19, sum_32, sum_37, sum_38
+    sum_40 = attenuation_epsilon_2 * sum_39 + shortfall_epsilon_2_squared * sum_15
+    sum_41 = attenuation_beta_2 * sum_40 - shortfall_beta_2_squared * sum_36
+    del sum_15, sum_39, sum_36, sum_40
+    sum_42 = attenuation_beta_2 * sum_41 - product_4 * sum_34
+    sum_43 = 16.0 * product_1 * product_3 + attenuation_epsilon_2 * sum_42
+    del product_4, sum_34, sum_41, sum_42
     product_6 = attenuation_epsilon_2 * (1.0 + attenuation_epsilon_2)
-    sum_42 = 1.0 + product_6
-    product_7 = attenuation_epsilon_2 * sum_42
+    sum_44 = 1.0 + product_6
+    product_7 = attenuation_epsilon_2 * sum_44
     product_8 = attenuation_epsilon_2 * attenuation_epsilon_2_squared
-    sum_43 = 1.0 + attenuation_beta_2 * (1.0 + product_7) + product_8
-    sum_44 = 1.0 + attenuation_beta_2 * sum_43 + product_8
-    sum_45 = 1.0 + attenuation_beta_2 * sum_44 + product_7
-    del sum_40, sum_43, product_7, sum_44
-    sum_46 = 2.0 + 2.0 * attenuation_epsilon_2
-    sum_47 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_46
-    sum_48 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_47
-    sum_49 = 1.0 + 2.0 * attenuation_epsilon_2
-    product_9 = attenuation_epsilon_2 * sum_49
-    sum_50 = 1.0 + attenuation_beta_2 * sum_48 + product_9
-    sum_51 = 2.0 + attenuation_epsilon_2 * sum_50 + product_5
-    del sum_47, sum_49, sum_48, product_5, sum_50
-    product_10 = attenuation_epsilon_2 * sum_46
-    sum_52 = 2.0 + product_10
-    sum_53 = 2.0 + attenuation_beta_2 * sum_51 + attenuation_epsilon_2 * sum_52
-    sum_54 = 0.25 * r_squared * sum_45 + 0.25 * sigma_r_squared * sum_53
-    del sum_46, sum_51, sum_45, sum_53
-    sum_55 = (
-        0.25 * attenuation_beta_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_41
-        + shortfall_beta_2 * sum_54
-    )
-    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_55
+    sum_45 = 1.0 + attenuation_beta_2 * (1.0 + product_7) + product_8
+    sum_46 = 1.0 + attenuation_beta_2 * sum_45 + product_8
+    sum_47 = 1.0 + attenuation_beta_2 * sum_46 + product_7
+    sum_48 = 2.0 + 2.0 * attenuation_epsilon_2
+    sum_49 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_48
+    sum_50 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_49
+    del sum_45, product_7, sum_46, sum_49
+    sum_51 = 1.0 + 2.0 * attenuation_epsilon_2
+    product_9 = attenuation_epsilon_2 * sum_51
+    sum_52 = 1.0 + attenuation_beta_2 * sum_50 + product_9
+    sum_53 = 2.0 + attenuation_epsilon_2 * sum_52 + product_5
+    del sum_51, sum_50, product_5, sum_52
+    product_10 = attenuation_epsilon_2 * sum_48
+    sum_54 = 2.0 + product_10
+    sum_55 = 2.0 + attenuation_beta_2 * sum_53 + attenuation_epsilon_2 * sum_54
+    sum_56 = 0.25 * r_squared * sum_47 + 0.25 * sigma_r_squared * sum_55
+    del sum_48, sum_53, sum_47, sum_55
+    sum_57 = 0.25 * product_31 * sum_43 + shortfall_beta_2 * sum_56
+    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_57
+    del product_31, sum_43, sum_56, sum_57
     attenuation_beta_2_squared_squared = attenuation_beta_2_squared**2
-    sum_56 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
-    sum_57 = attenuation_epsilon_2 * sum_56 + 0.5 * shortfall_epsilon_2_squared
-    del sum_41, sum_54, sum_55, sum_56
-    sum_58 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_59 = attenuation_epsilon_2 * sum_58 + shortfall_epsilon_2_squared
-    sum_60 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_61 = attenuation_beta_2 * sum_60 + shortfall_beta_2 * sum_60
-    sum_62 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
-    sum_63 = attenuation_epsilon_2 * sum_61 + shortfall_epsilon_2_squared * sum_62
-    sum_64 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
-    sum_65 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_64
-    del sum_60, sum_61, sum_62, sum_64
-    sum_66 = attenuation_beta_2 * sum_63 + shortfall_beta_2_squared * sum_65
-    sum_67 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
-    sum_68 = attenuation_beta_2 * sum_67 + shortfall_beta_2_squared
-    sum_69 = attenuation_epsilon_2 * sum_66 + product_3 * sum_68
-    del sum_63, sum_65, sum_67, sum_66, sum_68
-    sum_70 = 1.5 * attenuation_beta_2 + shortfall_beta_2
-    sum_71 = attenuation_beta_2 * sum_70 + 0.25 * shortfall_beta_2_squared
-    sum_72 = attenuation_epsilon_2 * sum_69 + shortfall_epsilon_2_squared_squared * sum_71
-    sum_73 = product_1 * shortfall_epsilon_2_squared * sum_59 + shortfall_beta_2 * sum_72
-    del sum_70, sum_69, sum_71, sum_59, sum_72
-    sum_74 = (
-        attenuation_beta_2_squared_squared * shortfall_epsilon_2_squared * sum_57
-        + shortfall_beta_2 * sum_73
+    sum_58 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
+    sum_59 = attenuation_epsilon_2 * sum_58 + 0.5 * shortfall_epsilon_2_squared
+    sum_60 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_61 = attenuation_epsilon_2 * sum_60 + shortfall_epsilon_2_squared
+    sum_62 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_63 = attenuation_beta_2 * sum_62 + shortfall_beta_2 * sum_62
+    sum_64 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
+    sum_65 = attenuation_epsilon_2 * sum_63 + shortfall_epsilon_2_squared * sum_64
+    del sum_58, sum_62, sum_63, sum_64
+    sum_66 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_67 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_66
+    sum_68 = attenuation_beta_2 * sum_65 + shortfall_beta_2_squared * sum_67
+    sum_69 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
+    sum_70 = attenuation_beta_2 * sum_69 + shortfall_beta_2_squared
+    del sum_66, sum_65, sum_67, sum_69
+    sum_71 = attenuation_epsilon_2 * sum_68 + product_3 * sum_70
+    sum_72 = 1.5 * attenuation_beta_2 + shortfall_beta_2
+    sum_73 = attenuation_beta_2 * sum_72 + 0.25 * shortfall_beta_2_squared
+    sum_74 = attenuation_epsilon_2 * sum_71 + shortfall_epsilon_2_squared_squared * sum_73
+    del sum_68, sum_70, sum_72, sum_71, sum_73
+    sum_75 = product_1 * shortfall_epsilon_2_squared * sum_61 + shortfall_beta_2 * sum_74
+    sum_76 = (
+        attenuation_beta_2_squared_squared * shortfall_epsilon_2_squared * sum_59
+        + shortfall_beta_2 * sum_75
     )
-    sum_75 = 16.0 * attenuation_epsilon_2 + 32.0 * shortfall_epsilon_2
-    sum_76 = attenuation_beta_2 * sum_75 - shortfall_beta_2 * sum_8
-    del sum_57, sum_73, sum_75, sum_8
-    sum_77 = 72.0 * attenuation_beta_2 - 18.0 * shortfall_beta_2
-    sum_78 = attenuation_epsilon_2 * sum_76 + shortfall_epsilon_2_squared * sum_77
-    sum_79 = attenuation_beta_2 * sum_78 + shortfall_beta_2_squared * sum_6
-    del sum_76, sum_77, sum_6, sum_78
-    sum_80 = 56.0 * attenuation_beta_2 - 6.0 * shortfall_beta_2
-    sum_81 = 3.0 * shortfall_beta_2_squared + attenuation_beta_2 * sum_80
-    sum_82 = attenuation_epsilon_2 * sum_79 + product_3 * sum_81
-    del shortfall_beta_2_squared, sum_80, sum_79, sum_81
-    sum_83 = attenuation_beta_2 * sum_82 + product_4 * sum_4
-    sum_84 = attenuation_epsilon_2 * sum_83 + product_2
-    del product_4, sum_4, sum_82, product_2, sum_83
-    sum_85 = 0.25 - 0.5 * attenuation_beta_2 * attenuation_epsilon_2
-    sum_86 = 0.25 + attenuation_epsilon_2_squared * sum_85
-    sum_87 = 0.25 + attenuation_beta_2_squared * sum_86 + 0.25 * attenuation_epsilon_2_squared
-    sum_88 = 0.5 * product_1 - attenuation_epsilon_2 * sum_87
-    sum_89 = (
+    del sum_61, sum_74, sum_59, sum_75
+    sum_77 = 16.0 * attenuation_epsilon_2 + 32.0 * shortfall_epsilon_2
+    sum_78 = attenuation_beta_2 * sum_77 - shortfall_beta_2 * sum_10
+    sum_79 = 72.0 * attenuation_beta_2 - 18.0 * shortfall_beta_2
+    sum_80 = attenuation_epsilon_2 * sum_78 + shortfall_epsilon_2_squared * sum_79
+    del sum_10, sum_77, sum_78, sum_79
+    sum_81 = attenuation_beta_2 * sum_80 + product_29
+    sum_82 = 56.0 * attenuation_beta_2 - 6.0 * shortfall_beta_2
+    sum_83 = 3.0 * shortfall_beta_2_squared + attenuation_beta_2 * sum_82
+    del product_29, sum_80, shortfall_beta_2_squared, sum_82
+    sum_84 = attenuation_epsilon_2 * sum_81 + product_3 * sum_83
+    sum_85 = attenuation_beta_2 * sum_84 + product_28
+    del sum_81, sum_83, product_28, sum_84
+    sum_86 = attenuation_epsilon_2 * sum_85 + product_2
+    sum_87 = 0.25 - 0.5 * attenuation_beta_2 * attenuation_epsilon_2
+    sum_88 = 0.25 + attenuation_epsilon_2_squared * sum_87
+    sum_89 = 0.25 + attenuation_beta_2_squared * sum_88 + 0.25 * attenuation_epsilon_2_squared
+    del product_2, sum_85, sum_87, sum_88
+    sum_90 = 0.5 * product_1 - attenuation_epsilon_2 * sum_89
+    sum_91 = (
         0.5
-        - 0.25 * attenuation_beta_2 * rho_squared * sigma_beta_squared * sum_84
-        + attenuation_beta_2 * sum_88
+        - 0.25 * product_19 * sum_86
+        + attenuation_beta_2 * sum_90
         + 0.5 * attenuation_epsilon_2_squared_squared
     )
-    del sum_85, sum_86, sum_87, attenuation_epsilon_2_squared_squared, sum_84, sum_88
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_74 + sigma_r_squared * sum_89
-    sum_90 = 1.0 - attenuation_beta_2 * sum_42 + attenuation_epsilon_2
-    sum_91 = 1.0 + attenuation_beta_2_squared * sum_90 + attenuation_epsilon_2
-    sum_92 = 1.0 - attenuation_beta_2 * sum_91 + product_6
-    del sum_74, sum_89, sum_90, product_6, sum_91
-    sum_93 = 1.0 + attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_92
-    sum_94 = 16.0 + 16.0 * attenuation_epsilon_2
-    sum_95 = 16.0 + attenuation_epsilon_2 * sum_94
-    sum_96 = 9.0 - attenuation_beta_2 * sum_95 + 9.0 * attenuation_epsilon_2
-    sum_97 = 1.0 - attenuation_beta_2_squared * sum_96 + attenuation_epsilon_2
-    del sum_92, sum_94, sum_95, sum_96
-    sum_98 = 16.0 * product_1 + attenuation_epsilon_2 * sum_97
-    sum_99 = 1.0 - attenuation_beta_2 * sum_52 + attenuation_epsilon_2
-    sum_100 = 1.0 + attenuation_beta_2_squared * sum_99 + attenuation_epsilon_2
-    del sum_97, sum_52, attenuation_beta_2_squared, sum_99
-    sum_101 = 2.0 - attenuation_beta_2 * sum_100 + product_10
-    sum_102 = (
+    del sum_89, attenuation_epsilon_2_squared_squared, sum_86, sum_90
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_76 + sigma_r_squared * sum_91
+    sum_92 = 1.0 - attenuation_beta_2 * sum_44 + attenuation_epsilon_2
+    sum_93 = 1.0 + attenuation_beta_2_squared * sum_92 + attenuation_epsilon_2
+    sum_94 = 1.0 - attenuation_beta_2 * sum_93 + product_6
+    del sum_76, sum_91, sum_92, product_6, sum_93
+    sum_95 = 1.0 + attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_94
+    sum_96 = 16.0 + 16.0 * attenuation_epsilon_2
+    sum_97 = 16.0 + attenuation_epsilon_2 * sum_96
+    sum_98 = 9.0 - attenuation_beta_2 * sum_97 + 9.0 * attenuation_epsilon_2
+    sum_99 = 1.0 - attenuation_beta_2_squared * sum_98 + attenuation_epsilon_2
+    del sum_94, sum_96, sum_97, sum_98
+    sum_100 = 16.0 * product_1 + attenuation_epsilon_2 * sum_99
+    sum_101 = 1.0 - attenuation_beta_2 * sum_54 + attenuation_epsilon_2
+    sum_102 = 1.0 + attenuation_beta_2_squared * sum_101 + attenuation_epsilon_2
+    del sum_99, sum_54, attenuation_beta_2_squared, sum_101
+    sum_103 = 2.0 - attenuation_beta_2 * sum_102 + product_10
+    sum_104 = (
         0.5
-        - 0.25 * attenuation_beta_2 * rho_squared * sigma_beta_squared * sum_98
+        - 0.25 * product_19 * sum_100
         + 0.5 * attenuation_beta_2_squared_squared
-        + 0.25 * attenuation_epsilon_2 * sum_101
+        + 0.25 * attenuation_epsilon_2 * sum_103
     )
-    del product_10, sum_100, attenuation_beta_2_squared_squared, sum_101, sum_98
-    sum_103 = 0.25 * r_squared * sum_93 + sigma_r_squared * sum_102
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_103
-    sum_104 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
-    sum_105 = attenuation_beta_2 * sum_58 - shortfall_beta_2 * sum_104
-    del sum_102, sum_93, sum_103, sum_104, sum_58
-    sum_106 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_105
-    sum_107 = 2.0 * product_8 * shortfall_beta_2 + shortfall_epsilon_2 * sum_106
-    product_11 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
-    sum_108 = product_11 - attenuation_epsilon_2 * sum_107
-    sum_109 = 18.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
-    sum_110 = 14.0 * attenuation_epsilon_2 + 28.0 * shortfall_epsilon_2
-    sum_111 = attenuation_beta_2 * sum_110 - shortfall_beta_2 * sum_109
-    del sum_105, sum_106, sum_107, sum_109, sum_110
-    sum_112 = 69.0 * attenuation_beta_2 - 27.0 * shortfall_beta_2
-    sum_113 = attenuation_epsilon_2 * sum_111 + shortfall_epsilon_2_squared * sum_112
-    sum_114 = 55.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
-    sum_115 = attenuation_epsilon_2 * sum_113 + product_3 * sum_114
-    sum_116 = (
-        16.0 * attenuation_beta_2 * shortfall_epsilon_2_squared_squared
-        + attenuation_epsilon_2 * sum_115
-    )
-    del sum_111, sum_112, sum_113, sum_115
-    product_12 = attenuation_beta_2 * sum_2
-    sum_117 = product_12 - shortfall_beta_2 * sum_2
-    sum_118 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
-    sum_119 = attenuation_epsilon_2 * sum_117 + shortfall_epsilon_2_squared * sum_118
-    sum_120 = 7.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_121 = attenuation_epsilon_2 * sum_119 + product_3 * sum_120
-    del sum_2, sum_117, sum_118, sum_119
-    sum_122 = (
-        0.5 * attenuation_epsilon_2 * sum_121
-        - 0.5 * rho_squared * sigma_beta_squared * sum_116
-        + product_11
-    )
-    sum_123 = 0.5 * r_squared * sum_108 + sigma_r_squared * sum_122
-    del product_11, sum_116, sum_121, sum_108, sum_122
-    part_01_cos_beta_cos_epsilon2_sin_beta = product_1 * sum_123
-    product_13 = attenuation_beta_2 * product_3
-    product_14 = -shortfall_beta_2 * sum_31
-    sum_124 = attenuation_beta_2 * sum_31 + product_14
-    sum_125 = 3.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_126 = attenuation_epsilon_2 * sum_124 + shortfall_epsilon_2_squared * sum_125
-    del sum_123, sum_31, sum_124, sum_125
-    sum_127 = attenuation_epsilon_2 * sum_126 + product_13
-    sum_128 = 18.0 * attenuation_epsilon_2 + 27.0 * shortfall_epsilon_2
-    sum_129 = 46.0 * attenuation_epsilon_2 + 69.0 * shortfall_epsilon_2
-    sum_130 = attenuation_beta_2 * sum_129 - shortfall_beta_2 * sum_128
-    sum_131 = attenuation_epsilon_2 * sum_130 + shortfall_epsilon_2_squared * sum_114
-    del sum_126, sum_128, sum_129, sum_114, sum_130
-    sum_132 = 16.0 * attenuation_beta_2 * product_3 + attenuation_epsilon_2 * sum_131
-    sum_133 = attenuation_beta_2 * sum_33 + product_14
-    sum_134 = attenuation_epsilon_2 * sum_133 + shortfall_epsilon_2_squared * sum_120
-    del sum_131, product_14, sum_120, sum_133
-    sum_135 = (
-        0.5 * attenuation_epsilon_2 * sum_134
-        - 0.5 * rho_squared * sigma_beta_squared * sum_132
-        + product_13
-    )
-    sum_136 = 0.5 * r_squared * sum_127 + sigma_r_squared * sum_135
-    del product_13, sum_132, sum_134, sum_127, sum_135
-    part_01_cos_beta_sin_beta_sin_epsilon2 = product_1 * shortfall_epsilon_2 * sum_136
-    sum_137 = 1.0 - 2.0 * rho_squared * sigma_beta_squared
-    sum_138 = attenuation_epsilon_2 - shortfall_epsilon_2
-    sum_139 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_137 * sum_138
-    del sum_136, rho_squared, sigma_beta_squared, sum_137, sum_138
-    part_02_cos_epsilon_sin_beta_sin_epsilon = -attenuation_beta_2 * product_8 * sum_139
-    sum_140 = 2.0 + attenuation_epsilon_2 * (1.0 + product_9)
-    sum_141 = 0.5 * (1.0 + product_8) * r_squared + 0.5 * sigma_r_squared * sum_140
-    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_141
-    del sum_139, product_9, sum_140, sum_141
-    sum_142 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
-    sum_143 = 1.0 - attenuation_epsilon_2 * sum_142
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_42 + sigma_r_squared * sum_143
-    del attenuation_epsilon_2_squared, sum_142, r_squared, sigma_r_squared, sum_143, sum_42
-    sum_144 = attenuation_epsilon + shortfall_epsilon
-    sum_145 = attenuation_epsilon - shortfall_epsilon
-    sum_146 = attenuation_beta * sum_145 - shortfall_beta * sum_144
-    sum_147 = part_0_cos_epsilon_sin_beta - r
-    del shortfall_beta, sum_144, sum_145, part_0_cos_epsilon_sin_beta
-    sum_148 = (
-        attenuation_beta * attenuation_epsilon * cos_beta * rho * sigma_beta * sigma_r * sum_146
-        + sin_beta * sum_147
-    )
-    sum_149 = (
-        attenuation_beta * attenuation_epsilon * rho * sigma_beta * sigma_r * sin_beta * sum_146
-        - cos_beta * sum_147
-    )
-    sum_150 = 1.0 + attenuation_epsilon * shortfall_epsilon
-    del attenuation_beta, sum_146, sum_147, attenuation_epsilon, shortfall_epsilon
-    sum_151 = product_12 - shortfall_beta_2 * sum_5
-    sum_152 = 15.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
-    sum_153 = attenuation_epsilon_2 * sum_151 + shortfall_epsilon_2_squared * sum_152
-    del product_12, sum_5, sum_151, sum_152
-    sum_154 = 13.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
-    sum_155 = attenuation_epsilon_2 * sum_153 + product_3 * sum_154
-    sum_156 = 4.0 * attenuation_beta_2 * shortfall_epsilon_2_squared_squared + attenuation_epsilon_2 * sum_155
+    del product_10, sum_102, attenuation_beta_2_squared_squared, product_19, sum_100, sum_103
+    sum_105 = 0.25 * r_squared * sum_95 + sigma_r_squared * sum_104
+    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_105
+    sum_106 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_107 = attenuation_beta_2 * sum_60 - shortfall_beta_2 * sum_106
+    del sum_104, sum_95, sum_105, sum_106, sum_60
+    sum_108 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_107
+    sum_109 = 2.0 * product_8 * shortfall_beta_2 + shortfall_epsilon_2 * sum_108
+    product_24 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
+    product_11 = product_24
+    sum_110 = product_11 - attenuation_epsilon_2 * sum_109
+    del sum_107, sum_108, shortfall_epsilon_2_squared_squared, sum_109
+    sum_111 = 18.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
+    sum_112 = 14.0 * attenuation_epsilon_2 + 28.0 * shortfall_epsilon_2
+    sum_113 = attenuation_beta_2 * sum_112 - shortfall_beta_2 * sum_111
+    sum_114 = 69.0 * attenuation_beta_2 - 27.0 * shortfall_beta_2
+    sum_115 = attenuation_epsilon_2 * sum_113 + shortfall_epsilon_2_squared * sum_114
+    del sum_111, sum_112, sum_113, sum_114
+    sum_116 = 55.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
+    sum_117 = attenuation_epsilon_2 * sum_115 + product_3 * sum_116
+    sum_118 = 16.0 * product_24 + attenuation_epsilon_2 * sum_117
+    product_12 = attenuation_beta_2 * sum_4
+    sum_119 = product_12 - shortfall_beta_2 * sum_4
+    sum_120 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
+    sum_121 = attenuation_epsilon_2 * sum_119 + shortfall_epsilon_2_squared * sum_120
+    del sum_115, sum_117, sum_4, sum_119, sum_120
+    sum_122 = 7.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_123 = attenuation_epsilon_2 * sum_121 + product_3 * sum_122
+    sum_124 = 0.5 * attenuation_epsilon_2 * sum_123 - 0.5 * product_16 * sum_118 + product_11
+    del sum_121, product_11, sum_118, sum_123
+    sum_125 = 0.5 * r_squared * sum_110 + sigma_r_squared * sum_124
+    part_01_cos_beta_cos_epsilon2_sin_beta = product_1 * sum_125
+    product_22 = attenuation_beta_2 * product_3
+    product_13 = product_22
+    product_14 = -shortfall_beta_2 * sum_33
+    sum_126 = attenuation_beta_2 * sum_33 + product_14
+    del sum_110, sum_124, sum_125, sum_33
+    sum_127 = 3.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_128 = attenuation_epsilon_2 * sum_126 + shortfall_epsilon_2_squared * sum_127
+    sum_129 = attenuation_epsilon_2 * sum_128 + product_13
+    sum_130 = 18.0 * attenuation_epsilon_2 + 27.0 * shortfall_epsilon_2
+    sum_131 = 46.0 * attenuation_epsilon_2 + 69.0 * shortfall_epsilon_2
+    sum_132 = attenuation_beta_2 * sum_131 - shortfall_beta_2 * sum_130
+    del sum_126, sum_127, sum_128, sum_130, sum_131
+    sum_133 = attenuation_epsilon_2 * sum_132 + shortfall_epsilon_2_squared * sum_116
+    sum_134 = 16.0 * product_22 + attenuation_epsilon_2 * sum_133
+    sum_135 = attenuation_beta_2 * sum_35 + product_14
+    del sum_116, sum_132, sum_133, product_14
+    sum_136 = attenuation_epsilon_2 * sum_135 + shortfall_epsilon_2_squared * sum_122
+    sum_137 = 0.5 * attenuation_epsilon_2 * sum_136 - 0.5 * product_16 * sum_134 + product_13
+    del sum_122, sum_135, product_13, sum_134, sum_136
+    sum_138 = 0.5 * r_squared * sum_129 + sigma_r_squared * sum_137
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_1 * shortfall_epsilon_2 * sum_138
+    sum_139 = 1.0 - 2.0 * product_16
+    del sum_129, sum_137, sum_138, product_16
+    sum_140 = attenuation_epsilon_2 - shortfall_epsilon_2
+    sum_141 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_139 * sum_140
+    product_23 = attenuation_beta_2 * product_8
+    part_02_cos_epsilon_sin_beta_sin_epsilon = -product_23 * sum_141
+    sum_142 = 2.0 + attenuation_epsilon_2 * (1.0 + product_9)
+    del sum_139, sum_140, sum_141, product_9
+    sum_143 = 0.5 * (1.0 + product_8) * r_squared + 0.5 * sigma_r_squared * sum_142
+    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_143
+    sum_144 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
+    del product_8, sum_142, sum_143, attenuation_epsilon_2_squared
+    sum_145 = 1.0 - attenuation_epsilon_2 * sum_144
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_44 + sigma_r_squared * sum_145
+    del sum_144, r_squared, sigma_r_squared, sum_145, sum_44
+    sum_146 = attenuation_epsilon + shortfall_epsilon
+    sum_147 = attenuation_epsilon - shortfall_epsilon
+    sum_148 = attenuation_beta * sum_147 - shortfall_beta * sum_146
+    del attenuation_beta, shortfall_beta, sum_146, sum_147
+    sum_149 = part_0_cos_epsilon_sin_beta - r
+    product_17 = rho * sigma_beta
+    product_18 = product_17 * sigma_r
+    product_32 = product_18 * sum_148
+    product_35 = product_21 * product_32
+    del part_0_cos_epsilon_sin_beta, product_17, sum_148, product_21, product_32
+    sum_150 = cos_beta * product_35 + sin_beta * sum_149
+    sum_151 = product_35 * sin_beta - cos_beta * sum_149
+    sum_152 = 1.0 + attenuation_epsilon * shortfall_epsilon
+    del product_35, sum_149, attenuation_epsilon, shortfall_epsilon
+    sum_153 = product_12 - shortfall_beta_2 * sum_7
+    sum_154 = 15.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
+    sum_155 = attenuation_epsilon_2 * sum_153 + shortfall_epsilon_2_squared * sum_154
+    del product_12, sum_7, sum_153, sum_154
+    sum_156 = 13.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
+    sum_157 = attenuation_epsilon_2 * sum_155 + product_3 * sum_156
+    sum_158 = 4.0 * product_24 + attenuation_epsilon_2 * sum_157
+    del product_3, sum_155, product_24, sum_157
     cos_epsilon_squared = cos_epsilon**2
-    sum_157 = 10.0 * attenuation_epsilon_2 + 15.0 * shortfall_epsilon_2
-    sum_158 = attenuation_beta_2 * sum_157 - shortfall_beta_2 * sum_33
-    del sum_153, shortfall_epsilon_2_squared_squared, sum_155, shortfall_beta_2, sum_157, sum_33
-    sum_159 = attenuation_epsilon_2 * sum_158 + shortfall_epsilon_2_squared * sum_154
-    sum_160 = 4.0 * attenuation_beta_2 * product_3 + attenuation_epsilon_2 * sum_159
-    del shortfall_epsilon_2_squared, sum_154, sum_158, product_3, sum_159
+    sum_159 = 10.0 * attenuation_epsilon_2 + 15.0 * shortfall_epsilon_2
+    sum_160 = attenuation_beta_2 * sum_159 - shortfall_beta_2 * sum_35
+    del attenuation_beta_2, shortfall_beta_2, sum_159, sum_35
+    sum_161 = attenuation_epsilon_2 * sum_160 + shortfall_epsilon_2_squared * sum_156
+    sum_162 = 4.0 * product_22 + attenuation_epsilon_2 * sum_161
+    del shortfall_epsilon_2_squared, sum_156, sum_160, product_22, sum_161
     sin_epsilon_squared = sin_epsilon**2
-    sum_161 = cos_epsilon_squared * sum_156 + shortfall_epsilon_2 * sin_epsilon_squared * sum_160
-    product_15 = product_1 * r * rho * sigma_beta * sigma_r * sin_beta * sum_161
-    sum_162 = (
+    product_26 = cos_epsilon_squared * sum_158
+    product_30 = shortfall_epsilon_2 * sin_epsilon_squared
+    product_33 = product_30 * sum_162
+    sum_163 = product_26 + product_33
+    product_20 = product_18 * r
+    del sum_158, product_30, sum_162, product_18
+    product_27 = product_1 * product_20
+    product_15 = product_27 * sin_beta * sum_163
+    sum_164 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_163 = cos_beta * sum_162 + product_15
-    sum_164 = (
+    del product_1, sum_163, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
+    sum_165 = cos_beta * sum_164 + product_15
+    sum_166 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del sum_161, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_165 = 0.5 * cos_beta**2 - 0.5 * sin_beta_squared
-    sum_166 = (
-        cos_epsilon_squared * sum_156 * sum_165
-        + shortfall_epsilon_2 * sin_epsilon_squared * sum_160 * sum_165
-    )
-    sum_167 = (
+    sum_167 = 0.5 * cos_beta**2 - 0.5 * sin_beta_squared
+    sum_168 = product_26 * sum_167 + product_33 * sum_167
+    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_26, product_33, sum_167
+    sum_169 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    del sum_156, sum_160, sum_165, part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2
-    sum_168 = attenuation_epsilon_2 - 3.0 * shortfall_epsilon_2
-    sum_169 = (
-        attenuation_beta_2 * cos_beta * product_8 * r * rho * sigma_beta * sigma_r * sum_168
-        + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
-    )
-    sum_170 = product_15 - cos_beta * sum_164
-    sum_171 = (
-        attenuation_beta_2 * product_8 * r * rho * sigma_beta * sigma_r * sin_beta * sum_168
-        - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
-    )
-    del attenuation_epsilon_2, shortfall_epsilon_2, product_15, attenuation_beta_2, part_02_cos_epsilon_sin_beta_sin_epsilon, product_8, sum_168
-    mean[..., 0] = -cos_epsilon * sum_148
-    mean[..., 1] = cos_epsilon * sum_149
-    mean[..., 2] = r * sin_epsilon * sum_150
-    covariance[..., 0, 0] = cos_beta * sum_163 + sin_beta_squared * sum_164
-    del sum_148, sum_149, sum_150, sum_163, sum_164
-    covariance[..., 0, 1] = (
-        cos_beta * sin_beta * sum_167
-        + product_1 * r * rho * sigma_beta * sigma_r * sum_166
-    )
-    del product_1, sin_beta, sum_166, sum_167
-    covariance[..., 0, 2] = cos_epsilon * sin_epsilon * sum_169
+    sum_170 = attenuation_epsilon_2 - 3.0 * shortfall_epsilon_2
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, attenuation_epsilon_2, shortfall_epsilon_2
+    product_34 = product_20 * sum_170
+    product_36 = product_23 * product_34
+    del product_20, sum_170, product_23, product_34
+    sum_171 = cos_beta * product_36 + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
+    sum_172 = product_15 - cos_beta * sum_166
+    sum_173 = product_36 * sin_beta - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
+    product_25 = cos_epsilon * sin_epsilon
+    mean[..., 0] = -cos_epsilon * sum_150
+    del product_15, part_02_cos_epsilon_sin_beta_sin_epsilon, product_36, sum_150
+    mean[..., 1] = cos_epsilon * sum_151
+    mean[..., 2] = r * sin_epsilon * sum_152
+    del cos_epsilon, sum_151, sin_epsilon, sum_152
+    covariance[..., 0, 0] = cos_beta * sum_165 + sin_beta_squared * sum_166
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_169 + product_27 * sum_168
+    del sum_165, sum_166, product_27, sin_beta, sum_168, sum_169
+    covariance[..., 0, 2] = product_25 * sum_171
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sin_beta_squared * sum_162 - cos_beta * sum_170
-    del sum_169, cos_beta, sin_beta_squared, sum_162, sum_170
-    covariance[..., 1, 2] = -cos_epsilon * sin_epsilon * sum_171
+    covariance[..., 1, 1] = sin_beta_squared * sum_164 - cos_beta * sum_172
+    del sum_171, cos_beta, sin_beta_squared, sum_164, sum_172
+    covariance[..., 1, 2] = -product_25 * sum_173
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon, sin_epsilon, sum_171, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_25, sum_173, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_unbiased(
@@ -3786,265 +3816,272 @@ def spherical_unbiased(
     sin_epsilon = np.sin(epsilon)
     sigma_beta_squared = sigma_beta**2
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
-    sigma_epsilon_squared = sigma_epsilon**2
-    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon_squared)
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     term_1 = 1.0 / attenuation_beta
     term_2 = 1.0 / attenuation_epsilon
-    part_0_cos_beta_cos_epsilon = -rho * sigma_beta * sigma_r * term_1 * term_2
-    part_0_cos_epsilon_sin_beta = r * term_1 * term_2
+    product_5 = rho * sigma_beta
+    product_7 = product_5 * sigma_r
+    part_0_cos_beta_cos_epsilon = -product_7 * term_1 * term_2
+    product_21 = r * term_2
+    part_0_cos_epsilon_sin_beta = product_21 * term_1
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
     attenuation_epsilon_2 = attenuation_epsilon**2
-    shortfall_epsilon = -np.expm1(-sigma_epsilon_squared)
+    attenuation_epsilon_less_one = np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 2.0 + attenuation_epsilon_less_one
+    shortfall_epsilon = -attenuation_epsilon_less_one * sum_1
+    del product_5, term_2, attenuation_epsilon, attenuation_epsilon_less_one, sum_1
     term_3 = 1.0 / attenuation_epsilon_2
     term_4 = 1.0 / attenuation_beta**2
     attenuation_beta_squared = attenuation_beta**2
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_1 = 1.0 + attenuation_epsilon_2_squared
-    sum_2 = 2.0 + attenuation_beta_squared_squared * sum_1
+    sum_2 = 1.0 + attenuation_epsilon_2_squared
+    product_13 = attenuation_beta_squared_squared * sum_2
+    sum_3 = 2.0 + product_13
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    sum_3 = 1.0 + attenuation_beta_squared * attenuation_epsilon_2 * sum_2
-    sum_4 = 1.0 + attenuation_beta * sum_1 + attenuation_epsilon_2_squared
-    sum_5 = 1.0 + attenuation_beta * sum_4 + attenuation_epsilon_2_squared
-    del attenuation_epsilon, sigma_epsilon_squared, sum_2, sum_4
+    product_12 = attenuation_beta_squared * attenuation_epsilon_2
+    sum_4 = 1.0 + product_12 * sum_3
+    sum_5 = 1.0 + attenuation_beta * sum_2 + attenuation_epsilon_2_squared
+    sum_6 = 1.0 + attenuation_beta * sum_5 + attenuation_epsilon_2_squared
     r_squared = r**2
-    sum_6 = 0.25 * r_squared + 0.25 * sigma_r_squared
-    sum_7 = 1.0 + attenuation_beta * sum_5 + attenuation_epsilon_2_squared
-    part_00_cos_beta2_cos_epsilon2 = (
-        rho_squared * sigma_beta_squared * sigma_r_squared * sum_3 * term_3 * term_4
-        + shortfall_beta * sum_6 * sum_7
-    )
-    sum_8 = 1.0 + attenuation_epsilon_2
-    sum_9 = 1.0 + attenuation_beta * sum_8 + attenuation_epsilon_2
+    sum_7 = 0.25 * r_squared + 0.25 * sigma_r_squared
+    sum_8 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon_2_squared
+    del sum_3, sum_2, sum_5, sum_6
+    product_22 = shortfall_beta * sum_7
+    product_10 = term_3 * term_4
+    product_6 = rho_squared * sigma_beta_squared
+    product_11 = product_6 * sigma_r_squared
+    part_00_cos_beta2_cos_epsilon2 = product_10 * product_11 * sum_4 + product_22 * sum_8
+    del term_4, rho_squared, sigma_beta_squared, sum_4, sum_8
+    sum_9 = 1.0 + attenuation_epsilon_2
     sum_10 = 1.0 + attenuation_beta * sum_9 + attenuation_epsilon_2
-    del sum_5, sum_3, sum_7, sum_9
     sum_11 = 1.0 + attenuation_beta * sum_10 + attenuation_epsilon_2
-    sum_12 = (
-        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_8
-        + shortfall_beta * sum_11 * sum_6
-    )
-    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon * sum_12
+    sum_12 = 1.0 + attenuation_beta * sum_11 + attenuation_epsilon_2
+    product_8 = attenuation_beta_squared_squared * sum_9
+    product_29 = product_11 * product_8
+    sum_13 = product_22 * sum_12 + product_29
+    del sum_10, sum_11, product_22, sum_12
+    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon * sum_13
     attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
     shortfall_epsilon_squared = shortfall_epsilon**2
-    sum_13 = 4.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
-    sum_14 = 16.0 * attenuation_epsilon_2 + 44.0 * shortfall_epsilon
-    sum_15 = 24.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_14
-    del sum_10, sum_11, sum_12, sum_14
-    sum_16 = 24.0 * attenuation_epsilon_2 + 96.0 * shortfall_epsilon
-    sum_17 = 184.0 * shortfall_epsilon + 56.0 * attenuation_epsilon_2
-    sum_18 = attenuation_beta * sum_16 + shortfall_beta * sum_17
-    sum_19 = 138.0 * attenuation_beta + 212.0 * shortfall_beta
-    sum_20 = attenuation_epsilon_2 * sum_18 + shortfall_epsilon_squared * sum_19
-    del sum_16, sum_17, sum_18, sum_19
-    sum_21 = 166.0 * shortfall_epsilon + 54.0 * attenuation_epsilon_2
+    sum_14 = 4.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
+    sum_15 = 16.0 * attenuation_epsilon_2 + 44.0 * shortfall_epsilon
+    sum_16 = 24.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_15
+    sum_17 = 24.0 * attenuation_epsilon_2 + 96.0 * shortfall_epsilon
+    sum_18 = 184.0 * shortfall_epsilon + 56.0 * attenuation_epsilon_2
+    sum_19 = attenuation_beta * sum_17 + shortfall_beta * sum_18
+    del sum_13, sum_15, sum_17, sum_18
+    sum_20 = 138.0 * attenuation_beta + 212.0 * shortfall_beta
+    sum_21 = attenuation_epsilon_2 * sum_19 + shortfall_epsilon_squared * sum_20
+    sum_22 = 166.0 * shortfall_epsilon + 54.0 * attenuation_epsilon_2
     shortfall_beta_squared = shortfall_beta**2
-    sum_22 = 173.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_21
-    sum_23 = attenuation_beta * sum_20 + shortfall_beta_squared * sum_22
-    sum_24 = 60.0 * attenuation_beta + 80.0 * shortfall_beta
+    sum_23 = 173.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_22
+    sum_24 = attenuation_beta * sum_21 + shortfall_beta_squared * sum_23
+    del sum_19, sum_20, sum_22, sum_21, sum_23
+    sum_25 = 60.0 * attenuation_beta + 80.0 * shortfall_beta
     product_1 = shortfall_epsilon * shortfall_epsilon_squared
-    sum_25 = 60.0 * shortfall_beta_squared + attenuation_beta * sum_24
-    del sum_21, sum_20, sum_22, sum_24
-    sum_26 = attenuation_epsilon_2 * sum_23 + product_1 * sum_25
-    sum_27 = 24.0 * attenuation_epsilon_2 + 72.0 * shortfall_epsilon
-    sum_28 = 72.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_27
+    sum_26 = 60.0 * shortfall_beta_squared + attenuation_beta * sum_25
+    sum_27 = attenuation_epsilon_2 * sum_24 + product_1 * sum_26
+    sum_28 = 24.0 * attenuation_epsilon_2 + 72.0 * shortfall_epsilon
+    sum_29 = 72.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_28
+    del sum_25, sum_24, sum_26, sum_28
     product_2 = shortfall_beta * shortfall_beta_squared
-    sum_29 = 24.0 * product_1 + attenuation_epsilon_2 * sum_28
-    del sum_23, sum_25, sum_27, sum_28
-    sum_30 = attenuation_beta * sum_26 + product_2 * sum_29
-    sum_31 = 12.0 * shortfall_epsilon + 4.0 * attenuation_epsilon_2
-    sum_32 = 12.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_31
+    sum_30 = 24.0 * product_1 + attenuation_epsilon_2 * sum_29
+    sum_31 = attenuation_beta * sum_27 + product_2 * sum_30
+    sum_32 = 12.0 * shortfall_epsilon + 4.0 * attenuation_epsilon_2
+    sum_33 = 12.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_32
+    del sum_29, sum_27, sum_30, sum_32
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_33 = 4.0 * product_1 + attenuation_epsilon_2 * sum_32
-    del sum_26, sum_29, sum_31, sum_32
-    sum_34 = attenuation_beta * sum_30 + shortfall_beta_squared_squared * sum_33
-    sum_35 = (
-        attenuation_beta * attenuation_beta_squared**2 * shortfall_epsilon * sum_15
-        + shortfall_beta * sum_34
+    sum_34 = 4.0 * product_1 + attenuation_epsilon_2 * sum_33
+    sum_35 = attenuation_beta * sum_31 + shortfall_beta_squared_squared * sum_34
+    sum_36 = (
+        attenuation_beta * attenuation_beta_squared**2 * shortfall_epsilon * sum_16
+        + shortfall_beta * sum_35
     )
-    del sum_30, sum_33, sum_15, sum_34
-    sum_36 = attenuation_beta_squared_cubed * shortfall_epsilon_squared * sum_13 + shortfall_beta * sum_35
-    sum_37 = 0.25 + 0.25 * attenuation_epsilon_2_squared
-    sum_38 = (
+    del sum_33, sum_31, sum_34, attenuation_beta_squared, sum_16, sum_35
+    product_17 = attenuation_beta_squared_cubed * shortfall_epsilon_squared
+    sum_37 = product_17 * sum_14 + shortfall_beta * sum_36
+    sum_38 = 0.25 + 0.25 * attenuation_epsilon_2_squared
+    sum_39 = (
         0.25
-        - attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sum_1
-        + attenuation_beta_squared_squared * sum_37
+        - product_13 * product_6
+        + attenuation_beta_squared_squared * sum_38
         + 0.25 * attenuation_epsilon_2_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = 0.25 * r_squared * sum_36 * term_3 * term_4 + sigma_r_squared * sum_38
-    del sum_13, sum_35, sum_37, sum_36, sum_38
-    sum_39 = 1.0 + attenuation_beta_squared_squared * sum_8 + attenuation_epsilon_2
-    sum_40 = (
-        sum_39 * sum_6
-        - attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_8
-    )
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_40
-    sum_41 = 2.0 + 2.0 * attenuation_epsilon_2_squared
-    sum_42 = 2.0 + attenuation_beta_squared_squared * sum_41
-    del sum_39, sum_6, sum_40, sum_41
-    sum_43 = 1.0 + attenuation_beta_squared * attenuation_epsilon_2 * sum_42
-    sum_44 = 2.0 * attenuation_epsilon_2 + 6.0 * shortfall_epsilon
-    sum_45 = 6.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_44
+    del attenuation_beta_squared_cubed, sum_14, sum_36, sum_38
+    part_00_cos_epsilon2_sin_beta2 = 0.25 * product_10 * r_squared * sum_37 + sigma_r_squared * sum_39
+    sum_40 = 1.0 + attenuation_epsilon_2 + product_8
+    sum_41 = sum_40 * sum_7 - product_29
+    del sum_37, sum_39, product_29, sum_40, sum_7
+    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_41
+    sum_42 = 2.0 + 2.0 * attenuation_epsilon_2_squared
+    sum_43 = 2.0 + attenuation_beta_squared_squared * sum_42
+    sum_44 = 1.0 + product_12 * sum_43
+    del sum_41, attenuation_beta_squared_squared, sum_42, sum_43
+    sum_45 = 2.0 * attenuation_epsilon_2 + 6.0 * shortfall_epsilon
+    sum_46 = 6.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_45
     product_3 = shortfall_beta * shortfall_beta_squared**2
-    sum_46 = 2.0 * product_1 + attenuation_epsilon_2 * sum_45
-    sum_47 = 12.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon
-    sum_48 = 36.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_47
-    del sum_42, sum_44, sum_45, sum_47
-    sum_49 = 12.0 * product_1 + attenuation_epsilon_2 * sum_48
-    sum_50 = 26.0 * attenuation_epsilon_2 + 82.0 * shortfall_epsilon
-    sum_51 = 86.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_50
-    sum_52 = 30.0 * product_1 + attenuation_epsilon_2 * sum_51
-    sum_53 = 12.0 * attenuation_beta + 30.0 * shortfall_beta
-    sum_54 = 40.0 * shortfall_beta_squared + attenuation_beta * sum_53
-    del sum_48, sum_50, sum_51, sum_53
-    sum_55 = 24.0 * attenuation_epsilon_2 + 88.0 * shortfall_epsilon
-    sum_56 = 104.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_55
-    sum_57 = 20.0 * attenuation_beta + 66.0 * shortfall_beta
-    sum_58 = 42.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
-    sum_59 = 4.0 * attenuation_epsilon_2 - 4.0 * shortfall_epsilon
-    sum_60 = attenuation_beta * sum_59 - shortfall_beta * sum_58
-    sum_61 = attenuation_epsilon_2 * sum_60 - shortfall_epsilon_squared * sum_57
-    del sum_55, sum_58, sum_59, sum_57, sum_60
-    sum_62 = attenuation_beta * sum_61 - shortfall_beta_squared * sum_56
-    sum_63 = attenuation_epsilon_2 * sum_62 - product_1 * sum_54
-    del sum_56, sum_61, sum_54, sum_62
-    sum_64 = attenuation_beta * sum_63 - product_2 * sum_52
-    sum_65 = attenuation_beta * sum_64 - shortfall_beta_squared_squared * sum_49
-    del sum_52, sum_63, sum_49, sum_64
-    sum_66 = attenuation_beta * sum_65 - product_3 * sum_46
-    sum_67 = 2.0 * shortfall_epsilon + 3.0 * attenuation_epsilon_2
-    sum_68 = attenuation_beta_squared_cubed * shortfall_epsilon_squared * sum_67 - shortfall_beta * sum_66
-    del sum_46, sum_65, attenuation_beta_squared_cubed, sum_66, sum_67
-    sum_69 = 0.5 * r_squared * sum_68 - rho_squared * sigma_beta_squared * sigma_r_squared * sum_43
-    part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_1
-        + sum_69 * term_3 * term_4
-    )
-    del sum_43, sum_68, sum_1, sum_69
-    sum_70 = 0.5 - 2.0 * rho_squared * sigma_beta_squared
-    sum_71 = 0.5 * r_squared + sigma_r_squared * sum_70
-    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * shortfall_epsilon * sum_71 * sum_8
-    sum_72 = 2.0 * shortfall_epsilon + attenuation_epsilon_2
-    sum_73 = attenuation_epsilon_2 * sum_72 + shortfall_epsilon_squared
-    sum_74 = 2.0 * shortfall_beta + attenuation_beta
-    sum_75 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
-    sum_76 = attenuation_epsilon_2 - shortfall_epsilon
-    product_4 = attenuation_beta * sum_76
-    del sum_70, sum_71, sum_72, sum_76
-    sum_77 = product_4 - shortfall_beta * sum_75
-    sum_78 = attenuation_epsilon_2 * sum_77 - shortfall_epsilon_squared * sum_74
-    sum_79 = attenuation_beta * sum_78 - shortfall_beta_squared * sum_73
-    sum_80 = 1.0 - rho_squared * sigma_beta_squared
-    del sum_77, sum_78, rho_squared, sigma_beta_squared
+    sum_47 = 2.0 * product_1 + attenuation_epsilon_2 * sum_46
+    sum_48 = 12.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon
+    sum_49 = 36.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_48
+    sum_50 = 12.0 * product_1 + attenuation_epsilon_2 * sum_49
+    del sum_45, sum_46, sum_48, sum_49
+    sum_51 = 26.0 * attenuation_epsilon_2 + 82.0 * shortfall_epsilon
+    sum_52 = 86.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_51
+    sum_53 = 30.0 * product_1 + attenuation_epsilon_2 * sum_52
+    sum_54 = 12.0 * attenuation_beta + 30.0 * shortfall_beta
+    sum_55 = 40.0 * shortfall_beta_squared + attenuation_beta * sum_54
+    sum_56 = 24.0 * attenuation_epsilon_2 + 88.0 * shortfall_epsilon
+    sum_57 = 104.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_56
+    del sum_51, sum_52, sum_54, sum_56
+    sum_58 = 20.0 * attenuation_beta + 66.0 * shortfall_beta
+    sum_59 = 42.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
+    sum_60 = 4.0 * attenuation_epsilon_2 - 4.0 * shortfall_epsilon
+    sum_61 = attenuation_beta * sum_60 - shortfall_beta * sum_59
+    sum_62 = attenuation_epsilon_2 * sum_61 - shortfall_epsilon_squared * sum_58
+    del sum_59, sum_60, sum_58, sum_61
+    sum_63 = attenuation_beta * sum_62 - shortfall_beta_squared * sum_57
+    sum_64 = attenuation_epsilon_2 * sum_63 - product_1 * sum_55
+    del sum_57, sum_62, sum_55, sum_63
+    sum_65 = attenuation_beta * sum_64 - product_2 * sum_53
+    sum_66 = attenuation_beta * sum_65 - shortfall_beta_squared_squared * sum_50
+    del sum_53, sum_64, sum_50, sum_65
+    sum_67 = attenuation_beta * sum_66 - product_3 * sum_47
+    sum_68 = 2.0 * shortfall_epsilon + 3.0 * attenuation_epsilon_2
+    sum_69 = product_17 * sum_68 - shortfall_beta * sum_67
+    del sum_47, sum_66, product_17, sum_67, sum_68
+    sum_70 = 0.5 * r_squared * sum_69 - product_11 * sum_44
+    part_01_cos_beta_cos_epsilon2_sin_beta = product_10 * sum_70 + 0.5 * product_13 * sigma_r_squared
+    del product_11, sum_44, sum_69, product_13, sum_70
+    sum_71 = 0.5 - 2.0 * product_6
+    sum_72 = 0.5 * r_squared + sigma_r_squared * sum_71
+    product_14 = product_8 * shortfall_epsilon
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_14 * sum_72
+    sum_73 = 2.0 * shortfall_epsilon + attenuation_epsilon_2
+    sum_74 = attenuation_epsilon_2 * sum_73 + shortfall_epsilon_squared
+    del sum_71, product_8, sum_72, sum_73
+    sum_75 = 2.0 * shortfall_beta + attenuation_beta
+    sum_76 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
+    sum_77 = attenuation_epsilon_2 - shortfall_epsilon
+    product_4 = attenuation_beta * sum_77
+    product_23 = shortfall_beta * sum_76
+    sum_78 = product_4 - product_23
+    product_25 = shortfall_epsilon_squared * sum_75
+    sum_79 = attenuation_epsilon_2 * sum_78 - product_25
+    del sum_77, sum_76, sum_75, sum_78
+    product_24 = shortfall_beta_squared * sum_74
+    sum_80 = attenuation_beta * sum_79 - product_24
+    sum_81 = 1.0 - product_6
+    product_16 = term_1 * term_3
+    del sum_74, sum_79, product_6, term_1
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
-        attenuation_beta * attenuation_epsilon_2_squared * sigma_r_squared * sum_80
-        - r_squared * shortfall_epsilon * sum_79 * term_1 * term_3
+        attenuation_beta * attenuation_epsilon_2_squared * sigma_r_squared * sum_81
+        - product_16 * r_squared * shortfall_epsilon * sum_80
     )
-    sum_81 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    part_22_cos_epsilon2 = shortfall_epsilon * sum_8 * sum_81
-    sum_82 = 0.5 + 0.5 * attenuation_epsilon_2_squared
+    sum_82 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    part_22_cos_epsilon2 = shortfall_epsilon * sum_82 * sum_9
+    del sum_80, sum_81, sum_82, sum_9
+    sum_83 = 0.5 + 0.5 * attenuation_epsilon_2_squared
     part_22_sin_epsilon2 = (
         0.5 * (2.0 + attenuation_epsilon_2) * r_squared * shortfall_epsilon_squared * term_3
-        + sigma_r_squared * sum_82
+        + sigma_r_squared * sum_83
     )
-    del sum_79, sum_80, sum_81, r_squared, sigma_r_squared, sum_82
-    sum_83 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
-    sum_84 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
+    del r_squared, sigma_r_squared, sum_83, term_3
+    sum_84 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
+    sum_85 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
-    sum_85 = (
+    sum_86 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     del part_0_cos_beta_cos_epsilon, part_0_cos_epsilon_sin_beta, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
-    sum_86 = 3.0 * shortfall_epsilon + attenuation_epsilon_2
-    sum_87 = 3.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_86
-    sum_88 = attenuation_epsilon_2 * sum_87 + product_1
-    sum_89 = 18.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
-    sum_90 = 18.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_89
-    sum_91 = 6.0 * product_1 + attenuation_epsilon_2 * sum_90
-    sum_92 = 15.0 * attenuation_epsilon_2 + 45.0 * shortfall_epsilon
-    sum_93 = 45.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_92
-    del sum_86, sum_87, sum_90, sum_92
-    sum_94 = 15.0 * product_1 + attenuation_epsilon_2 * sum_93
-    sum_95 = 20.0 * attenuation_epsilon_2 + 60.0 * shortfall_epsilon
-    sum_96 = 60.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_95
-    sum_97 = 20.0 * product_1 + attenuation_epsilon_2 * sum_96
-    sum_98 = 6.0 * shortfall_beta + attenuation_beta
-    sum_99 = 15.0 * shortfall_beta_squared + attenuation_beta * sum_98
-    sum_100 = 18.0 * shortfall_beta + 2.0 * attenuation_beta
-    sum_101 = product_4 - shortfall_beta * sum_89
-    del sum_95, sum_96, sum_98, product_4, sum_89
-    sum_102 = attenuation_epsilon_2 * sum_101 - shortfall_epsilon_squared * sum_100
-    sum_103 = attenuation_beta * sum_102 - shortfall_beta_squared * sum_93
-    del sum_100, sum_101, sum_102, sum_93
-    sum_104 = attenuation_epsilon_2 * sum_103 - product_1 * sum_99
-    sum_105 = attenuation_beta * sum_104 - product_2 * sum_97
-    del product_1, sum_103, sum_99, product_2, sum_104, sum_97
-    sum_106 = attenuation_beta * sum_105 - shortfall_beta_squared_squared * sum_94
-    sum_107 = attenuation_beta * sum_106 - product_3 * sum_91
-    del shortfall_beta_squared_squared, sum_105, sum_94, product_3, sum_106, sum_91
-    sum_108 = attenuation_beta * sum_107 - shortfall_beta_squared * shortfall_beta_squared**2 * sum_88
-    sum_109 = (
-        2.0 * attenuation_beta_squared_squared * shortfall_epsilon * sin_epsilon_squared * sum_8
-        + 2.0 * cos_epsilon_squared * sum_108 * term_3 * term_4
-    )
-    sum_110 = cos_beta * sum_85 + r * rho * sigma_beta * sigma_r * sin_beta * sum_109
-    sum_111 = (
+    sum_87 = 3.0 * shortfall_epsilon + attenuation_epsilon_2
+    sum_88 = 3.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_87
+    sum_89 = attenuation_epsilon_2 * sum_88 + product_1
+    sum_90 = 18.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
+    sum_91 = 18.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_90
+    sum_92 = 6.0 * product_1 + attenuation_epsilon_2 * sum_91
+    sum_93 = 15.0 * attenuation_epsilon_2 + 45.0 * shortfall_epsilon
+    sum_94 = 45.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_93
+    del sum_87, sum_88, sum_91, sum_93
+    sum_95 = 15.0 * product_1 + attenuation_epsilon_2 * sum_94
+    sum_96 = 20.0 * attenuation_epsilon_2 + 60.0 * shortfall_epsilon
+    sum_97 = 60.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_96
+    sum_98 = 20.0 * product_1 + attenuation_epsilon_2 * sum_97
+    sum_99 = 6.0 * shortfall_beta + attenuation_beta
+    sum_100 = 15.0 * shortfall_beta_squared + attenuation_beta * sum_99
+    sum_101 = 18.0 * shortfall_beta + 2.0 * attenuation_beta
+    sum_102 = product_4 - shortfall_beta * sum_90
+    del sum_96, sum_97, sum_99, product_4, shortfall_beta, sum_90
+    sum_103 = attenuation_epsilon_2 * sum_102 - shortfall_epsilon_squared * sum_101
+    sum_104 = attenuation_beta * sum_103 - shortfall_beta_squared * sum_94
+    del shortfall_epsilon_squared, sum_101, sum_102, sum_103, sum_94
+    sum_105 = attenuation_epsilon_2 * sum_104 - product_1 * sum_100
+    sum_106 = attenuation_beta * sum_105 - product_2 * sum_98
+    del product_1, sum_100, sum_104, product_2, sum_105, sum_98
+    sum_107 = attenuation_beta * sum_106 - shortfall_beta_squared_squared * sum_95
+    sum_108 = attenuation_beta * sum_107 - product_3 * sum_92
+    del shortfall_beta_squared_squared, sum_106, sum_95, product_3, sum_107, sum_92
+    sum_109 = attenuation_beta * sum_108 - shortfall_beta_squared * shortfall_beta_squared**2 * sum_89
+    product_26 = product_14 * sin_epsilon_squared
+    del shortfall_beta_squared, sum_108, sum_89, product_14
+    product_20 = cos_epsilon_squared * sum_109
+    product_30 = product_10 * product_20
+    sum_110 = 2.0 * product_26 + 2.0 * product_30
+    product_9 = product_7 * r
+    del sum_109, product_10, product_20, product_7
+    product_15 = product_9 * sin_beta
+    product_27 = product_15 * sum_110
+    sum_111 = cos_beta * sum_86 + product_27
+    sum_112 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del sum_107, sum_88, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_112 = (
-        attenuation_beta_squared_squared * shortfall_epsilon * sin_epsilon_squared * sum_8
-        + cos_epsilon_squared * sum_108 * term_3 * term_4
-    )
-    del attenuation_beta_squared_squared, sum_108, sum_8, term_4
-    sum_113 = (
+    sum_113 = product_26 + product_30
+    del sum_110, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_26, product_30
+    sum_114 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_114 = cos_beta * r * rho * sigma_beta * sigma_r * sum_112 + sin_beta * sum_113
-    sum_115 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
-    sum_116 = attenuation_beta * sum_115 + shortfall_beta * sum_75
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_113, shortfall_beta, sum_115, sum_75
-    sum_117 = attenuation_epsilon_2 * sum_116 + shortfall_epsilon_squared * sum_74
-    sum_118 = attenuation_beta * sum_117 + shortfall_beta_squared * sum_73
-    del shortfall_epsilon_squared, sum_116, sum_74, attenuation_beta, shortfall_beta_squared, sum_117, sum_73
-    sum_119 = (
-        attenuation_beta_squared * attenuation_epsilon_2 * attenuation_epsilon_2_squared
-        - shortfall_epsilon * sum_118
-    )
-    del attenuation_beta_squared, attenuation_epsilon_2, attenuation_epsilon_2_squared, shortfall_epsilon, sum_118
-    sum_120 = (
-        cos_beta * r * rho * sigma_beta * sigma_r * sum_119 * term_1 * term_3
-        + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
-    )
-    sum_121 = cos_beta * sum_111 - r * rho * sigma_beta * sigma_r * sin_beta * sum_109
-    sum_122 = (
-        cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
-        - r * rho * sigma_beta * sigma_r * sin_beta * sum_119 * term_1 * term_3
-    )
-    del sum_109, part_02_cos_epsilon_sin_beta_sin_epsilon, sin_beta, sum_119, term_1, term_3
-    mean[..., 0] = cos_epsilon * sum_83
-    mean[..., 1] = cos_epsilon * sum_84
-    mean[..., 2] = r * sin_epsilon * term_2
-    covariance[..., 0, 0] = cos_beta * sum_110 + sin_beta_squared * sum_111
-    del sum_83, sum_84, term_2, sum_110, sum_111
-    covariance[..., 0, 1] = cos_beta * sum_114 - r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_112
-    covariance[..., 0, 2] = cos_epsilon * sin_epsilon * sum_120
+    product_18 = cos_beta * product_9
+    sum_115 = product_18 * sum_113 + sin_beta * sum_114
+    sum_116 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
+    sum_117 = attenuation_beta * sum_116 + product_23
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_114, product_23, sum_116
+    sum_118 = attenuation_epsilon_2 * sum_117 + product_25
+    sum_119 = attenuation_beta * sum_118 + product_24
+    del attenuation_epsilon_2, product_25, sum_117, attenuation_beta, product_24, sum_118
+    sum_120 = attenuation_epsilon_2_squared * product_12 - shortfall_epsilon * sum_119
+    del attenuation_epsilon_2_squared, product_12, shortfall_epsilon, sum_119
+    product_28 = product_16 * sum_120
+    sum_121 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta + product_18 * product_28
+    del product_16, sum_120, product_18, sin_beta
+    sum_122 = cos_beta * sum_112 - product_27
+    sum_123 = cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon - product_15 * product_28
+    del product_27, part_02_cos_epsilon_sin_beta_sin_epsilon, product_15, product_28
+    product_19 = cos_epsilon * sin_epsilon
+    mean[..., 0] = cos_epsilon * sum_84
+    mean[..., 1] = cos_epsilon * sum_85
+    mean[..., 2] = product_21 * sin_epsilon
+    del sum_84, cos_epsilon, sum_85, product_21, sin_epsilon
+    covariance[..., 0, 0] = cos_beta * sum_111 + sin_beta_squared * sum_112
+    covariance[..., 0, 1] = cos_beta * sum_115 - product_9 * sin_beta_squared * sum_113
+    del sum_111, sum_112, product_9, sum_113, sum_115
+    covariance[..., 0, 2] = product_19 * sum_121
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta * sum_121 + sin_beta_squared * sum_85
-    del sum_112, sum_114, sum_120, cos_beta, sin_beta_squared, sum_121, sum_85
-    covariance[..., 1, 2] = cos_epsilon * sin_epsilon * sum_122
+    covariance[..., 1, 1] = cos_beta * sum_122 + sin_beta_squared * sum_86
+    del sum_121, cos_beta, sin_beta_squared, sum_122, sum_86
+    covariance[..., 1, 2] = product_19 * sum_123
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon, sin_epsilon, sum_122, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_19, sum_123, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_posterior(
@@ -4069,162 +4106,165 @@ def spherical_posterior(
     sin_epsilon = np.sin(epsilon)
     sigma_beta_squared = sigma_beta**2
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
-    sigma_epsilon_squared = sigma_epsilon**2
-    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon_squared)
-    part_0_cos_beta_cos_epsilon = attenuation_beta * attenuation_epsilon * rho * sigma_beta * sigma_r
-    part_0_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * r
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    product_7 = rho * sigma_beta
+    product_8 = product_7 * sigma_r
+    product_15 = attenuation_beta * attenuation_epsilon
+    part_0_cos_beta_cos_epsilon = product_15 * product_8
+    part_0_cos_epsilon_sin_beta = product_15 * r
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
     attenuation_epsilon_2 = attenuation_epsilon**2
-    shortfall_epsilon = -np.expm1(-sigma_epsilon_squared)
+    attenuation_epsilon_less_one = np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 2.0 + attenuation_epsilon_less_one
+    shortfall_epsilon = -attenuation_epsilon_less_one * sum_1
+    del product_7, product_15, attenuation_epsilon_less_one, sum_1
     attenuation_beta_squared = attenuation_beta**2
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_1 = attenuation_beta_squared * shortfall_epsilon_squared
-    sum_1 = attenuation_epsilon_2 + shortfall_epsilon
+    product_12 = attenuation_beta_squared * shortfall_epsilon_squared
+    product_1 = product_12
+    sum_2 = attenuation_epsilon_2 + shortfall_epsilon
     shortfall_beta_squared = shortfall_beta**2
-    product_2 = -shortfall_beta_squared * sum_1
-    sum_2 = 2.0 * attenuation_epsilon_2 + 2.0 * shortfall_epsilon
-    product_3 = -shortfall_beta * sum_2
-    sum_3 = attenuation_beta * sum_1 + product_3
-    sum_4 = attenuation_beta * sum_3 + product_2
-    sum_5 = attenuation_epsilon_2 * sum_4 + product_1
-    del sigma_epsilon_squared, sum_1, sum_3, sum_4
+    product_2 = -shortfall_beta_squared * sum_2
+    sum_3 = 2.0 * attenuation_epsilon_2 + 2.0 * shortfall_epsilon
+    product_21 = shortfall_beta * sum_3
+    product_3 = -product_21
+    sum_4 = attenuation_beta * sum_2 + product_3
+    sum_5 = attenuation_beta * sum_4 + product_2
+    sum_6 = attenuation_epsilon_2 * sum_5 + product_1
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_6 = 1.0 + attenuation_epsilon_2_squared
-    sum_7 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon_2_squared
+    sum_7 = 1.0 + attenuation_epsilon_2_squared
     sum_8 = 1.0 + attenuation_beta * sum_7 + attenuation_epsilon_2_squared
+    sum_9 = 1.0 + attenuation_beta * sum_8 + attenuation_epsilon_2_squared
+    del sum_2, sum_4, sum_5, sum_8
     r_squared = r**2
-    sum_9 = 0.25 * r_squared + 0.25 * sigma_r_squared
-    sum_10 = 1.0 + attenuation_beta * sum_8 + attenuation_epsilon_2_squared
-    part_00_cos_beta2_cos_epsilon2 = (
-        attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
-        + shortfall_beta * sum_10 * sum_9
-    )
+    sum_10 = 0.25 * r_squared + 0.25 * sigma_r_squared
+    sum_11 = 1.0 + attenuation_beta * sum_9 + attenuation_epsilon_2_squared
+    product_20 = shortfall_beta * sum_10
+    product_6 = rho_squared * sigma_beta_squared
+    product_14 = product_6 * sigma_r_squared
+    part_00_cos_beta2_cos_epsilon2 = attenuation_beta_squared * product_14 * sum_6 + product_20 * sum_11
+    del sum_9, rho_squared, sigma_beta_squared, sum_11
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    sum_11 = 1.0 + attenuation_epsilon_2
-    sum_12 = 1.0 + attenuation_beta * sum_11 + attenuation_epsilon_2
+    sum_12 = 1.0 + attenuation_epsilon_2
     sum_13 = 1.0 + attenuation_beta * sum_12 + attenuation_epsilon_2
-    del sum_7, sum_8, sum_10, sum_12
     sum_14 = 1.0 + attenuation_beta * sum_13 + attenuation_epsilon_2
-    sum_15 = (
-        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11
-        + shortfall_beta * sum_14 * sum_9
-    )
-    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon * sum_15
-    product_4 = shortfall_beta * sum_2
-    sum_16 = attenuation_beta * sum_2 + product_4
-    del sum_13, sum_14, sum_15, sum_2
-    sum_17 = 1.5 * attenuation_beta + shortfall_beta
-    sum_18 = attenuation_epsilon_2 * sum_16 + shortfall_epsilon_squared * sum_17
-    sum_19 = 0.5 * attenuation_epsilon_2 + 0.5 * shortfall_epsilon
-    sum_20 = attenuation_epsilon_2 * sum_19 + 0.25 * shortfall_epsilon_squared
-    sum_21 = attenuation_beta * sum_18 + shortfall_beta_squared * sum_20
-    del sum_16, sum_17, sum_19, shortfall_beta_squared, sum_18, sum_20
-    sum_22 = attenuation_beta * attenuation_beta_squared * shortfall_epsilon_squared + shortfall_beta * sum_21
-    sum_23 = 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared + shortfall_beta * sum_22
-    sum_24 = 0.25 + 0.25 * attenuation_epsilon_2_squared
-    sum_25 = (
+    sum_15 = 1.0 + attenuation_beta * sum_14 + attenuation_epsilon_2
+    product_9 = attenuation_beta_squared_squared * sum_12
+    product_23 = product_14 * product_9
+    sum_16 = product_20 * sum_15 + product_23
+    del sum_13, sum_14, product_14, product_20, sum_15
+    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon * sum_16
+    product_4 = product_21
+    sum_17 = attenuation_beta * sum_3 + product_4
+    sum_18 = 1.5 * attenuation_beta + shortfall_beta
+    sum_19 = attenuation_epsilon_2 * sum_17 + shortfall_epsilon_squared * sum_18
+    del sum_16, product_21, sum_3, sum_17, sum_18
+    sum_20 = 0.5 * attenuation_epsilon_2 + 0.5 * shortfall_epsilon
+    sum_21 = attenuation_epsilon_2 * sum_20 + 0.25 * shortfall_epsilon_squared
+    sum_22 = attenuation_beta * sum_19 + shortfall_beta_squared * sum_21
+    del sum_20, shortfall_beta_squared, sum_19, sum_21
+    sum_23 = attenuation_beta * product_12 + shortfall_beta * sum_22
+    sum_24 = 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared + shortfall_beta * sum_23
+    sum_25 = 0.25 + 0.25 * attenuation_epsilon_2_squared
+    sum_26 = (
         0.25
-        - attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sum_6
-        + attenuation_beta_squared_squared * sum_24
+        - attenuation_beta_squared_squared * product_6 * sum_7
+        + attenuation_beta_squared_squared * sum_25
         + 0.25 * attenuation_epsilon_2_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_23 + sigma_r_squared * sum_25
-    del sum_21, sum_22, sum_24, sum_23, sum_25
-    sum_26 = 1.0 + attenuation_beta_squared_squared * sum_11 + attenuation_epsilon_2
-    sum_27 = (
-        sum_26 * sum_9
-        - attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11
-    )
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_27
-    sum_28 = 4.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
-    sum_29 = attenuation_beta * sum_28 + product_4
-    del sum_26, sum_9, sum_27, product_4, sum_28
-    sum_30 = product_1 - attenuation_epsilon_2 * shortfall_beta * sum_29
-    sum_31 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
-    sum_32 = attenuation_beta * sum_31 + product_3
-    del product_1, shortfall_beta, sum_29, product_3, sum_31
-    sum_33 = attenuation_beta * sum_32 + product_2
-    sum_34 = 2.0 * attenuation_beta_squared * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_33
-    sum_35 = 0.5 * attenuation_beta_squared * sum_6 - rho_squared * sigma_beta_squared * sum_34
-    del product_2, sum_32, sum_33, sum_34, sum_6
-    sum_36 = 0.5 * r_squared * sum_30 + sigma_r_squared * sum_35
-    part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_36
-    sum_37 = 0.5 - 2.0 * rho_squared * sigma_beta_squared
-    sum_38 = 0.5 * r_squared + sigma_r_squared * sum_37
-    del sum_30, sum_35, sum_36, sum_37
-    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * shortfall_epsilon * sum_11 * sum_38
-    sum_39 = 1.0 - rho_squared * sigma_beta_squared
-    del attenuation_beta_squared_squared, sum_38, rho_squared, sigma_beta_squared
-    sum_40 = attenuation_epsilon_2 * sigma_r_squared * sum_39 - r_squared * shortfall_epsilon
-    part_02_cos_epsilon_sin_beta_sin_epsilon = attenuation_beta * attenuation_epsilon_2 * sum_40
-    sum_41 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    part_22_cos_epsilon2 = shortfall_epsilon * sum_11 * sum_41
-    sum_42 = 0.5 + 0.5 * attenuation_epsilon_2_squared
-    del sum_39, sum_40, sum_41, attenuation_epsilon_2_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_42
-    del r_squared, shortfall_epsilon_squared, sigma_r_squared, sum_42
-    sum_43 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
-    sum_44 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
+    del sum_22, sum_23, attenuation_beta_squared_squared, sum_25
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_24 + sigma_r_squared * sum_26
+    sum_27 = 1.0 + attenuation_epsilon_2 + product_9
+    sum_28 = sum_10 * sum_27 - product_23
+    del sum_24, sum_26, product_23, sum_10, sum_27
+    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_28
+    sum_29 = 4.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
+    sum_30 = attenuation_beta * sum_29 + product_4
+    sum_31 = product_1 - attenuation_epsilon_2 * shortfall_beta * sum_30
+    del sum_28, product_4, sum_29, product_1, shortfall_beta, sum_30
+    sum_32 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
+    sum_33 = attenuation_beta * sum_32 + product_3
+    sum_34 = attenuation_beta * sum_33 + product_2
+    del product_3, sum_32, product_2, sum_33
+    sum_35 = 2.0 * product_12 + attenuation_epsilon_2 * sum_34
+    sum_36 = 0.5 * attenuation_beta_squared * sum_7 - product_6 * sum_35
+    del product_12, sum_34, sum_35, sum_7
+    sum_37 = 0.5 * r_squared * sum_31 + sigma_r_squared * sum_36
+    part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_37
+    sum_38 = 0.5 - 2.0 * product_6
+    sum_39 = 0.5 * r_squared + sigma_r_squared * sum_38
+    del sum_31, sum_36, sum_37, sum_38
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_9 * shortfall_epsilon * sum_39
+    sum_40 = 1.0 - product_6
+    sum_41 = attenuation_epsilon_2 * sigma_r_squared * sum_40 - r_squared * shortfall_epsilon
+    del product_9, sum_39, product_6, sum_40
+    product_11 = attenuation_beta * attenuation_epsilon_2
+    part_02_cos_epsilon_sin_beta_sin_epsilon = product_11 * sum_41
+    sum_42 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    product_13 = shortfall_epsilon * sum_12
+    part_22_cos_epsilon2 = product_13 * sum_42
+    del attenuation_beta, sum_41, sum_12, sum_42
+    sum_43 = 0.5 + 0.5 * attenuation_epsilon_2_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_43
+    del attenuation_epsilon_2_squared, r_squared, shortfall_epsilon_squared, sigma_r_squared, sum_43
+    sum_44 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
+    sum_45 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
     sin_epsilon_squared = sin_epsilon**2
     cos_epsilon_squared = cos_epsilon**2
-    sum_45 = (
-        2.0 * attenuation_beta_squared * shortfall_epsilon * sin_epsilon_squared * sum_11
-        + 2.0 * cos_epsilon_squared * sum_5
-    )
-    product_5 = attenuation_beta_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_45
-    sum_46 = (
+    product_19 = cos_epsilon_squared * sum_6
+    product_16 = attenuation_beta_squared * sin_epsilon_squared
+    product_25 = product_13 * product_16
+    del part_0_cos_beta_cos_epsilon, part_0_cos_epsilon_sin_beta, sum_6, product_13, product_16
+    sum_46 = 2.0 * product_19 + 2.0 * product_25
+    product_10 = product_8 * r
+    product_17 = attenuation_beta_squared * product_10
+    product_5 = product_17 * sin_beta * sum_46
+    sum_47 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del part_0_cos_beta_cos_epsilon, part_0_cos_epsilon_sin_beta, sum_45, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
-    sum_47 = (
+    del product_8, attenuation_beta_squared, sum_46, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
+    sum_48 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     sin_beta_squared = sin_beta**2
-    sum_48 = cos_beta**2 - sin_beta_squared
-    sum_49 = (
-        attenuation_beta_squared * shortfall_epsilon * sin_epsilon_squared * sum_11 * sum_48
-        + cos_epsilon_squared * sum_48 * sum_5
-    )
-    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, sum_11, sum_48, sum_5
-    sum_50 = (
+    sum_49 = cos_beta**2 - sin_beta_squared
+    sum_50 = product_19 * sum_49 + product_25 * sum_49
+    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_19, product_25, sum_49
+    sum_51 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_51 = attenuation_epsilon_2 - shortfall_epsilon
-    sum_52 = (
-        attenuation_beta * attenuation_epsilon_2 * cos_beta * r * rho * sigma_beta * sigma_r * sum_51
-        + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
-    )
-    sum_53 = (
-        attenuation_beta * attenuation_epsilon_2 * r * rho * sigma_beta * sigma_r * sin_beta * sum_51
-        - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
-    )
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, shortfall_epsilon, attenuation_beta, attenuation_epsilon_2, part_02_cos_epsilon_sin_beta_sin_epsilon, sum_51
-    mean[..., 0] = cos_epsilon * sum_43
-    mean[..., 1] = cos_epsilon * sum_44
+    sum_52 = attenuation_epsilon_2 - shortfall_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, attenuation_epsilon_2, shortfall_epsilon
+    product_22 = product_10 * sum_52
+    product_24 = product_11 * product_22
+    del product_10, sum_52, product_11, product_22
+    sum_53 = cos_beta * product_24 + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
+    sum_54 = product_24 * sin_beta - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
+    product_18 = cos_epsilon * sin_epsilon
+    mean[..., 0] = cos_epsilon * sum_44
+    mean[..., 1] = cos_epsilon * sum_45
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, product_24, sum_44, cos_epsilon, sum_45
     mean[..., 2] = attenuation_epsilon * r * sin_epsilon
-    covariance[..., 0, 0] = cos_beta * (cos_beta * sum_46 + product_5) + sin_beta_squared * sum_47
-    covariance[..., 0, 1] = (
-        attenuation_beta_squared * r * rho * sigma_beta * sigma_r * sum_49
-        + cos_beta * sin_beta * sum_50
-    )
-    del sum_43, sum_44, attenuation_epsilon, attenuation_beta_squared, sin_beta, sum_49, sum_50
-    covariance[..., 0, 2] = cos_epsilon * sin_epsilon * sum_52
+    covariance[..., 0, 0] = cos_beta * (cos_beta * sum_47 + product_5) + sin_beta_squared * sum_48
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_51 + product_17 * sum_50
+    del attenuation_epsilon, sin_epsilon, product_17, sin_beta, sum_50, sum_51
+    covariance[..., 0, 2] = product_18 * sum_53
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sin_beta_squared * sum_46 - (product_5 - cos_beta * sum_47) * cos_beta
-    del sum_52, cos_beta, product_5, sin_beta_squared, sum_46, sum_47
-    covariance[..., 1, 2] = -cos_epsilon * sin_epsilon * sum_53
+    covariance[..., 1, 1] = sin_beta_squared * sum_47 - (product_5 - cos_beta * sum_48) * cos_beta
+    del sum_53, cos_beta, product_5, sin_beta_squared, sum_47, sum_48
+    covariance[..., 1, 2] = -product_18 * sum_54
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon, sin_epsilon, sum_53, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_18, sum_54, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_doppler_linear(
@@ -4251,57 +4291,64 @@ def spherical_doppler_linear(
     sin_epsilon = np.sin(epsilon)
     r_squared = r**2
     sigma_beta_squared = sigma_beta**2
-    part_00_cos_beta2_cos_epsilon2 = r_squared * sigma_beta_squared
+    product_7 = r_squared * sigma_beta_squared
+    part_00_cos_beta2_cos_epsilon2 = product_7
     sigma_epsilon_squared = sigma_epsilon**2
-    part_00_sin_beta2_sin_epsilon2 = r_squared * sigma_epsilon_squared
+    product_8 = r_squared * sigma_epsilon_squared
+    part_00_sin_beta2_sin_epsilon2 = product_8
     sigma_r_squared = sigma_r**2
-    part_01_cos_beta_cos_epsilon2_sin_beta = sigma_r_squared - r_squared * sigma_beta_squared
-    part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - r_squared * sigma_epsilon_squared
-    sum_1 = r * rho * sigma_rdot + rdot * sigma_r
+    part_01_cos_beta_cos_epsilon2_sin_beta = sigma_r_squared - product_7
+    del sigma_beta_squared, r_squared, sigma_epsilon_squared, product_7
+    part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - product_8
+    product_9 = rdot * sigma_r
+    product_4 = r * sigma_rdot
+    sum_1 = product_4 * rho + product_9
     part_03_cos_epsilon_sin_beta = sigma_r * sum_1
-    del sigma_beta_squared, r_squared, sigma_epsilon_squared, sum_1
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sum_2 = cos_beta_squared * part_00_cos_beta2_cos_epsilon2 + sigma_r_squared * sin_beta_squared
     sin_epsilon_squared = sin_epsilon**2
-    product_1 = part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+    product_5 = part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
+    product_1 = product_5
     sum_3 = cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta + product_1
     sum_4 = cos_epsilon_squared * sigma_r_squared + product_1
-    sum_5 = 2.0 * rdot * rho * sigma_r + r * sigma_rdot
-    mean[..., 0] = cos_epsilon * r * sin_beta
-    mean[..., 1] = cos_beta * cos_epsilon * r
+    del product_8, sum_1, part_01_cos_beta_cos_epsilon2_sin_beta, product_1
+    sum_5 = 2.0 * product_9 * rho + product_4
+    product_3 = cos_epsilon * sin_beta
+    product_2 = cos_beta * cos_epsilon
+    product_6 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = product_3 * r
+    mean[..., 1] = product_2 * r
     mean[..., 2] = r * sin_epsilon
     mean[..., 3] = r * rdot
-    covariance[..., 0, 0] = (
-        cos_epsilon_squared * sum_2
-        + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
-    )
+    covariance[..., 0, 0] = cos_epsilon_squared * sum_2 + product_5 * sin_beta_squared
+    del product_9, cos_epsilon, part_02_cos_epsilon_sin_beta_sin_epsilon, product_5, sum_2
     covariance[..., 0, 1] = cos_beta * sin_beta * sum_3
-    del part_01_cos_beta_cos_epsilon2_sin_beta, product_1, sum_2, sum_3
-    covariance[..., 0, 2] = cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
-    covariance[..., 0, 3] = cos_epsilon * part_03_cos_epsilon_sin_beta * sin_beta
+    covariance[..., 0, 2] = product_3 * product_6
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_3
+    del cos_beta, sin_beta, sum_3, product_3
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = (
         cos_beta_squared * sum_4
         + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
     )
-    del sin_beta, cos_beta_squared, part_00_cos_beta2_cos_epsilon2, sin_beta_squared, sum_4
-    covariance[..., 1, 2] = cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    covariance[..., 1, 3] = cos_beta * cos_epsilon * part_03_cos_epsilon_sin_beta
+    del cos_beta_squared, part_00_cos_beta2_cos_epsilon2, sin_beta_squared, sum_4
+    covariance[..., 1, 2] = product_2 * product_6
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_2
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_00_sin_beta2_sin_epsilon2
         + sigma_r_squared * sin_epsilon_squared
     )
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, cos_beta, cos_epsilon, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, sin_epsilon_squared
+    del product_6, product_2, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_03_cos_epsilon_sin_beta * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
     covariance[..., 3, 2] = covariance[..., 2, 3]
-    covariance[..., 3, 3] = rdot**2 * sigma_r_squared + r * sigma_rdot * sum_5
-    del part_03_cos_epsilon_sin_beta, sin_epsilon, sigma_r_squared, sum_5
+    covariance[..., 3, 3] = product_4 * sum_5 + rdot**2 * sigma_r_squared
+    del part_03_cos_epsilon_sin_beta, sin_epsilon, product_4, sigma_r_squared, sum_5
 
 
 def spherical_doppler_second_order(
@@ -4349,7 +4396,8 @@ def spherical_doppler_second_order(
     sum_8 = r_squared * sum_7 + sigma_r_squared
     del sum_4, sum_5, sum_6, sum_7
     part_02_cos_epsilon_sin_beta_sin_epsilon = sigma_r_squared - sigma_epsilon_squared * sum_8
-    sum_9 = r * rho * sigma_rdot + rdot * sigma_r
+    product_3 = rho * sigma_rdot
+    sum_9 = product_3 * r + rdot * sigma_r
     part_03_cos_epsilon_sin_beta = sigma_r * sum_9
     part_22_sin_epsilon2 = 0.5 * r_squared * sigma_epsilon_squared_squared + sigma_r_squared
     del sum_8, sum_9, sigma_epsilon_squared_squared, sigma_r_squared
@@ -4374,29 +4422,34 @@ def spherical_doppler_second_order(
     )
     sigma_rdot_squared = sigma_rdot**2
     sum_15 = rdot**2 + (1.0 + rho**2) * sigma_rdot_squared
-    sum_16 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_15
+    product_5 = r * rdot
+    sum_16 = 2.0 * product_3 * product_5 + sigma_r * sum_15
     del part_00_cos_epsilon2_sin_beta2, part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_15
-    mean[..., 0] = -cos_epsilon * sin_beta * sum_10
-    mean[..., 1] = -cos_beta * cos_epsilon * sum_10
+    product_2 = cos_epsilon * sin_beta
+    product_1 = cos_beta * cos_epsilon
+    product_4 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = -product_2 * sum_10
+    mean[..., 1] = -product_1 * sum_10
     mean[..., 2] = r * sin_epsilon * sum_11
-    mean[..., 3] = r * rdot - rho * sigma_r * sigma_rdot
+    del cos_epsilon, part_02_cos_epsilon_sin_beta_sin_epsilon, sum_10, sum_11
+    mean[..., 3] = product_5 - product_3 * sigma_r
     covariance[..., 0, 0] = cos_beta_squared * sum_12 + sin_beta_squared * sum_13
     covariance[..., 0, 1] = cos_beta * sin_beta * sum_14
-    covariance[..., 0, 2] = cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
-    covariance[..., 0, 3] = cos_epsilon * part_03_cos_epsilon_sin_beta * sin_beta
-    del sum_10, sum_11, sum_14, sin_beta
+    del product_3, product_5, cos_beta, sin_beta, sum_14
+    covariance[..., 0, 2] = product_2 * product_4
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_2
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * sum_13 + sin_beta_squared * sum_12
-    del cos_beta_squared, sin_beta_squared, sum_12, sum_13
-    covariance[..., 1, 2] = cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    covariance[..., 1, 3] = cos_beta * cos_epsilon * part_03_cos_epsilon_sin_beta
+    del product_2, cos_beta_squared, sin_beta_squared, sum_12, sum_13
+    covariance[..., 1, 2] = product_1 * product_4
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_1
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_00_sin_beta2_sin_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, cos_beta, cos_epsilon, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_4, product_1, cos_epsilon_squared, part_00_sin_beta2_sin_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_03_cos_epsilon_sin_beta * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
@@ -4427,216 +4480,232 @@ def spherical_doppler_averaged(
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
     sin_epsilon = np.sin(epsilon)
-    sigma_beta_squared = sigma_beta**2
-    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
-    shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
-    sigma_epsilon_squared = sigma_epsilon**2
-    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon_squared)
-    shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon_squared)
+    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
+    term_1 = np.expm1(-0.5 * sigma_beta**2)
+    shortfall_beta = -term_1
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
+    term_2 = np.expm1(-0.5 * sigma_epsilon**2)
+    shortfall_epsilon = -term_2
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
     part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
     attenuation_beta_2 = attenuation_beta**2
-    shortfall_beta_2 = -np.expm1(-sigma_beta_squared)
-    del shortfall_beta, sum_1, attenuation_beta, sigma_beta_squared
+    attenuation_beta_less_one = term_1
+    del shortfall_beta, sum_1, attenuation_beta, term_1
+    sum_2 = 2.0 + attenuation_beta_less_one
+    shortfall_beta_2 = -attenuation_beta_less_one * sum_2
     attenuation_epsilon_2 = attenuation_epsilon**2
-    shortfall_epsilon_2 = -np.expm1(-sigma_epsilon_squared)
-    sum_2 = 1.0 + attenuation_beta_2
-    sum_3 = 1.0 - attenuation_epsilon_2 * sum_2
+    attenuation_epsilon_less_one = term_2
+    sum_3 = 2.0 + attenuation_epsilon_less_one
+    shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3
+    del attenuation_beta_less_one, sum_2, term_2, attenuation_epsilon_less_one, sum_3
+    sum_4 = 1.0 + attenuation_beta_2
+    sum_5 = 1.0 - attenuation_epsilon_2 * sum_4
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_4 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_3
-    sum_5 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_4
-    sum_6 = 1.0 - attenuation_epsilon_2 * sum_5 + attenuation_beta_2 * sum_2
-    del sigma_epsilon_squared, sum_3, sum_4, sum_2, sum_5
+    sum_6 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_5
+    sum_7 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_6
+    sum_8 = 1.0 - attenuation_epsilon_2 * sum_7 + attenuation_beta_2 * sum_4
+    del sum_5, sum_6, sum_4, sum_7
     attenuation_epsilon_2_squared_squared = attenuation_epsilon_2_squared**2
     r_squared = r**2
-    sum_7 = 1.0 + attenuation_beta_2 * sum_6 + attenuation_epsilon_2_squared_squared
-    sum_8 = 2.0 + 2.0 * attenuation_beta_2
-    sum_9 = 1.0 - attenuation_epsilon_2 * sum_8
-    sum_10 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_9
-    sum_11 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_10
-    product_1 = attenuation_beta_2 * sum_8
-    del sum_6, sum_9, sum_10, sum_8
-    sum_12 = 2.0 - attenuation_epsilon_2 * sum_11 + product_1
+    sum_9 = 1.0 + attenuation_beta_2 * sum_8 + attenuation_epsilon_2_squared_squared
+    sum_10 = 2.0 + 2.0 * attenuation_beta_2
+    sum_11 = 1.0 - attenuation_epsilon_2 * sum_10
+    sum_12 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_11
+    sum_13 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_12
+    product_1 = attenuation_beta_2 * sum_10
+    del sum_8, sum_11, sum_12, sum_10
+    sum_14 = 2.0 - attenuation_epsilon_2 * sum_13 + product_1
     sigma_r_squared = sigma_r**2
-    sum_13 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_12
-    sum_14 = 0.25 * r_squared * sum_7 + 0.25 * sigma_r_squared * sum_13
-    del sum_11, sum_12, sum_13, sum_7
-    part_00_cos_beta2_cos_epsilon2 = shortfall_beta_2 * sum_14
+    sum_15 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_14
+    sum_16 = 0.25 * r_squared * sum_9 + 0.25 * sigma_r_squared * sum_15
+    del sum_13, sum_14, sum_15, sum_9
+    part_00_cos_beta2_cos_epsilon2 = shortfall_beta_2 * sum_16
     product_2 = attenuation_epsilon_2 * (1.0 + attenuation_epsilon_2)
-    sum_15 = 1.0 + product_2
-    product_3 = attenuation_epsilon_2 * sum_15
+    sum_17 = 1.0 + product_2
+    product_3 = attenuation_epsilon_2 * sum_17
     product_4 = attenuation_epsilon_2 * attenuation_epsilon_2_squared
-    sum_16 = 1.0 + attenuation_beta_2 * (1.0 + product_3) + product_4
-    sum_17 = 1.0 + attenuation_beta_2 * sum_16 + product_4
-    sum_18 = 1.0 + attenuation_beta_2 * sum_17 + product_3
-    del sum_14, sum_16, product_3, sum_17
-    sum_19 = 2.0 + 2.0 * attenuation_epsilon_2
-    sum_20 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_19
-    sum_21 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_20
-    sum_22 = 1.0 + 2.0 * attenuation_epsilon_2
-    product_5 = attenuation_epsilon_2 * sum_22
-    sum_23 = 1.0 + attenuation_beta_2 * sum_21 + product_5
-    sum_24 = 2.0 + attenuation_epsilon_2 * sum_23 + product_1
-    del sum_20, sum_22, sum_21, product_1, sum_23
-    product_6 = attenuation_epsilon_2 * sum_19
-    sum_25 = 2.0 + product_6
-    sum_26 = 2.0 + attenuation_beta_2 * sum_24 + attenuation_epsilon_2 * sum_25
-    sum_27 = 0.25 * r_squared * sum_18 + 0.25 * sigma_r_squared * sum_26
-    del sum_19, sum_24, sum_18, sum_26
-    part_00_cos_beta2_sin_epsilon2 = shortfall_beta_2 * shortfall_epsilon_2 * sum_27
+    sum_18 = 1.0 + attenuation_beta_2 * (1.0 + product_3) + product_4
+    sum_19 = 1.0 + attenuation_beta_2 * sum_18 + product_4
+    sum_20 = 1.0 + attenuation_beta_2 * sum_19 + product_3
+    del sum_16, sum_18, product_3, sum_19
+    sum_21 = 2.0 + 2.0 * attenuation_epsilon_2
+    sum_22 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_21
+    sum_23 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_22
+    sum_24 = 1.0 + 2.0 * attenuation_epsilon_2
+    product_5 = attenuation_epsilon_2 * sum_24
+    sum_25 = 1.0 + attenuation_beta_2 * sum_23 + product_5
+    sum_26 = 2.0 + attenuation_epsilon_2 * sum_25 + product_1
+    del sum_22, sum_24, sum_23, product_1, sum_25
+    product_6 = attenuation_epsilon_2 * sum_21
+    sum_27 = 2.0 + product_6
+    sum_28 = 2.0 + attenuation_beta_2 * sum_26 + attenuation_epsilon_2 * sum_27
+    sum_29 = 0.25 * r_squared * sum_20 + 0.25 * sigma_r_squared * sum_28
+    del sum_21, sum_26, sum_20, sum_28
+    part_00_cos_beta2_sin_epsilon2 = shortfall_beta_2 * shortfall_epsilon_2 * sum_29
     attenuation_beta_2_squared = attenuation_beta_2**2
     attenuation_beta_2_squared_squared = attenuation_beta_2_squared**2
-    sum_28 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
+    sum_30 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
     shortfall_epsilon_2_squared = shortfall_epsilon_2**2
-    sum_29 = attenuation_epsilon_2 * sum_28 + 0.5 * shortfall_epsilon_2_squared
+    sum_31 = attenuation_epsilon_2 * sum_30 + 0.5 * shortfall_epsilon_2_squared
     product_7 = attenuation_beta_2 * attenuation_beta_2_squared
-    sum_30 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_31 = attenuation_epsilon_2 * sum_30 + shortfall_epsilon_2_squared
-    sum_32 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_33 = attenuation_beta_2 * sum_32 + shortfall_beta_2 * sum_32
-    sum_34 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
-    sum_35 = attenuation_epsilon_2 * sum_33 + shortfall_epsilon_2_squared * sum_34
-    del sum_27, sum_28, sum_32, sum_33, sum_34
-    sum_36 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_32 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_33 = attenuation_epsilon_2 * sum_32 + shortfall_epsilon_2_squared
+    sum_34 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_35 = attenuation_beta_2 * sum_34 + shortfall_beta_2 * sum_34
+    sum_36 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
+    sum_37 = attenuation_epsilon_2 * sum_35 + shortfall_epsilon_2_squared * sum_36
+    del sum_29, sum_30, sum_34, sum_35, sum_36
+    sum_38 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
     shortfall_beta_2_squared = shortfall_beta_2**2
-    sum_37 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_36
-    sum_38 = attenuation_beta_2 * sum_35 + shortfall_beta_2_squared * sum_37
-    sum_39 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
+    sum_39 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_38
+    sum_40 = attenuation_beta_2 * sum_37 + shortfall_beta_2_squared * sum_39
+    sum_41 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
     product_8 = shortfall_epsilon_2 * shortfall_epsilon_2_squared
-    sum_40 = attenuation_beta_2 * sum_39 + shortfall_beta_2_squared
-    del sum_36, sum_35, sum_37, sum_39
-    sum_41 = attenuation_epsilon_2 * sum_38 + product_8 * sum_40
-    sum_42 = 1.5 * attenuation_beta_2 + shortfall_beta_2
+    sum_42 = attenuation_beta_2 * sum_41 + shortfall_beta_2_squared
+    del sum_38, sum_37, sum_39, sum_41
+    sum_43 = attenuation_epsilon_2 * sum_40 + product_8 * sum_42
+    sum_44 = 1.5 * attenuation_beta_2 + shortfall_beta_2
     shortfall_epsilon_2_squared_squared = shortfall_epsilon_2_squared**2
-    sum_43 = attenuation_beta_2 * sum_42 + 0.25 * shortfall_beta_2_squared
-    del sum_38, sum_40, shortfall_beta_2_squared, sum_42
-    sum_44 = attenuation_epsilon_2 * sum_41 + shortfall_epsilon_2_squared_squared * sum_43
-    sum_45 = product_7 * shortfall_epsilon_2_squared * sum_31 + shortfall_beta_2 * sum_44
-    del sum_41, sum_43, sum_31, sum_44
-    sum_46 = (
-        attenuation_beta_2_squared_squared * shortfall_epsilon_2_squared * sum_29
-        + shortfall_beta_2 * sum_45
+    sum_45 = attenuation_beta_2 * sum_44 + 0.25 * shortfall_beta_2_squared
+    del sum_40, sum_42, shortfall_beta_2_squared, sum_44
+    sum_46 = attenuation_epsilon_2 * sum_43 + shortfall_epsilon_2_squared_squared * sum_45
+    sum_47 = product_7 * shortfall_epsilon_2_squared * sum_33 + shortfall_beta_2 * sum_46
+    del sum_43, sum_45, sum_33, sum_46
+    sum_48 = (
+        attenuation_beta_2_squared_squared * shortfall_epsilon_2_squared * sum_31
+        + shortfall_beta_2 * sum_47
     )
-    sum_47 = 0.25 - 0.5 * attenuation_beta_2 * attenuation_epsilon_2
-    sum_48 = 0.25 + attenuation_epsilon_2_squared * sum_47
-    sum_49 = 0.25 + attenuation_beta_2_squared * sum_48 + 0.25 * attenuation_epsilon_2_squared
-    del sum_29, sum_45, sum_47, sum_48
-    sum_50 = 0.5 * product_7 - attenuation_epsilon_2 * sum_49
-    sum_51 = 0.5 + attenuation_beta_2 * sum_50 + 0.5 * attenuation_epsilon_2_squared_squared
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_46 + sigma_r_squared * sum_51
-    del sum_49, attenuation_epsilon_2_squared_squared, sum_50, sum_46, sum_51
-    sum_52 = 1.0 - attenuation_beta_2 * sum_15 + attenuation_epsilon_2
-    sum_53 = 1.0 + attenuation_beta_2_squared * sum_52 + attenuation_epsilon_2
-    sum_54 = 1.0 - attenuation_beta_2 * sum_53 + product_2
-    sum_55 = 1.0 + attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_54
-    del sum_52, product_2, sum_53, sum_54
-    sum_56 = 1.0 - attenuation_beta_2 * sum_25 + attenuation_epsilon_2
-    sum_57 = 1.0 + attenuation_beta_2_squared * sum_56 + attenuation_epsilon_2
-    sum_58 = 2.0 - attenuation_beta_2 * sum_57 + product_6
-    del sum_25, attenuation_beta_2_squared, sum_56, product_6, sum_57
-    sum_59 = 2.0 + 2.0 * attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_58
-    sum_60 = 0.25 * r_squared * sum_55 + 0.25 * sigma_r_squared * sum_59
-    del attenuation_beta_2_squared_squared, sum_58, sum_55, sum_59
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_60
-    sum_61 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
-    sum_62 = attenuation_beta_2 * sum_30 - shortfall_beta_2 * sum_61
-    sum_63 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_62
-    del sum_60, sum_30, sum_61, sum_62
-    sum_64 = 2.0 * product_4 * shortfall_beta_2 + shortfall_epsilon_2 * sum_63
-    sum_65 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared - attenuation_epsilon_2 * sum_64
-    sum_66 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon_2
-    sum_67 = attenuation_beta_2 * sum_66 - shortfall_beta_2 * sum_66
-    sum_68 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
-    sum_69 = attenuation_epsilon_2 * sum_67 + shortfall_epsilon_2_squared * sum_68
-    del sum_63, sum_64, sum_66, sum_67, sum_68
-    sum_70 = 7.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_71 = attenuation_epsilon_2 * sum_69 + product_8 * sum_70
-    sum_72 = 2.0 * attenuation_beta_2 * shortfall_epsilon_2_squared_squared + attenuation_epsilon_2 * sum_71
-    sum_73 = 0.5 * r_squared * sum_65 + 0.5 * sigma_r_squared * sum_72
-    del sum_69, shortfall_epsilon_2_squared_squared, sum_71, sum_65, sum_72
-    part_01_cos_beta_cos_epsilon2_sin_beta = product_7 * sum_73
-    sum_74 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    product_9 = -shortfall_beta_2 * sum_74
-    sum_75 = attenuation_beta_2 * sum_74 + product_9
-    sum_76 = 3.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_77 = attenuation_epsilon_2 * sum_75 + shortfall_epsilon_2_squared * sum_76
-    del sum_73, sum_74, shortfall_beta_2, sum_75, sum_76
-    sum_78 = attenuation_beta_2 * product_8 + attenuation_epsilon_2 * sum_77
-    sum_79 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
-    sum_80 = attenuation_beta_2 * sum_79 + product_9
-    sum_81 = attenuation_epsilon_2 * sum_80 + shortfall_epsilon_2_squared * sum_70
-    del sum_77, product_9, sum_79, sum_70, sum_80
-    sum_82 = 2.0 * attenuation_beta_2 * product_8 + attenuation_epsilon_2 * sum_81
-    sum_83 = 0.5 * r_squared * sum_78 + 0.5 * sigma_r_squared * sum_82
-    del product_8, sum_81, sum_78, sum_82
-    part_01_cos_beta_sin_beta_sin_epsilon2 = product_7 * shortfall_epsilon_2 * sum_83
-    sum_84 = attenuation_epsilon_2 - shortfall_epsilon_2
-    sum_85 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_84
-    part_02_cos_epsilon_sin_beta_sin_epsilon = -attenuation_beta_2 * product_4 * sum_85
-    del product_7, sum_83, sum_84, sum_85
-    sum_86 = r * rho * sigma_rdot + rdot * sigma_r
-    part_03_cos_epsilon_sin_beta = attenuation_beta_2 * attenuation_epsilon_2 * sigma_r * sum_86
-    sum_87 = 2.0 + attenuation_epsilon_2 * (1.0 + product_5)
-    sum_88 = 0.5 * (1.0 + product_4) * r_squared + 0.5 * sigma_r_squared * sum_87
-    del attenuation_beta_2, product_5, product_4, sum_87
-    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_88
-    sum_89 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
-    sum_90 = 1.0 - attenuation_epsilon_2 * sum_89
-    del shortfall_epsilon_2, sum_88, attenuation_epsilon_2_squared, sum_89
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_15 + sigma_r_squared * sum_90
-    del shortfall_epsilon_2_squared, sigma_r_squared, sum_15, sum_90
-    part_23_sin_epsilon = attenuation_epsilon_2 * sigma_r * sum_86
-    sum_91 = part_0_cos_epsilon_sin_beta - r
-    sum_92 = 1.0 + attenuation_epsilon * shortfall_epsilon
-    del attenuation_epsilon_2, sum_86, part_0_cos_epsilon_sin_beta, attenuation_epsilon, shortfall_epsilon
+    product_13 = attenuation_beta_2 * attenuation_epsilon_2
+    sum_49 = 0.25 - 0.5 * product_13
+    sum_50 = 0.25 + attenuation_epsilon_2_squared * sum_49
+    sum_51 = 0.25 + attenuation_beta_2_squared * sum_50 + 0.25 * attenuation_epsilon_2_squared
+    del sum_31, sum_47, sum_49, sum_50
+    sum_52 = 0.5 * product_7 - attenuation_epsilon_2 * sum_51
+    sum_53 = 0.5 + attenuation_beta_2 * sum_52 + 0.5 * attenuation_epsilon_2_squared_squared
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_48 + sigma_r_squared * sum_53
+    del sum_51, attenuation_epsilon_2_squared_squared, sum_52, sum_48, sum_53
+    sum_54 = 1.0 - attenuation_beta_2 * sum_17 + attenuation_epsilon_2
+    sum_55 = 1.0 + attenuation_beta_2_squared * sum_54 + attenuation_epsilon_2
+    sum_56 = 1.0 - attenuation_beta_2 * sum_55 + product_2
+    sum_57 = 1.0 + attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_56
+    del sum_54, product_2, sum_55, sum_56
+    sum_58 = 1.0 - attenuation_beta_2 * sum_27 + attenuation_epsilon_2
+    sum_59 = 1.0 + attenuation_beta_2_squared * sum_58 + attenuation_epsilon_2
+    sum_60 = 2.0 - attenuation_beta_2 * sum_59 + product_6
+    del sum_27, attenuation_beta_2_squared, sum_58, product_6, sum_59
+    sum_61 = 2.0 + 2.0 * attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_60
+    sum_62 = 0.25 * r_squared * sum_57 + 0.25 * sigma_r_squared * sum_61
+    del attenuation_beta_2_squared_squared, sum_60, sum_57, sum_61
+    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_62
+    sum_63 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_64 = attenuation_beta_2 * sum_32 - shortfall_beta_2 * sum_63
+    sum_65 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_64
+    del sum_62, sum_32, sum_63, sum_64
+    sum_66 = 2.0 * product_4 * shortfall_beta_2 + shortfall_epsilon_2 * sum_65
+    product_15 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
+    sum_67 = product_15 - attenuation_epsilon_2 * sum_66
+    sum_68 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon_2
+    sum_69 = attenuation_beta_2 * sum_68 - shortfall_beta_2 * sum_68
+    del sum_65, shortfall_epsilon_2_squared_squared, sum_66, sum_68
+    sum_70 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
+    sum_71 = attenuation_epsilon_2 * sum_69 + shortfall_epsilon_2_squared * sum_70
+    sum_72 = 7.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_73 = attenuation_epsilon_2 * sum_71 + product_8 * sum_72
+    sum_74 = 2.0 * product_15 + attenuation_epsilon_2 * sum_73
+    del sum_69, sum_70, sum_71, product_15, sum_73
+    sum_75 = 0.5 * r_squared * sum_67 + 0.5 * sigma_r_squared * sum_74
+    part_01_cos_beta_cos_epsilon2_sin_beta = product_7 * sum_75
+    sum_76 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    product_9 = -shortfall_beta_2 * sum_76
+    sum_77 = attenuation_beta_2 * sum_76 + product_9
+    del sum_67, sum_74, sum_75, sum_76
+    sum_78 = 3.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_79 = attenuation_epsilon_2 * sum_77 + shortfall_epsilon_2_squared * sum_78
+    product_14 = attenuation_beta_2 * product_8
+    del shortfall_beta_2, sum_77, sum_78, product_8
+    sum_80 = attenuation_epsilon_2 * sum_79 + product_14
+    sum_81 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
+    sum_82 = attenuation_beta_2 * sum_81 + product_9
+    sum_83 = attenuation_epsilon_2 * sum_82 + shortfall_epsilon_2_squared * sum_72
+    del sum_79, product_9, sum_81, sum_72, sum_82
+    sum_84 = 2.0 * product_14 + attenuation_epsilon_2 * sum_83
+    sum_85 = 0.5 * r_squared * sum_80 + 0.5 * sigma_r_squared * sum_84
+    del product_14, sum_83, sum_80, sum_84
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_7 * shortfall_epsilon_2 * sum_85
+    sum_86 = attenuation_epsilon_2 - shortfall_epsilon_2
+    sum_87 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_86
+    part_02_cos_epsilon_sin_beta_sin_epsilon = -attenuation_beta_2 * product_4 * sum_87
+    del product_7, sum_85, sum_86, attenuation_beta_2, sum_87
+    product_12 = rho * sigma_rdot
+    sum_88 = product_12 * r + rdot * sigma_r
+    product_18 = sigma_r * sum_88
+    part_03_cos_epsilon_sin_beta = product_13 * product_18
+    sum_89 = 2.0 + attenuation_epsilon_2 * (1.0 + product_5)
+    sum_90 = 0.5 * (1.0 + product_4) * r_squared + 0.5 * sigma_r_squared * sum_89
+    del sum_88, product_13, product_5, product_4, sum_89
+    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_90
+    sum_91 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
+    sum_92 = 1.0 - attenuation_epsilon_2 * sum_91
+    del shortfall_epsilon_2, sum_90, attenuation_epsilon_2_squared, sum_91
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_17 + sigma_r_squared * sum_92
+    del shortfall_epsilon_2_squared, sigma_r_squared, sum_17, sum_92
+    part_23_sin_epsilon = attenuation_epsilon_2 * product_18
+    sum_93 = part_0_cos_epsilon_sin_beta - r
+    sum_94 = 1.0 + attenuation_epsilon * shortfall_epsilon
+    del attenuation_epsilon_2, product_18, part_0_cos_epsilon_sin_beta, attenuation_epsilon, shortfall_epsilon
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
-    sum_93 = (
+    sum_95 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_94 = (
+    sum_96 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     del part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_95 = (
+    sum_97 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
     sigma_rdot_squared = sigma_rdot**2
-    sum_96 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
-    sum_97 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_96
-    mean[..., 0] = -cos_epsilon * sin_beta * sum_91
-    mean[..., 1] = -cos_beta * cos_epsilon * sum_91
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_96, sum_91
-    mean[..., 2] = r * sin_epsilon * sum_92
-    mean[..., 3] = r * rdot - rho * sigma_r * sigma_rdot
-    covariance[..., 0, 0] = cos_beta_squared * sum_93 + sin_beta_squared * sum_94
-    covariance[..., 0, 1] = cos_beta * sin_beta * sum_95
-    covariance[..., 0, 2] = cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
-    covariance[..., 0, 3] = cos_epsilon * part_03_cos_epsilon_sin_beta * sin_beta
+    sum_98 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
+    product_17 = r * rdot
+    sum_99 = 2.0 * product_12 * product_17 + sigma_r * sum_98
+    product_11 = cos_epsilon * sin_beta
+    product_10 = cos_beta * cos_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_98, cos_epsilon
+    product_16 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = -product_11 * sum_93
+    mean[..., 1] = -product_10 * sum_93
+    mean[..., 2] = r * sin_epsilon * sum_94
+    mean[..., 3] = product_17 - product_12 * sigma_r
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, sum_93, sum_94, product_12, product_17
+    covariance[..., 0, 0] = cos_beta_squared * sum_95 + sin_beta_squared * sum_96
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_97
+    covariance[..., 0, 2] = product_11 * product_16
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_11
+    del cos_beta, sin_beta, sum_97, product_11
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta_squared * sum_94 + sin_beta_squared * sum_93
-    del sum_92, sum_95, sin_beta, cos_beta_squared, sin_beta_squared, sum_93, sum_94
-    covariance[..., 1, 2] = cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    covariance[..., 1, 3] = cos_beta * cos_epsilon * part_03_cos_epsilon_sin_beta
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, cos_beta, cos_epsilon, part_03_cos_epsilon_sin_beta
+    covariance[..., 1, 1] = cos_beta_squared * sum_96 + sin_beta_squared * sum_95
+    del cos_beta_squared, sin_beta_squared, sum_95, sum_96
+    covariance[..., 1, 2] = product_10 * product_16
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_10
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_16, part_03_cos_epsilon_sin_beta, product_10, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_23_sin_epsilon * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
     covariance[..., 3, 2] = covariance[..., 2, 3]
-    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_97
-    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_97
+    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_99
+    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_99
 
 
 def spherical_doppler_unbiased(
@@ -4664,7 +4733,9 @@ def spherical_doppler_unbiased(
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     term_1 = 1.0 / attenuation_beta
     term_2 = 1.0 / attenuation_epsilon
-    part_0_cos_epsilon_sin_beta = r * term_1 * term_2
+    product_7 = r * term_2
+    product_20 = product_7 * term_1
+    part_0_cos_epsilon_sin_beta = product_20
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
     attenuation_epsilon_squared = attenuation_epsilon**2
@@ -4676,18 +4747,19 @@ def spherical_doppler_unbiased(
     sigma_r_squared = sigma_r**2
     sum_4 = 0.25 * r_squared + 0.25 * sigma_r_squared
     sum_5 = 1.0 + attenuation_beta * sum_3 + attenuation_epsilon_squared_squared
-    part_00_cos_beta2_cos_epsilon2 = shortfall_beta * sum_4 * sum_5
+    product_16 = shortfall_beta * sum_4
+    part_00_cos_beta2_cos_epsilon2 = product_16 * sum_5
+    del term_2, sum_2, sum_3, sum_5
     sum_6 = 1.0 + attenuation_epsilon
     sum_7 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon
     sum_8 = 1.0 + attenuation_beta + attenuation_epsilon * sum_7
-    del sum_2, sum_3, sum_5, sum_7
     product_1 = attenuation_epsilon * sum_6
     sum_9 = 1.0 + attenuation_beta * sum_8 + product_1
     sum_10 = 1.0 + attenuation_beta * (1.0 + attenuation_beta) + attenuation_epsilon * sum_9
     product_2 = attenuation_epsilon * (1.0 + product_1)
+    del sum_7, sum_8, sum_9, product_1
     sum_11 = 1.0 + attenuation_beta * sum_10 + product_2
-    del sum_8, sum_9, product_1, sum_10
-    part_00_cos_beta2_sin_epsilon2 = shortfall_beta * shortfall_epsilon * sum_11 * sum_4
+    part_00_cos_beta2_sin_epsilon2 = product_16 * shortfall_epsilon * sum_11
     term_3 = 1.0 / attenuation_beta**2
     attenuation_beta_squared = attenuation_beta**2
     attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
@@ -4696,53 +4768,54 @@ def spherical_doppler_unbiased(
     product_3 = shortfall_epsilon * shortfall_epsilon_squared
     sum_12 = 24.0 * attenuation_epsilon + 56.0 * shortfall_epsilon
     sum_13 = 54.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_12
+    del sum_10, product_16, sum_11, sum_12
     sum_14 = 24.0 * product_3 + attenuation_epsilon * sum_13
     sum_15 = 4.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_14
-    del sum_11, sum_12, sum_13, sum_14
     shortfall_beta_squared = shortfall_beta**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
     product_4 = shortfall_beta * shortfall_beta_squared
     sum_16 = 24.0 * attenuation_beta + 56.0 * shortfall_beta
     sum_17 = 54.0 * shortfall_beta_squared + attenuation_beta * sum_16
     sum_18 = 24.0 * product_4 + attenuation_beta * sum_17
+    del sum_13, sum_14, sum_16, sum_17
     sum_19 = 4.0 * shortfall_beta_squared_squared + attenuation_beta * sum_18
     sum_20 = 192.0 * shortfall_epsilon + 32.0 * attenuation_epsilon
     sum_21 = 192.0 * attenuation_epsilon + 648.0 * shortfall_epsilon
     sum_22 = attenuation_beta * sum_20 + shortfall_beta * sum_21
-    del sum_16, sum_17, sum_18, sum_20, sum_21
     sum_23 = 1032.0 * shortfall_beta + 368.0 * attenuation_beta
     sum_24 = attenuation_epsilon * sum_22 + shortfall_epsilon_squared * sum_23
+    del sum_18, sum_20, sum_21, sum_22, sum_23
     sum_25 = 1032.0 * shortfall_epsilon + 368.0 * attenuation_epsilon
     sum_26 = 1488.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_25
     sum_27 = attenuation_beta * sum_24 + shortfall_beta_squared * sum_26
-    del sum_22, sum_23, sum_25, sum_24, sum_26
     sum_28 = 332.0 * attenuation_beta + 858.0 * shortfall_beta
     sum_29 = 1172.0 * shortfall_beta_squared + attenuation_beta * sum_28
+    del sum_25, sum_24, sum_26, sum_28
     sum_30 = attenuation_epsilon * sum_27 + product_3 * sum_29
     sum_31 = 332.0 * attenuation_epsilon + 858.0 * shortfall_epsilon
     sum_32 = 1172.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_31
-    del sum_28, sum_27, sum_29, sum_31
     sum_33 = 893.0 * product_3 + attenuation_epsilon * sum_32
+    del sum_27, sum_29, sum_31, sum_32
     sum_34 = attenuation_beta * sum_30 + product_4 * sum_33
     sum_35 = 144.0 * attenuation_beta + 360.0 * shortfall_beta
     sum_36 = 480.0 * shortfall_beta_squared + attenuation_beta * sum_35
-    del sum_32, sum_30, sum_33, sum_35
     sum_37 = 360.0 * product_4 + attenuation_beta * sum_36
+    del sum_30, sum_33, sum_35, sum_36
     sum_38 = attenuation_epsilon * sum_34 + shortfall_epsilon_squared_squared * sum_37
     sum_39 = 144.0 * attenuation_epsilon + 360.0 * shortfall_epsilon
     sum_40 = 480.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_39
-    del sum_36, sum_34, sum_37, sum_39
     sum_41 = 360.0 * product_3 + attenuation_epsilon * sum_40
+    del sum_34, sum_37, sum_39, sum_40
     sum_42 = 144.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_41
     sum_43 = attenuation_beta * sum_38 + shortfall_beta_squared_squared * sum_42
-    del sum_40, sum_41, sum_38, sum_42
     sum_44 = 24.0 * attenuation_beta + 60.0 * shortfall_beta
     sum_45 = 80.0 * shortfall_beta_squared + attenuation_beta * sum_44
+    del sum_41, sum_38, sum_42, sum_44
     sum_46 = 60.0 * product_4 + attenuation_beta * sum_45
     product_5 = shortfall_epsilon * shortfall_epsilon_squared**2
     sum_47 = 24.0 * shortfall_beta_squared_squared + attenuation_beta * sum_46
     sum_48 = attenuation_epsilon * sum_43 + product_5 * sum_47
-    del sum_44, sum_45, sum_46, sum_43, sum_47
+    del sum_45, sum_46, sum_43, sum_47
     sum_49 = 24.0 * attenuation_epsilon + 60.0 * shortfall_epsilon
     sum_50 = 80.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_49
     sum_51 = 60.0 * product_3 + attenuation_epsilon * sum_50
@@ -4757,101 +4830,107 @@ def spherical_doppler_unbiased(
     )
     del sum_48, sum_53, attenuation_epsilon_squared, sum_19, sum_54
     term_4 = 1.0 / attenuation_epsilon**2
-    sum_56 = attenuation_beta_squared_cubed * shortfall_epsilon_squared * sum_15 + shortfall_beta * sum_55
+    product_12 = attenuation_beta_squared_cubed * shortfall_epsilon_squared
+    sum_56 = product_12 * sum_15 + shortfall_beta * sum_55
     attenuation_beta_squared_squared = attenuation_beta_squared**2
+    del attenuation_beta_squared_cubed, sum_15, sum_55, attenuation_beta_squared
     sum_57 = 0.25 + 0.25 * attenuation_epsilon_squared_squared
     sum_58 = 0.25 + attenuation_beta_squared_squared * sum_57 + 0.25 * attenuation_epsilon_squared_squared
-    del sum_15, sum_55, attenuation_beta_squared, sum_57
-    part_00_cos_epsilon2_sin_beta2 = 0.25 * r_squared * sum_56 * term_3 * term_4 + sigma_r_squared * sum_58
+    product_8 = r_squared * term_4
+    product_21 = product_8 * term_3
+    part_00_cos_epsilon2_sin_beta2 = 0.25 * product_21 * sum_56 + sigma_r_squared * sum_58
+    del sum_57, term_4, term_3, sum_56, sum_58
     sum_59 = 1.0 + attenuation_beta_squared_squared * sum_6 + attenuation_epsilon
     sum_60 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_59
-    del sum_56, sum_58, sum_6, sum_59
     sum_61 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_60
     part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_4 * sum_61
+    del sum_6, sum_59, sum_60, sum_4, sum_61
     sum_62 = 12.0 * attenuation_beta + 30.0 * shortfall_beta
     sum_63 = 40.0 * shortfall_beta_squared + attenuation_beta * sum_62
-    del sum_60, sum_4, sum_61, sum_62
     sum_64 = 30.0 * product_4 + attenuation_beta * sum_63
     sum_65 = 12.0 * shortfall_beta_squared_squared + attenuation_beta * sum_64
     sum_66 = 2.0 * product_6 + attenuation_beta * sum_65
+    del sum_62, sum_63, sum_64, sum_65
     sum_67 = 12.0 * shortfall_epsilon + 2.0 * attenuation_epsilon
     sum_68 = 30.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_67
-    del sum_63, sum_64, sum_65, sum_67
     sum_69 = 40.0 * product_3 + attenuation_epsilon * sum_68
     sum_70 = 30.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_69
     sum_71 = 12.0 * product_5 + attenuation_epsilon * sum_70
+    del sum_67, sum_68, sum_69, sum_70
     sum_72 = 180.0 * shortfall_beta + 72.0 * attenuation_beta
     sum_73 = 240.0 * shortfall_beta_squared + attenuation_beta * sum_72
-    del sum_68, sum_69, sum_70, sum_72
     sum_74 = 180.0 * product_4 + attenuation_beta * sum_73
     sum_75 = 72.0 * shortfall_beta_squared_squared + attenuation_beta * sum_74
     sum_76 = 12.0 * attenuation_epsilon + 72.0 * shortfall_epsilon
     sum_77 = 180.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_76
+    del sum_72, sum_73, sum_74, sum_76
     sum_78 = 240.0 * product_3 + attenuation_epsilon * sum_77
-    del sum_73, sum_74, sum_76, sum_77
     sum_79 = 180.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_78
     sum_80 = 164.0 * attenuation_beta + 426.0 * shortfall_beta
     sum_81 = 584.0 * shortfall_beta_squared + attenuation_beta * sum_80
     sum_82 = 446.0 * product_4 + attenuation_beta * sum_81
+    del sum_77, sum_78, sum_80, sum_81
     sum_83 = 164.0 * shortfall_epsilon + 26.0 * attenuation_epsilon
     sum_84 = 426.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_83
-    del sum_78, sum_80, sum_81, sum_83
     sum_85 = 584.0 * product_3 + attenuation_epsilon * sum_84
     sum_86 = 176.0 * attenuation_beta + 504.0 * shortfall_beta
     sum_87 = 736.0 * shortfall_beta_squared + attenuation_beta * sum_86
     sum_88 = 176.0 * shortfall_epsilon + 24.0 * attenuation_epsilon
     sum_89 = 504.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_88
+    del sum_83, sum_84, sum_86, sum_88
     sum_90 = 306.0 * shortfall_beta + 84.0 * attenuation_beta
     sum_91 = 6.0 * attenuation_epsilon + 84.0 * shortfall_epsilon
     sum_92 = 4.0 * attenuation_epsilon - 8.0 * shortfall_epsilon
     sum_93 = attenuation_beta * sum_92 - shortfall_beta * sum_91
-    del sum_84, sum_86, sum_88, sum_91, sum_92
     sum_94 = attenuation_epsilon * sum_93 - shortfall_epsilon_squared * sum_90
+    del sum_91, sum_92, sum_90, sum_93
     sum_95 = attenuation_beta * sum_94 - shortfall_beta_squared * sum_89
-    del sum_90, sum_93, sum_89, sum_94
     sum_96 = attenuation_epsilon * sum_95 - product_3 * sum_87
+    del sum_89, sum_94, sum_87, sum_95
     sum_97 = attenuation_beta * sum_96 - product_4 * sum_85
-    del sum_87, sum_95, product_4, sum_85, sum_96
     sum_98 = attenuation_epsilon * sum_97 - shortfall_epsilon_squared_squared * sum_82
+    del product_4, sum_85, sum_96, sum_82, sum_97
     sum_99 = attenuation_beta * sum_98 - shortfall_beta_squared_squared * sum_79
-    del sum_82, sum_97, shortfall_beta_squared_squared, sum_79, sum_98
     sum_100 = attenuation_epsilon * sum_99 - product_5 * sum_75
+    del shortfall_beta_squared_squared, sum_79, sum_98, sum_75, sum_99
     sum_101 = attenuation_beta * sum_100 - product_6 * sum_71
-    del sum_75, sum_99, product_6, sum_100, sum_71
     sum_102 = (
         attenuation_epsilon * sum_101
         - shortfall_epsilon_squared * shortfall_epsilon_squared**2 * sum_66
     )
+    del product_6, sum_100, sum_71, sum_101, sum_66
     sum_103 = 12.0 * attenuation_epsilon + 28.0 * shortfall_epsilon
     sum_104 = 27.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_103
     sum_105 = 12.0 * product_3 + attenuation_epsilon * sum_104
-    del sum_101, sum_66, sum_103, sum_104
     sum_106 = 2.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_105
-    sum_107 = attenuation_beta_squared_cubed * shortfall_epsilon_squared * sum_106 - shortfall_beta * sum_102
-    del sum_105, attenuation_beta_squared_cubed, sum_102, sum_106
+    sum_107 = product_12 * sum_106 - shortfall_beta * sum_102
+    del sum_103, sum_104, sum_105, product_12, sum_102, sum_106
     part_01_cos_beta_cos_epsilon2_sin_beta = (
         0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_1
-        + 0.5 * r_squared * sum_107 * term_3 * term_4
+        + 0.5 * product_21 * sum_107
     )
     sum_108 = 1.0 + product_2
-    del sum_1, sum_107, term_3, product_2
+    del product_21, sum_1, sum_107, product_2
     sum_109 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * shortfall_epsilon * sum_108 * sum_109
+    product_17 = shortfall_epsilon * sum_108
+    product_19 = product_17 * sum_109
+    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * product_19
+    del sum_108, product_17, sum_109, attenuation_beta_squared_squared
     sum_110 = 2.0 * shortfall_beta + attenuation_beta
     sum_111 = attenuation_beta * sum_110 + shortfall_beta_squared
     sum_112 = 12.0 * shortfall_beta + 6.0 * attenuation_beta
     sum_113 = 6.0 * shortfall_beta_squared + attenuation_beta * sum_112
     sum_114 = 13.0 * attenuation_beta + 28.0 * shortfall_beta
     sum_115 = 14.0 * shortfall_beta_squared + attenuation_beta * sum_114
-    del attenuation_beta_squared_squared, sum_110, sum_112, sum_114
     sum_116 = 2.0 * attenuation_epsilon + 9.0 * shortfall_epsilon
     sum_117 = 16.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_116
+    del sum_110, sum_112, sum_114, sum_116
     sum_118 = 12.0 * attenuation_beta + 32.0 * shortfall_beta
     sum_119 = 18.0 * shortfall_epsilon + 4.0 * attenuation_epsilon
     sum_120 = 2.0 * attenuation_epsilon - 3.0 * shortfall_epsilon
     sum_121 = attenuation_beta * sum_120 - shortfall_beta * sum_119
     sum_122 = attenuation_epsilon * sum_121 - shortfall_epsilon_squared * sum_118
-    del sum_116, sum_119, sum_120, sum_118, sum_121
+    del sum_119, sum_120, sum_118, sum_121
     sum_123 = attenuation_beta * sum_122 - shortfall_beta_squared * sum_117
     sum_124 = attenuation_epsilon * sum_123 - product_3 * sum_115
     del sum_117, sum_122, product_3, sum_115, sum_123
@@ -4860,38 +4939,36 @@ def spherical_doppler_unbiased(
     del shortfall_epsilon_squared_squared, sum_113, sum_124, product_5, sum_111, sum_125
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared_squared * sigma_r_squared
-        - r_squared * shortfall_epsilon * sum_126 * term_1 * term_4
+        - product_8 * shortfall_epsilon * sum_126 * term_1
     )
     sum_127 = 2.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
     sum_128 = 2.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_127
     sum_129 = 2.0 * attenuation_beta + 4.0 * shortfall_beta
     sum_130 = 4.0 * attenuation_epsilon + 8.0 * shortfall_epsilon
     sum_131 = attenuation_epsilon - 4.0 * shortfall_epsilon
+    del sum_126, term_1, sum_127, shortfall_epsilon
     sum_132 = attenuation_beta * sum_131 - shortfall_beta * sum_130
-    del sum_126, sum_127, shortfall_beta, sum_130
     sum_133 = attenuation_epsilon * sum_132 - shortfall_epsilon_squared * sum_129
+    del shortfall_beta, sum_130, sum_129, sum_132
     sum_134 = attenuation_beta * sum_133 - shortfall_beta_squared * sum_128
-    del sum_129, sum_132, shortfall_beta_squared, sum_128, sum_133
-    sum_135 = (
-        attenuation_beta * attenuation_epsilon * rdot * sigma_r
-        + r * rho * sigma_rdot * sum_134 * term_1 * term_2
-    )
+    product_13 = attenuation_epsilon * rdot
+    product_18 = product_13 * sigma_r
+    del shortfall_beta_squared, sum_128, sum_133, product_13
+    product_9 = rho * sigma_rdot
+    sum_135 = attenuation_beta * product_18 + product_20 * product_9 * sum_134
     part_03_cos_epsilon_sin_beta = sigma_r * sum_135
-    del attenuation_beta, sum_134, term_1, sum_135
-    part_22_cos_epsilon2 = shortfall_epsilon * sum_108 * sum_109
+    del attenuation_beta, product_20, sum_134, sum_135
+    part_22_cos_epsilon2 = product_19
     sum_136 = 3.0 + attenuation_epsilon * (2.0 + attenuation_epsilon)
     sum_137 = 4.0 + attenuation_epsilon * sum_136
-    del shortfall_epsilon, sum_108, sum_109, sum_136
     sum_138 = 2.0 + attenuation_epsilon * sum_137
     sum_139 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon_squared * sum_138 * term_4
-        + sigma_r_squared * sum_139
-    )
-    del sum_137, attenuation_epsilon_squared_squared, sigma_r_squared, sum_138, sum_139, term_4
+    del product_19, sum_136, sum_137, attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * product_8 * shortfall_epsilon_squared * sum_138 + sigma_r_squared * sum_139
+    del product_8, sigma_r_squared, sum_138, sum_139
     sum_140 = attenuation_epsilon * sum_131 - 2.0 * shortfall_epsilon_squared
-    sum_141 = attenuation_epsilon * rdot * sigma_r + r * rho * sigma_rdot * sum_140 * term_2
-    del shortfall_epsilon_squared, sum_131, attenuation_epsilon, sum_140
+    sum_141 = product_18 + product_7 * product_9 * sum_140
+    del attenuation_epsilon, shortfall_epsilon_squared, sum_131, product_18, sum_140
     part_23_sin_epsilon = sigma_r * sum_141
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
@@ -4912,29 +4989,34 @@ def spherical_doppler_unbiased(
     )
     sigma_rdot_squared = sigma_rdot**2
     sum_145 = rdot**2 + (1.0 + 5.0 * rho**2) * sigma_rdot_squared
-    sum_146 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_145
-    mean[..., 0] = cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
-    mean[..., 1] = cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_145, part_0_cos_epsilon_sin_beta
-    mean[..., 2] = r * sin_epsilon * term_2
-    mean[..., 3] = r * rdot - rho * sigma_r * sigma_rdot
+    product_15 = r * rdot
+    sum_146 = 2.0 * product_15 * product_9 + sigma_r * sum_145
+    product_11 = cos_epsilon * sin_beta
+    product_10 = cos_beta * cos_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_145, cos_epsilon
+    product_14 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = part_0_cos_epsilon_sin_beta * product_11
+    mean[..., 1] = part_0_cos_epsilon_sin_beta * product_10
+    mean[..., 2] = product_7 * sin_epsilon
+    mean[..., 3] = product_15 - product_9 * sigma_r
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, part_0_cos_epsilon_sin_beta, product_7, product_15, product_9
     covariance[..., 0, 0] = cos_beta_squared * sum_142 + sin_beta_squared * sum_143
     covariance[..., 0, 1] = cos_beta * sin_beta * sum_144
-    covariance[..., 0, 2] = cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
-    covariance[..., 0, 3] = cos_epsilon * part_03_cos_epsilon_sin_beta * sin_beta
+    covariance[..., 0, 2] = product_11 * product_14
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_11
+    del cos_beta, sin_beta, sum_144, product_11
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * sum_143 + sin_beta_squared * sum_142
-    del term_2, sum_144, sin_beta, cos_beta_squared, sin_beta_squared, sum_142, sum_143
-    covariance[..., 1, 2] = cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    covariance[..., 1, 3] = cos_beta * cos_epsilon * part_03_cos_epsilon_sin_beta
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, cos_beta, cos_epsilon, part_03_cos_epsilon_sin_beta
+    del cos_beta_squared, sin_beta_squared, sum_142, sum_143
+    covariance[..., 1, 2] = product_10 * product_14
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_10
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_14, part_03_cos_epsilon_sin_beta, product_10, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_23_sin_epsilon * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
@@ -4967,7 +5049,8 @@ def spherical_doppler_posterior(
     sin_epsilon = np.sin(epsilon)
     attenuation_beta = np.exp(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
-    part_0_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * r
+    product_8 = attenuation_beta * attenuation_epsilon
+    part_0_cos_epsilon_sin_beta = product_8 * r
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
     attenuation_epsilon_squared = attenuation_epsilon**2
@@ -4979,7 +5062,8 @@ def spherical_doppler_posterior(
     sigma_r_squared = sigma_r**2
     sum_4 = 0.25 * r_squared + 0.25 * sigma_r_squared
     sum_5 = 1.0 + attenuation_beta * sum_3 + attenuation_epsilon_squared_squared
-    part_00_cos_beta2_cos_epsilon2 = shortfall_beta * sum_4 * sum_5
+    product_12 = shortfall_beta * sum_4
+    part_00_cos_beta2_cos_epsilon2 = product_12 * sum_5
     sum_6 = 1.0 + attenuation_epsilon
     sum_7 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon
     sum_8 = 1.0 + attenuation_beta + attenuation_epsilon * sum_7
@@ -4990,7 +5074,7 @@ def spherical_doppler_posterior(
     product_2 = attenuation_epsilon * (1.0 + product_1)
     sum_11 = 1.0 + attenuation_beta * sum_10 + product_2
     del sum_8, sum_9, product_1, sum_10
-    part_00_cos_beta2_sin_epsilon2 = shortfall_beta * shortfall_epsilon * sum_11 * sum_4
+    part_00_cos_beta2_sin_epsilon2 = product_12 * shortfall_epsilon * sum_11
     attenuation_beta_squared = attenuation_beta**2
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     sum_12 = 2.0 * attenuation_epsilon + 2.0 * shortfall_epsilon
@@ -4998,69 +5082,72 @@ def spherical_doppler_posterior(
     sum_13 = attenuation_epsilon * sum_12 + 0.5 * shortfall_epsilon_squared
     sum_14 = 4.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
     sum_15 = attenuation_epsilon * sum_14 + shortfall_epsilon_squared
+    del product_12, sum_11, sum_12, sum_14
     sum_16 = 2.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
     product_3 = shortfall_beta * sum_16
     sum_17 = attenuation_beta * sum_16 + product_3
-    del sum_11, sum_12, sum_14, sum_16
     sum_18 = 6.0 * shortfall_beta + 8.0 * attenuation_beta
     sum_19 = attenuation_epsilon * sum_17 + shortfall_epsilon_squared * sum_18
     sum_20 = 0.5 * attenuation_epsilon + shortfall_epsilon
     shortfall_beta_squared = shortfall_beta**2
     sum_21 = 1.5 * shortfall_epsilon_squared + attenuation_epsilon * sum_20
+    del sum_16, sum_17, sum_18, sum_20
     sum_22 = attenuation_beta * sum_19 + shortfall_beta_squared * sum_21
-    del sum_17, sum_18, sum_20, sum_19, sum_21
     sum_23 = 4.0 * shortfall_beta + 6.0 * attenuation_beta
     product_4 = shortfall_epsilon * shortfall_epsilon_squared
     sum_24 = attenuation_beta * sum_23 + shortfall_beta_squared
     sum_25 = attenuation_epsilon * sum_22 + product_4 * sum_24
+    del sum_19, sum_21, sum_23, sum_22, sum_24
     sum_26 = 1.5 * attenuation_beta + shortfall_beta
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
     sum_27 = attenuation_beta * sum_26 + 0.25 * shortfall_beta_squared
-    del sum_23, sum_22, sum_24, shortfall_beta_squared, sum_26
     sum_28 = attenuation_epsilon * sum_25 + shortfall_epsilon_squared_squared * sum_27
-    sum_29 = (
-        attenuation_beta * attenuation_beta_squared * shortfall_epsilon_squared * sum_15
-        + shortfall_beta * sum_28
-    )
-    del sum_25, sum_27, sum_15, sum_28
+    del shortfall_beta_squared, sum_26, sum_25, sum_27
+    product_9 = attenuation_beta_squared * shortfall_epsilon_squared
+    sum_29 = attenuation_beta * product_9 * sum_15 + shortfall_beta * sum_28
     sum_30 = attenuation_beta_squared_squared * shortfall_epsilon_squared * sum_13 + shortfall_beta * sum_29
+    del sum_15, sum_28, sum_13, sum_29
     sum_31 = 0.25 + 0.25 * attenuation_epsilon_squared_squared
     sum_32 = 0.25 + attenuation_beta_squared_squared * sum_31 + 0.25 * attenuation_epsilon_squared_squared
     part_00_cos_epsilon2_sin_beta2 = r_squared * sum_30 + sigma_r_squared * sum_32
-    del sum_13, sum_29, sum_31, sum_30, sum_32
     sum_33 = 1.0 + attenuation_beta_squared_squared * sum_6 + attenuation_epsilon
     sum_34 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_33
+    del sum_31, sum_30, sum_32, sum_33
     sum_35 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_34
     part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_35 * sum_4
-    del sum_33, sum_34, sum_35, sum_4
     sum_36 = 4.0 * attenuation_epsilon + 8.0 * shortfall_epsilon
     sum_37 = attenuation_beta * sum_36 + product_3
+    del sum_34, sum_35, sum_4, product_3, sum_36
     sum_38 = 2.0 * shortfall_beta + 4.0 * attenuation_beta
     sum_39 = attenuation_epsilon * sum_37 + shortfall_epsilon_squared * sum_38
-    del product_3, sum_36, sum_37, sum_38
-    sum_40 = 4.0 * attenuation_beta_squared * shortfall_epsilon_squared - shortfall_beta * sum_39
+    sum_40 = 4.0 * product_9 - shortfall_beta * sum_39
+    del sum_37, sum_38, product_9, shortfall_beta, sum_39
     sum_41 = 4.0 * attenuation_beta_squared * product_4 + attenuation_epsilon * sum_40
-    del shortfall_beta, sum_39, product_4, sum_40
     sum_42 = attenuation_beta_squared * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_41
+    del product_4, sum_40, shortfall_epsilon_squared_squared, sum_41
     sum_43 = 0.5 * attenuation_beta_squared * sigma_r_squared * sum_1 + 0.5 * r_squared * sum_42
-    del shortfall_epsilon_squared_squared, sum_41, sum_1, sum_42
     part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_43
+    del sum_1, sum_42, attenuation_beta_squared, sum_43
     sum_44 = 1.0 + product_2
     sum_45 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * shortfall_epsilon * sum_44 * sum_45
-    del attenuation_beta_squared, sum_43, product_2, attenuation_beta_squared_squared
+    product_13 = shortfall_epsilon * sum_44
+    product_15 = product_13 * sum_45
+    del product_2, sum_44, product_13, sum_45
+    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * product_15
     sum_46 = attenuation_epsilon_squared * sigma_r_squared - r_squared * shortfall_epsilon * sum_6
     part_02_cos_epsilon_sin_beta_sin_epsilon = attenuation_beta * attenuation_epsilon_squared * sum_46
-    sum_47 = r * rho * sigma_rdot + rdot * sigma_r
-    part_03_cos_epsilon_sin_beta = attenuation_beta * attenuation_epsilon * sigma_r * sum_47
-    del sum_6, attenuation_epsilon_squared, sum_46, attenuation_beta
-    part_22_cos_epsilon2 = shortfall_epsilon * sum_44 * sum_45
+    del attenuation_beta_squared_squared, shortfall_epsilon, sum_6, attenuation_beta, attenuation_epsilon_squared, sum_46
+    product_7 = rho * sigma_rdot
+    sum_47 = product_7 * r + rdot * sigma_r
+    product_14 = sigma_r * sum_47
+    part_03_cos_epsilon_sin_beta = product_14 * product_8
+    part_22_cos_epsilon2 = product_15
     sum_48 = 1.0 + attenuation_epsilon * (2.0 + attenuation_epsilon)
     sum_49 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    del shortfall_epsilon, sum_44, sum_45, attenuation_epsilon_squared_squared
+    del sum_47, product_8, product_15, attenuation_epsilon_squared_squared
     part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_48 + sigma_r_squared * sum_49
     del shortfall_epsilon_squared, sigma_r_squared, sum_48, sum_49
-    part_23_sin_epsilon = attenuation_epsilon * sigma_r * sum_47
+    part_23_sin_epsilon = attenuation_epsilon * product_14
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
@@ -5072,7 +5159,7 @@ def spherical_doppler_posterior(
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del sum_47, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
+    del product_14, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
     sum_52 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
@@ -5080,29 +5167,34 @@ def spherical_doppler_posterior(
     )
     sigma_rdot_squared = sigma_rdot**2
     sum_53 = rdot**2 + (1.0 + rho**2) * sigma_rdot_squared
-    sum_54 = 2.0 * r * rdot * rho * sigma_rdot + sigma_r * sum_53
-    mean[..., 0] = cos_epsilon * part_0_cos_epsilon_sin_beta * sin_beta
-    mean[..., 1] = cos_beta * cos_epsilon * part_0_cos_epsilon_sin_beta
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_53, part_0_cos_epsilon_sin_beta
+    product_11 = r * rdot
+    sum_54 = 2.0 * product_11 * product_7 + sigma_r * sum_53
+    product_6 = cos_epsilon * sin_beta
+    product_5 = cos_beta * cos_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_53, cos_epsilon
+    product_10 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = part_0_cos_epsilon_sin_beta * product_6
+    mean[..., 1] = part_0_cos_epsilon_sin_beta * product_5
     mean[..., 2] = attenuation_epsilon * r * sin_epsilon
-    mean[..., 3] = r * rdot + rho * sigma_r * sigma_rdot
+    mean[..., 3] = product_11 + product_7 * sigma_r
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, part_0_cos_epsilon_sin_beta, attenuation_epsilon, product_11, product_7
     covariance[..., 0, 0] = cos_beta_squared * sum_50 + sin_beta_squared * sum_51
     covariance[..., 0, 1] = cos_beta * sin_beta * sum_52
-    covariance[..., 0, 2] = cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
-    covariance[..., 0, 3] = cos_epsilon * part_03_cos_epsilon_sin_beta * sin_beta
+    covariance[..., 0, 2] = product_10 * product_6
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_6
+    del cos_beta, sin_beta, sum_52, product_6
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * sum_51 + sin_beta_squared * sum_50
-    del attenuation_epsilon, sum_52, sin_beta, cos_beta_squared, sin_beta_squared, sum_50, sum_51
-    covariance[..., 1, 2] = cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    covariance[..., 1, 3] = cos_beta * cos_epsilon * part_03_cos_epsilon_sin_beta
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, cos_beta, cos_epsilon, part_03_cos_epsilon_sin_beta
+    del cos_beta_squared, sin_beta_squared, sum_50, sum_51
+    covariance[..., 1, 2] = product_10 * product_5
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_5
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_10, part_03_cos_epsilon_sin_beta, product_5, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_23_sin_epsilon * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]

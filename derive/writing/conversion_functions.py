@@ -20,6 +20,8 @@ from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.stable.horner import nested
 from radartrack.derive.stable.quantity_form import form_of
+from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.writing.common_products import with_common_products
 from radartrack.derive.writing.common_subexpressions import with_common_parts
 from radartrack.derive.writing.computed_statements import Statements, beside, joined
 from radartrack.derive.writing.numpy_expression import FUNCTIONS
@@ -169,9 +171,9 @@ def conversion_of(quantities: Mapping[str, Quantity], model: str, method: str) -
     covariance = quantities[quantity_of(quantities, model, words.covariance)]
     bias = quantities[quantity_of(quantities, model, words.bias)] if words.bias else None
     mean = _less(form_of(estimate), form_of(bias)) if bias else form_of(estimate)
-    form = beside(_with_squared_exponentials(_together(mean, form_of(covariance))), covariance)
+    form = beside(_with_shared_exponentials(_together(mean, form_of(covariance))), covariance)
     given = {symbol: nested(value) for symbol, value in form.definitions.items()}
-    statements = joined(*with_common_parts(given, form.entries.map_distinct(nested)))
+    statements = joined(*with_common_products(*with_common_parts(given, form.entries.map_distinct(nested))))
     symbols = tuple(symbol.name for symbol in covariance.symbols)
     less = f" less the {bias.meaning}" if bias else ""
     meaning = f"Mean: {estimate.meaning}{less}. Covariance: {covariance.meaning}"
@@ -228,13 +230,25 @@ def _together(first: StableForm, second: StableForm) -> StableForm:
     return StableForm({**first.definitions, **second.definitions}, Tensor((len(entries),), entries))
 
 
-def _with_squared_exponentials(form: StableForm) -> StableForm:
-    """The same with e^(2x) as the square of e^x where both are there: an exponential less, for a rounding more."""
-    known = {value.args[0]: symbol for symbol, value in form.definitions.items() if isinstance(value, sp.exp)}
-    definitions = {
-        symbol: known[value.args[0] / 2] ** 2 if isinstance(value, sp.exp) and value.args[0] / 2 in known else value
-        for symbol, value in form.definitions.items()
-    }
+def _with_shared_exponentials(form: StableForm) -> StableForm:
+    """The same with fewer exponentials, for a rounding or two more, where e^x is there.
+
+    e^(2x) is its square; e^(2x) − 1 is s (2 + s) with s = e^x − 1, of which a compiler computes e^x at the same time.
+    """
+    halves = {value.args[0]: symbol for symbol, value in form.definitions.items() if isinstance(value, sp.exp)}
+    definitions: dict[Symbol, Expr] = {}
+    for symbol, value in form.definitions.items():
+        for whole in value.atoms(sp.exp, sp.expm1):
+            half = whole.args[0] / 2
+            if half not in halves:
+                continue
+            if isinstance(whole, sp.exp):
+                value = value.xreplace({whole: halves[half] ** 2})  # noqa: PLW2901 - one replacement after the other
+            else:
+                once = sp.Symbol(f"{halves[half].name}_less_one", real=True)
+                definitions[once] = sp.expm1(half)
+                value = value.xreplace({whole: once * (2 + once)})  # noqa: PLW2901
+        definitions[symbol] = value
     return StableForm(definitions, form.entries, form.arbitrary)
 
 

@@ -13,13 +13,15 @@ from threading import RLock
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from radartrack._arrays.validation import RealArray
 
 COMPILED_FROM = 256  # plots; for fewer NumPy is fast enough, and the compiler need not be loaded
-BLOCK = 16384  # plots; the arguments are still in the cache when they have been checked
+BLOCK = 16384  # plots
 
 Compiled = TypeVar("Compiled")
+Limits = NDArray[np.float64]  # least and largest value of each input
 
 _at_numba = RLock()
 """Held while Numba is loaded or compiles, and waited for before a fork: in the child nobody would go on with it."""
@@ -34,10 +36,11 @@ def is_available() -> bool:
 
 
 @cache
-def conversion(name: str, coordinates: int) -> Callable[..., None] | None:
+def conversion(name: str, coordinates: int) -> Callable[..., bool] | None:
     """The compiled conversion of this name, for float64 arrays: inputs of shape (plots,) or (), then outputs.
 
-    Where an angle is beyond the reach of the compiled sines, NumPy's function computes all plots of the call.
+    It says whether all inputs are between `limits`, shape (inputs, 2), which costs no pass over them. Where an angle is
+    beyond the reach of the compiled sines, NumPy's function computes all plots of the call.
 
     Args:
         name: of model and method.
@@ -51,20 +54,24 @@ def conversion(name: str, coordinates: int) -> Callable[..., None] | None:
     over_arrays = getattr(importlib.import_module("radartrack.generated.conversions"), name)
     count = over_arrays.__code__.co_argcount - 2
 
-    def compiling(**options: Any) -> Callable[..., bool]:
+    def compiling(**options: Any) -> Callable[..., tuple[bool, bool]]:
         side_by_side = importlib.import_module("radartrack._arrays.plots_side_by_side")  # loads Numba
-        compiled: Callable[..., bool] = side_by_side.compiled(loop, count, coordinates, **options)
+        compiled: Callable[..., tuple[bool, bool]] = side_by_side.compiled(loop, count, coordinates, **options)
         return compiled
 
     compiled = machine_code(compiling)
     if compiled is None:
         return None
 
-    def fill(*arrays: RealArray) -> None:
+    anything = np.array([[-np.inf, np.inf]] * count)
+
+    def fill(*arrays: RealArray, limits: Limits = anything) -> bool:
         *inputs, mean, covariance = arrays
         columns = (np.ascontiguousarray(array).reshape(-1) for array in inputs)  # one entry where all plots share it
-        if not compiled(tuple(columns), mean, covariance):
+        is_near, is_within = compiled(tuple(columns), limits, mean, covariance)
+        if not is_near:
             over_arrays(*inputs, mean, covariance)
+        return is_within
 
     return fill
 

@@ -7,13 +7,16 @@ leave to reorder or to fuse operations, so results have the same bits on every p
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import cache
 from hashlib import sha256
 from inspect import getsource
 from types import FunctionType, MappingProxyType, ModuleType
 from typing import Any
 
+import llvmlite.binding
 import numba
 import numpy as np
 from llvmlite import ir
@@ -23,12 +26,14 @@ from radartrack._arrays.validation import RealArray
 from radartrack.generated import elementary
 
 PLOTS = 128  # at a time; the columns of the largest conversion take some 40 kB
+CHAINS = 2  # with four, registers run out: AVX2 has 16
+INTERLEAVE, NEWEST_LLVM = "-force-vector-interleave", 22  # tried from 15
 ELEMENTARY = ("sin_and_cos", "sin", "cos", "exp", "expm1")  # in the order in which they call each other
 _NJIT: Any = numba.njit
 _TYPES: Any = numba.types
 INLINED = {"forceinline": True, "error_model": "numpy"}
 TO_WHOLE, MANTISSA, ONE = 1.5 * 2.0**52, 52, 0x3FF << 52
-Fill = Callable[[tuple[RealArray, ...], RealArray, RealArray], bool]
+Fill = Callable[[tuple[RealArray, ...], RealArray, RealArray, RealArray], tuple[bool, bool]]
 
 
 @intrinsic
@@ -57,7 +62,9 @@ def _power_of_two(_context: Any, exponent: Any) -> Any:
 
 
 def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options: Any) -> Fill:
-    """A conversion that fills means and covariances, and says whether no mean is NaN.
+    """A conversion of columns between limits, which fills means and covariances.
+
+    It says whether no mean is NaN, and whether all that it was given lies between the limits, shape (inputs, 2).
 
     Args:
         loop: of `radartrack.generated.loops`.
@@ -69,15 +76,36 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     functions = ModuleType("math")
     vars(functions).update(vars(math) | elementary_functions())
     loop_inlined = _NJIT(**INLINED)(_with(loop, {"math": functions}))
-    filling = _with(_fill, {"LOOP": loop_inlined, "COORDINATES": coordinates})
+    put_inlined = _NJIT(**INLINED)(_with(_put, {"COORDINATES": coordinates}))
+    filling = _with(_fill, {"LOOP": loop_inlined, "PUT": put_inlined, "COORDINATES": coordinates})
     filling.__qualname__ = f"{loop.__name__}_{_digest(loop)}"  # by which Numba finds what it kept
     readable = _TYPES.Array(numba.float64, 1, "C", readonly=True)
+    limits = _TYPES.Array(numba.float64, 2, "C", readonly=True)
     outputs = (numba.float64[:, ::1], numba.float64[:, :, ::1])
     found: Any = _NJIT(**options)(filling)
-    found.compile((_TYPES.UniTuple(readable, inputs), *outputs))
+    with interleaved(CHAINS):
+        found.compile((_TYPES.UniTuple(readable, inputs), limits, *outputs))
     found.disable_compile()
     fill: Fill = found
     return fill
+
+
+@contextmanager
+def interleaved(chains: int) -> Iterator[None]:
+    """What is compiled inside computes so many vectors of plots at once, which changes no bit.
+
+    A plot is one long chain of operations that wait for each other, and a processor does not look far enough ahead to
+    begin the next one meanwhile. LLVM has a word for that in a loop's metadata, which Numba does not write, and this
+    option, which is the process's, so it is taken back; an LLVM that does not know it would end the process.
+    """
+    known = llvmlite.binding.llvm_version_info[0] <= NEWEST_LLVM
+    if known:
+        llvmlite.binding.set_option("", f"{INTERLEAVE}={chains}")
+    try:
+        yield
+    finally:
+        if known:
+            llvmlite.binding.set_option("", f"{INTERLEAVE}=0")
 
 
 @cache
@@ -96,18 +124,25 @@ def _with(function: Callable[..., Any], names: dict[str, Any]) -> FunctionType:
 
 def _digest(loop: Callable[..., None]) -> str:
     """Of all that is compiled: Numba itself looks at the file of one function only."""
-    return sha256(f"{PLOTS}{getsource(loop)}{getsource(elementary)}{getsource(_fill)}".encode()).hexdigest()[:16]
+    texts = map(getsource, (loop, elementary, sys.modules[__name__]))
+    return sha256("".join([str(PLOTS), *texts]).encode()).hexdigest()[:16]
 
 
 LOOP: Any = None  # of one conversion, as is the number of coordinates
+PUT: Any = None  # `_put`, compiled
 COORDINATES = 0
 
 
-def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray) -> bool:  # noqa: C901 - one loop
-    """The columns have sizes that are known to the compiler, so it sees that they do not overlap."""
+def _fill(
+    inputs: tuple[RealArray, ...], limits: RealArray, mean: RealArray, covariance: RealArray
+) -> tuple[bool, bool]:
+    """The columns have sizes that are known to the compiler, so it sees that they do not overlap.
+
+    Behind the last plots of all, columns still hold earlier ones, which do no harm.
+    """
     given = np.empty((len(inputs), PLOTS))
     means, covariances = np.empty((COORDINATES, PLOTS)), np.empty((COORDINATES, COORDINATES, PLOTS))
-    strange = 0
+    strange = outside = 0
     for n in range(len(inputs) if len(mean) else 0):
         given[n] = inputs[n][0]
     for start in range(0, len(mean), PLOTS):
@@ -118,12 +153,25 @@ def _fill(inputs: tuple[RealArray, ...], mean: RealArray, covariance: RealArray)
                 for i in range(count):
                     given[n, i] = column[start + i]
         LOOP(given, means.T, covariances.T)
-        for i in range(count):
+        for i in range(PLOTS):
+            for n in range(len(inputs)):
+                outside += not ((given[n, i] >= limits[n, 0]) & (given[n, i] <= limits[n, 1]))  # `and` would branch
             for a in range(COORDINATES):
-                mean[start + i, a] = means[a, i]
-                for b in range(COORDINATES):
-                    covariance[start + i, a, b] = covariances[b, a, i]
-        for a in range(COORDINATES):
-            for i in range(count):
                 strange += means[a, i] != means[a, i]
-    return strange == 0
+        flat = mean[start : start + count].reshape(-1), covariance[start : start + count].reshape(-1)
+        if count == PLOTS:
+            PUT(means, covariances, PLOTS, *flat)
+        else:
+            PUT(means, covariances, count, *flat)
+    return strange == 0, outside == 0
+
+
+def _put(means: RealArray, covariances: RealArray, count: int, mean: RealArray, covariance: RealArray) -> None:
+    """Plot by plot: in one dimension, and for a number of plots that it knows, a compiler shuffles several at once."""
+    for i in range(count):
+        for a in range(COORDINATES):
+            mean[COORDINATES * i + a] = means[a, i]
+    for i in range(count):
+        for a in range(COORDINATES):
+            for b in range(COORDINATES):
+                covariance[COORDINATES * (COORDINATES * i + a) + b] = covariances[b, a, i]

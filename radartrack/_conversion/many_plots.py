@@ -5,13 +5,14 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from radartrack._arrays import machine_code
 from radartrack._arrays.batches import BLOCK, fill
-from radartrack._arrays.validation import RealArray, broadcast_shape, common_shape, real_arrays
+from radartrack._arrays.validation import DOUBLE, RealArray, broadcast_shape, common_shape, real_arrays
 from radartrack._conversion.careful_covariance import decorrelated, make_sound
 from radartrack._conversion.prediction import COVARIANCE, MEAN, Predicted
+from radartrack._conversion.semidefinite import plain_interval
 from radartrack._conversion.sensors import Sensor
 from radartrack._conversion.way import Way
 from radartrack.generated import conversions
@@ -39,25 +40,33 @@ def many_plots(way: Way, given: Mapping[str, ArrayLike]) -> tuple[RealArray, Rea
 
 
 def _computed(way: Way, arrays: Mapping[str, RealArray]) -> tuple[RealArray, RealArray]:
-    """In blocks, each of which is checked while it is in the cache."""
+    """In blocks. Machine code tells whether a block is plain; other blocks are checked while they are in the cache."""
     sensor = way.sensor
     size = len(sensor.coordinates)  # as many coordinates as there are measured quantities
     axes = {name: _AXES.get(name, 0) for name in arrays}
     shape = common_shape(array.shape[: array.ndim - axes[name]] for name, array in arrays.items())
     count, dtype = math.prod(shape), next(iter(arrays.values())).dtype
     mean, covariance = np.empty((count, size), dtype), np.empty((count, size, size), dtype)
-    function, block = _function(way, count, dtype, size)
+    compiled, block = _compiled(way, count, dtype, size)
+    limits = _plain_limits(sensor)
     flat = {name: _flat(array, shape, axes[name]) for name, array in arrays.items()}
     varying = {name: array for name, array in flat.items() if array.ndim > axes[name]}
 
     def convert(*parts: RealArray) -> None:
         *inputs, means, covariances = parts
-        measured, prediction = _checked(sensor, flat | dict(zip(varying, inputs, strict=True)))
-        function(*measured.values(), means, covariances)
-        if prediction is not None:
-            covariances[...] = decorrelated(sensor, measured, prediction)
-        make_sound(way, measured, prediction, covariances)
-        means[...], covariances[...] = way.oriented(means, covariances)
+        values = flat | dict(zip(varying, inputs, strict=True))
+        measured = sensor.by_symbol(values)
+        if compiled and compiled(*measured.values(), means, covariances, limits=limits) and not way.prediction:
+            sensor.require_possible(measured)
+        else:
+            measured, prediction = _checked(sensor, values)
+            if not compiled:
+                getattr(conversions, way.function)(*measured.values(), means, covariances)
+            if prediction is not None:
+                covariances[...] = decorrelated(sensor, measured, prediction)
+            make_sound(way, measured, prediction, covariances)
+        if way.turned:
+            means[...], covariances[...] = way.oriented(means, covariances)
 
     fill(convert, [*varying.values()], [mean, covariance], block)
     return mean.reshape(*shape, size), covariance.reshape(*shape, size, size)
@@ -81,13 +90,18 @@ def _checked(sensor: Sensor, arrays: Mapping[str, RealArray]) -> tuple[dict[str,
     return measured, prediction
 
 
-def _function(way: Way, count: int, dtype: np.dtype[Any], size: int) -> tuple[Callable[..., None], int]:
-    """The conversion without a prediction, and the size of its blocks; compiled where that is worth while."""
-    function, block = getattr(conversions, way.function), BLOCK
+def _compiled(way: Way, count: int, dtype: np.dtype[Any], size: int) -> tuple[Callable[..., bool] | None, int]:
+    """The conversion without a prediction as machine code, where that is worth while, and the size of blocks."""
+    found = None
     if count >= machine_code.COMPILED_FROM and dtype == np.float64 and machine_code.is_available():
-        fast = machine_code.conversion(way.function, size)
-        function, block = (function, block) if fast is None else (fast, machine_code.BLOCK)
-    return function, PREDICTED_BLOCK if way.prediction else block
+        found = machine_code.conversion(way.function, size)
+    return found, PREDICTED_BLOCK if way.prediction else machine_code.BLOCK if found else BLOCK
+
+
+def _plain_limits(sensor: Sensor) -> NDArray[np.float64]:
+    """Of each argument in float64: where nothing else has to be checked of it, and covariances need no care."""
+    domains = sensor.arguments.values()
+    return np.array([plain_interval(symbol, *domain.bounds(DOUBLE)) for symbol, domain in domains])
 
 
 def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:

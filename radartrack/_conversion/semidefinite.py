@@ -36,11 +36,21 @@ def are_plain(values: Symbols, covariances: RealArray) -> bool:
         return False
     if covariances.dtype == SINGLE:
         return bool(_variances(covariances).min(initial=1) >= _least(covariances.dtype))
-    # Where range and deviations are not small, every variance has a term that is not, whatever the angles.
-    lengths = (array for symbol, array in values.items() if symbol in {"r", "path"} or "sigma" in symbol)
-    if all(_smallest(array) >= SMALL for array in lengths):
+    if all(_smallest(array) >= SMALL for symbol, array in values.items() if _is_size(symbol)):
         return True
     return all(bool((sizes >= SMALL)[sizes > 0].all()) for sizes in map(np.abs, values.values()))
+
+
+def plain_interval(symbol: str, low: float, high: float) -> tuple[float, float]:
+    """The part of an interval in which plots are plain, whatever the other numbers: what most plots are."""
+    if symbol == "rho":
+        return max(low, -CORRELATED), min(high, CORRELATED)
+    return (max(low, SMALL), high) if _is_size(symbol) else (low, high)
+
+
+def _is_size(symbol: str) -> bool:
+    """Whether, where none of these is small, every variance has a term that is not, whatever the angles."""
+    return symbol in {"r", "path"} or "sigma" in symbol
 
 
 def _smallest(array: RealArray) -> float:

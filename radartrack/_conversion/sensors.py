@@ -114,9 +114,13 @@ class Sensor(NamedTuple):
         for name, (_, domain) in self.arguments.items():
             require_within(name, plot[name], domain)
         broadcast_shape(plot)
-        values = {symbol: plot[name] for name, (symbol, _) in self.arguments.items()}
+        values = self.by_symbol(plot)
         self.require_possible(values)
         return values
+
+    def by_symbol(self, plot: Mapping[str, RealArray]) -> dict[str, RealArray]:
+        """The values of all arguments, which are given by name."""
+        return {symbol: plot[name] for name, (symbol, _) in self.arguments.items()}
 
     def require_possible(self, values: Mapping[str, RealArray] | Mapping[str, float], of: str = "") -> None:
         """Check what no argument says alone: that errors do not take a plot to where the map has no derivative.

@@ -50,25 +50,17 @@ static inline int {prefix}far_quarters(
 {digits}
     }};
     const int start = exponent + 62; /* above, digits count multiples of four quarters; two words of zeros come first */
-    uint64_t product[6] = {{0, 0, 0, 0, 0, 0}}, carry = 0;
+    uint64_t product[6], carry = 0, above = 0; /* no initial zeros: compilers would call memset for them */
     int i, quarters;
     for (i = 5; i >= 0; --i) {{ /* word i of the window times both words of m; words above the first are dropped */
         const int place = start / 32 + i;
         const uint64_t both = ((uint64_t)digits[place] << 32) | digits[place + 1];
         const uint64_t word = (both >> (32 - start % 32)) & 0xffffffffu;
-        const uint64_t first = word * (m & 0xffffffffu);
-        product[i] += first & 0xffffffffu;
-        if (i > 0) {{
-            const uint64_t second = word * (m >> 32);
-            product[i - 1] += (first >> 32) + (second & 0xffffffffu);
-            if (i > 1)
-                product[i - 2] += second >> 32;
-        }}
-    }}
-    for (i = 5; i >= 0; --i) {{
-        product[i] += carry;
-        carry = product[i] >> 32;
-        product[i] &= 0xffffffffu;
+        const uint64_t first = word * (m & 0xffffffffu), second = word * (m >> 32);
+        const uint64_t sum = (first & 0xffffffffu) + carry;
+        product[i] = sum & 0xffffffffu;
+        carry = (sum >> 32) + (first >> 32) + (second & 0xffffffffu) + above;
+        above = second >> 32;
     }}
     quarters = (int)(product[0] >> 30);
     *is_negative = (int)((product[0] >> 29) & 1u);

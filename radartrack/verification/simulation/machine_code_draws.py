@@ -24,10 +24,12 @@ from radartrack.verification.simulation.tracing import Tape
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 Loop = TypeVar("Loop", bound=Callable[..., Any])
-ADD, SUBTRACT, MULTIPLY, SIN, COS = range(5)
+ADD, SUBTRACT, MULTIPLY, SINES = range(4)
+WAVES = ("sin", "cos")
+OPERATIONS = {"add": ADD, "subtract": SUBTRACT, "multiply": MULTIPLY, "sin": SINES, "cos": SINES}
 _DIGEST = sha256(getsource(elementary).encode()).hexdigest()[:16]
-OPERATIONS = {"add": ADD, "subtract": SUBTRACT, "multiply": MULTIPLY, "sin": SIN, "cos": COS}
-LANES = 512  # draws at a time
+LANES = 256  # draws at a time: with the rows that are needed at once, they stay in the nearest caches
+CHAINS = 4  # vectors of angles at once: the sines of one wait for each other
 
 
 def is_possible(tape: Tape) -> bool:
@@ -41,7 +43,8 @@ def _runs() -> bool:
     nothing, steps, results = np.empty((0, LANES)), np.empty((0, 4), np.int64), np.empty(0, np.int64)
 
     def attempt() -> bool:
-        _run(steps, results, nothing, nothing, nothing)
+        with _side_by_side().interleaved(CHAINS):
+            _run(steps, results, nothing, nothing, nothing)
         return True
 
     return machine_code.attempted(attempt, "Numba cannot compile the loop over draws") is not None
@@ -49,19 +52,62 @@ def _runs() -> bool:
 
 def summation(tape: Tape) -> Callable[[Iterable[Array]], Array]:
     """What takes blocks [input, draw], whose lengths LANES divides, and gives each result's sum over all draws."""
-    steps = [(OPERATIONS[step.operation], step.place, step.operands[0], step.operands[-1]) for step in tape.steps]
-    table, results = np.array(steps, dtype=np.int64), np.array(tape.results, dtype=np.int64)
-    rows, totals = np.empty((tape.places, LANES)), np.empty((len(results), LANES))
-    for number, place in tape.constants.items():
-        rows[place] = number
+    steps, results, constants, count = rows_of(tape)
+    table, kept = np.array(steps, dtype=np.int64), np.array(results, dtype=np.int64)
+    rows, totals = np.empty((count, LANES)), np.empty((len(kept), LANES))
+    for number, row in constants.items():
+        rows[row] = number
 
     def summed(blocks: Iterable[Array]) -> Array:
         totals[:] = 0.0
         for block in blocks:
-            _run(table, results, block, rows, totals)
+            _run(table, kept, block, rows, totals)
         return np.asarray(totals.sum(axis=-1))
 
     return summed
+
+
+def rows_of(tape: Tape) -> tuple[list[tuple[int, int, int, int]], list[int], dict[float, int], int]:
+    """A tape with rows in place of places: what is needed no more makes room, and sine and cosine come together.
+
+    Returns:
+        Operation, row of the result and rows of the operands of each step (of `SINES`: the row of the sines, of the
+        angles, of the cosines); the rows of the results; those of constants by number; and how many there are. The
+        inputs have the first rows.
+    """
+    inputs = tape.places - len(tape.constants) - len(tape.steps)
+    kept = {*range(inputs), *tape.constants.values(), *tape.results}
+    last = {place: n for n, step in enumerate(tape.steps) for place in step.operands}
+    row = {place: n for n, place in enumerate([*range(inputs), *tape.constants.values()])}
+    waves = {(step.operation, step.operands): step.place for step in tape.steps if step.operation in WAVES}
+    free: list[int] = []
+    steps: list[tuple[int, int, int, int]] = []
+    count = len(row)
+
+    def room(place: int | None) -> int:
+        nonlocal count
+        count += not free
+        found = free.pop() if free else count - 1
+        if place is not None:
+            row[place] = found
+        return found
+
+    for n, step in enumerate(tape.steps):
+        if step.place not in row:
+            operands = row[step.operands[0]], row[step.operands[-1]]
+            if step.operation in WAVES:
+                both = [waves.get((wave, step.operands)) for wave in WAVES]
+                sines, cosines = map(room, both)
+                steps.append((SINES, sines, operands[0], cosines))
+                free += [found for place, found in zip(both, (sines, cosines), strict=True) if place is None]
+            else:
+                steps.append((OPERATIONS[step.operation], room(step.place), *operands))
+        free += [row[place] for place in {*step.operands} - kept if last[place] == n]
+    return steps, [row[place] for place in tape.results], {c: row[place] for c, place in tape.constants.items()}, count
+
+
+def _side_by_side() -> Any:
+    return importlib.import_module("radartrack._arrays.plots_side_by_side")  # loads Numba
 
 
 def _machine_code(loop: Loop) -> Loop:
@@ -73,61 +119,60 @@ def _machine_code(loop: Loop) -> Loop:
     return loop if fast is None else fast
 
 
-def _sine_and_cosine() -> tuple[Callable[[float], float], Callable[[float], float]]:
-    """The generated functions, which a compiler computes several of at once."""
+def _sine_and_cosine() -> Callable[[float], tuple[float, float]]:
+    """The generated function, which a compiler computes several of at once."""
     if not machine_code.is_available():
-        return elementary.sin, elementary.cos
-    side_by_side = importlib.import_module("radartrack._arrays.plots_side_by_side")
-    compiled = side_by_side.elementary_functions()
-    return compiled["sin"], compiled["cos"]
+        return elementary.sin_and_cos
+    compiled: Callable[[float], tuple[float, float]] = _side_by_side().elementary_functions()["sin_and_cos"]
+    return compiled
 
 
-sine, cosine = _sine_and_cosine()
+sine_and_cosine = _sine_and_cosine()
 
 
 @_machine_code
-def _sines(angles: Array, quarters: int, result: Array) -> None:
+def _sines(rows: Array, sines: int, angles: int, cosines: int) -> None:
     outside = 0
     for i in range(LANES):
-        outside += not abs(angles[i]) <= elementary.LARGEST_ANGLE
+        outside += not abs(rows[angles, i]) <= elementary.LARGEST_ANGLE
     if outside:
         for i in range(LANES):
-            result[i] = math.cos(angles[i]) if quarters else math.sin(angles[i])
-    elif quarters:
-        for i in range(LANES):
-            result[i] = cosine(angles[i])
+            angle = rows[angles, i]
+            rows[sines, i], rows[cosines, i] = math.sin(angle), math.cos(angle)
     else:
         for i in range(LANES):
-            result[i] = sine(angles[i])
+            rows[sines, i], rows[cosines, i] = sine_and_cosine(rows[angles, i])
 
 
 @_machine_code
-def _step(operation: int, left: Array, right: Array, result: Array) -> None:
+def _step(operation: int, rows: Array, result: int, left: int, right: int) -> None:
+    """Of rows by their numbers: each view of a row would be counted as a reference, which takes longer than a step."""
     if operation == ADD:
         for i in range(LANES):
-            result[i] = left[i] + right[i]
+            rows[result, i] = rows[left, i] + rows[right, i]
     elif operation == SUBTRACT:
         for i in range(LANES):
-            result[i] = left[i] - right[i]
+            rows[result, i] = rows[left, i] - rows[right, i]
     elif operation == MULTIPLY:
         for i in range(LANES):
-            result[i] = left[i] * right[i]
+            rows[result, i] = rows[left, i] * rows[right, i]
     else:
-        _sines(left, operation - SIN, result)
+        _sines(rows, result, left, right)
 
 
 @_machine_code
-def _accumulate(totals: Array, values: Array) -> None:
+def _accumulate(totals: Array, result: int, rows: Array, row: int) -> None:
     for i in range(LANES):
-        totals[i] += values[i]
+        totals[result, i] += rows[row, i]
 
 
 @_machine_code
 def _run(table: Whole, results: Whole, inputs: Array, rows: Array, totals: Array) -> None:
     for start in range(0, inputs.shape[1], LANES):
-        for i in range(len(inputs)):
-            rows[i] = inputs[i, start : start + LANES]
-        for operation, place, left, right in table:
-            _step(operation, rows[left], rows[right], rows[place])
-        for i in range(len(results)):
-            _accumulate(totals[i], rows[results[i]])
+        for n in range(len(inputs)):
+            for i in range(LANES):
+                rows[n, i] = inputs[n, start + i]
+        for n in range(len(table)):
+            _step(table[n, 0], rows, table[n, 1], table[n, 2], table[n, 3])
+        for n in range(len(results)):
+            _accumulate(totals, n, rows, results[n])

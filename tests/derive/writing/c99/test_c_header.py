@@ -1,6 +1,5 @@
 """Headers: every function in two precisions, without a warning in C and C++, and safe with anything."""
 
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -11,11 +10,15 @@ from tests.c_programs import (
     COMPILERS,
     DEFINED,
     LANGUAGES,
+    NAMES,
     WARNINGS,
+    built,
     calls_with_anything,
+    every_function,
     in_c,
     needs_compiler,
     run,
+    without_library,
     write_headers,
 )
 
@@ -34,6 +37,15 @@ QUANTITIES = (
     "steady_state.alpha_beta_gamma.gain",
     "finite_sample.degree2.range_rate.covariance",
     "line.slope",
+)
+EACH_COMPILER = pytest.mark.parametrize(
+    "compiler",
+    [
+        pytest.param(
+            name, marks=pytest.mark.skipif(name not in COMPILERS, reason=f"there is no {name} on this machine")
+        )
+        for name in NAMES
+    ],
 )
 
 
@@ -60,24 +72,32 @@ def test_the_comment_says_what_the_docstring_says(headers: Path):
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("compiler", COMPILERS or [pytest.param("", marks=pytest.mark.skip("there is no C compiler"))])
+@EACH_COMPILER
 def test_headers_compile_without_a_warning(headers: Path, compiler: str, language: str, tmp_path: Path):
-    source = tmp_path / "all.c"
-    source.write_text('#include "radartrack.h"\n#include "radartrack.h"\nint main(void) { return 0; }\n')
-    command = [compiler, *LANGUAGES[language], *WARNINGS, f"-I{headers}", "-fsyntax-only", str(source)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+    built(every_function(headers), tmp_path, "-O2", *LANGUAGES[language], *WARNINGS, f"-I{headers}", by=[compiler])
+
+
+@EACH_COMPILER
+def test_sanitizers_find_nothing_with_numbers_of_every_kind(headers: Path, compiler: str, tmp_path: Path):
+    flags = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", f"-I{headers}"]
+    try:
+        run("int main(void) { return 0; }\n", tmp_path, *flags, by=[compiler])
+    except AssertionError:
+        pytest.skip(f"{compiler} has no sanitizers here")
+    assert len(run(calls_with_anything(headers), tmp_path, *flags, by=[compiler]).splitlines()) > 2 * len(QUANTITIES)
 
 
 @needs_compiler
-def test_sanitizers_find_nothing_with_numbers_of_every_kind(headers: Path, tmp_path: Path):
-    flags = ["-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", f"-I{headers}"]
-    (tmp_path / "probe.c").write_text("int main(void) { return 0; }\n")
-    try:
-        run("int main(void) { return 0; }\n", tmp_path, *flags)
-    except AssertionError:
-        pytest.skip("the compiler has no sanitizers here")
-    assert int(run(calls_with_anything(headers), tmp_path, *flags)) > 4 * len(QUANTITIES)
+@EACH_COMPILER
+@pytest.mark.parametrize("level", ["-O0", "-O3"])
+def test_what_needs_no_library_has_the_same_bits_under_every_compiler(
+    headers: Path, compiler: str, level: str, tmp_path: Path
+):
+    source, same = calls_with_anything(headers), without_library(headers)
+    found = run(source, tmp_path, f"-I{headers}", "-O1"), run(source, tmp_path, f"-I{headers}", level, by=[compiler])
+    first, other = ([line for line in lines.splitlines() if line.split()[0] in same] for lines in found)
+    assert len(first) > len(QUANTITIES)
+    assert first == other
 
 
 @needs_compiler
