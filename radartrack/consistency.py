@@ -36,7 +36,7 @@ from radartrack._arrays.validation import (
 from radartrack._conversion.prediction import Predicted
 from radartrack._conversion.semidefinite import ROUNDING, are_sound
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
-from radartrack.chi_square import quantile
+from radartrack.chi_square import quantile, upper_quantile
 from radartrack.convert import Converted, Method
 from radartrack.simulate import noise_covariance, scatter
 
@@ -44,8 +44,14 @@ Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 
 MINIMUM = 2
 SMALLEST_FALSE_ALARM = 1e-9
-PROBABILITY = Domain("", 1 - 1e-9, 1 - 1e-6, "a float tells no more of a tail", smallest=1e-9)
-DEGREES = Domain("", 1e6, 1e6, "more are as good as normal", smallest=1e-2)
+PROBABILITY = Domain(
+    "",
+    1 - 1e-12,
+    1 - 1e-6,
+    "nearer to 1 than 1e-12, in float32 than 1e-6, a float tells little of a tail",
+    smallest=1e-12,
+)
+DEGREES = Domain("", 1e6, 1e6, "more are as good as normal, and quantiles of fewer underflow", smallest=0.1)
 RUNS = Domain("", 1e6, 1e6, "more are as good as normal", smallest=1.0)
 _SINGULAR = "the covariance is singular: deviations must be positive, correlations below 1"
 
@@ -84,8 +90,8 @@ def chi_square_quantile(probability: ArrayLike, degrees_of_freedom: ArrayLike) -
     The relative error is at most 1e-8 up to 1e4 degrees of freedom, and 1e-7 beyond.
 
     Args:
-        probability: from 1e-9 to 1 - 1e-9.
-        degrees_of_freedom: from 0.01 to 1e6; they need not be whole.
+        probability: from 1e-12 to 1 - 1e-12.
+        degrees_of_freedom: from 0.1 to 1e6; they need not be whole.
 
     Returns:
         Quantiles, of the shape that both broadcast to.
@@ -98,10 +104,15 @@ def chi_square_quantile(probability: ArrayLike, degrees_of_freedom: ArrayLike) -
     arrays = real_arrays({"probability": probability, "degrees_of_freedom": degrees_of_freedom})
     require_within("probability", arrays["probability"], PROBABILITY)
     require_within("degrees_of_freedom", arrays["degrees_of_freedom"], DEGREES)
+    return _of_each(quantile, arrays)
+
+
+def _of_each(function: Callable[[float, float], float], arrays: Mapping[str, RealArray]) -> RealArray:
+    """A function of two numbers for each pair, and once for those that are alike."""
     shape = broadcast_shape(arrays)
     pairs = np.stack([np.broadcast_to(array, shape).reshape(-1).astype(np.float64) for array in arrays.values()], -1)
     distinct, which = np.unique(pairs, axis=0, return_inverse=True)
-    values = np.array([quantile(*map(float, pair)) for pair in distinct])
+    values = np.array([function(*map(float, pair)) for pair in distinct])
     return values[which.reshape(-1)].reshape(shape) if len(values) else np.empty(shape)
 
 
@@ -110,7 +121,7 @@ def gate(components: ArrayLike, probability: ArrayLike = 0.99, runs: ArrayLike =
 
     Args:
         components: of the innovation or of the state.
-        probability: with which a consistent filter stays within, from 1e-9 to 1 - 1e-9.
+        probability: with which a consistent filter stays within, from 1e-12 to 1 - 1e-12.
         runs: how many independent ones the NIS or NEES is an average of.
 
     Returns:
@@ -123,10 +134,7 @@ def gate(components: ArrayLike, probability: ArrayLike = 0.99, runs: ArrayLike =
     Source: Bar-Shalom, Li & Kirubarajan 2001, 1.5.4 and 5.4.2.
 
     """
-    averaged = real_arrays({"components": components, "runs": runs})
-    require_within("runs", averaged["runs"], RUNS)
-    broadcast_shape(averaged | real_arrays({"probability": probability}))
-    return chi_square_quantile(probability, averaged["components"] * averaged["runs"]) / averaged["runs"]
+    return _averaged(quantile, components, runs, probability, lambda inside: inside)
 
 
 def band(components: ArrayLike, runs: ArrayLike = 1, probability: ArrayLike = 0.95) -> RealArray:
@@ -135,7 +143,7 @@ def band(components: ArrayLike, runs: ArrayLike = 1, probability: ArrayLike = 0.
     Args:
         components: of the innovation or of the state.
         runs: how many independent ones are averaged.
-        probability: with which it is held.
+        probability: with which it is held, from 1e-12 to 1 - 1e-12.
 
     Returns:
         Lower and upper ends along the last axis, shape (..., 2).
@@ -147,10 +155,28 @@ def band(components: ArrayLike, runs: ArrayLike = 1, probability: ArrayLike = 0.
     Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2.
 
     """
-    [inside] = real_arrays({"probability": probability}).values()
-    require_within("probability", inside, PROBABILITY)
-    tail = (1 - inside) / 2
-    return np.stack([gate(components, end, runs) for end in (tail, 1 - tail)], axis=-1)
+    ends = [
+        _averaged(function, components, runs, probability, lambda inside: (1 - inside) / 2)
+        for function in (quantile, upper_quantile)
+    ]
+    return np.stack(ends, axis=-1)
+
+
+def _averaged(
+    function: Callable[[float, float], float],
+    components: ArrayLike,
+    runs: ArrayLike,
+    probability: ArrayLike,
+    tail: Callable[[RealArray], RealArray],
+) -> RealArray:
+    """A quantile of the average over runs, of a tail that follows from a probability."""
+    arrays = real_arrays({"components": components, "runs": runs, "probability": probability})
+    require_within("probability", arrays["probability"], PROBABILITY)
+    require_within("runs", arrays["runs"], RUNS)
+    broadcast_shape(arrays)
+    degrees = arrays["components"] * arrays["runs"]
+    require_within("components times runs", degrees, DEGREES)
+    return _of_each(function, {"probability": tail(arrays["probability"]), "degrees": degrees}) / arrays["runs"]
 
 
 def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:

@@ -323,7 +323,7 @@ def covariance_intersection(
 
     The covariance is P = (w P1^-1 + (1 - w) P2^-1)^-1, the mean P (w P1^-1 m1 + (1 - w) P2^-1 m2). If P1 and P2 are not
     too small, nor is P, whatever the correlation. The weight makes the trace or the determinant of P least; both are
-    convex functions of it, and the search ends at the last digit.
+    convex functions of it, and the search ends at the last digit. Of two covariances that are the same it is a half.
 
     Args:
         mean: unbiased estimates, shape (..., 2, d). Of more than two fuse two at a time.
@@ -337,8 +337,8 @@ def covariance_intersection(
 
     Raises:
         TypeError: an argument is not made of real numbers, or the criterion is no text.
-        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, a weight is not from 0
-            to 1, the word is unknown, or the shapes do not fit.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the two are too
+            unequal for double precision, a weight is not from 0 to 1, the word is unknown, or the shapes do not fit.
 
     Source: Julier & Uhlmann 1997, doi:10.1109/ACC.1997.609105.
     """

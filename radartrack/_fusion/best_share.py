@@ -11,6 +11,12 @@ CRITERIA: tuple[Criterion, ...] = ("trace", "determinant")
 
 MOST_STEPS = 1100  # halvings of the interval come to an end before; Newton's steps take about six
 SHARP = 4e-16  # of the interval from 0 to 1
+SAME = 1e-14  # ratios of variances no farther from one, which no weight changes beyond rounding
+LEAST_RATIO = 1e-12  # of deviations along one axis to those along another; rounding leaves four digits of it
+UNEQUAL = (
+    "covariance must hold two that are not too unequal: along one axis the first may be better than the second by 1e12 "
+    "times what it is along another, in deviations"
+)
 
 
 class Pencil(NamedTuple):
@@ -41,7 +47,7 @@ class Pencil(NamedTuple):
         """The w of least trace, or of least determinant.
 
         Both, the latter's logarithm, are convex in w; so the slope changes sign once. Newton's steps for its zero, and
-        halves of the interval where such a step would leave it.
+        halves of the interval where such a step would leave it. Of equal covariances every w is best: a half.
         """
         sizes = (self.axes**2).sum(axis=-2) * self.ratios
 
@@ -63,27 +69,30 @@ class Pencil(NamedTuple):
             share = np.where(slope == 0, share, following)
             if done.all():
                 break
-        return np.where(ends[0], 0.0, np.where(ends[1], 1.0, share))
+        found = np.where(ends[0], 0.0, np.where(ends[1], 1.0, share))
+        return np.where((np.abs(self.ratios - 1) <= SAME).all(axis=-1), 0.5, found)
 
 
 def pencil_of(first: Floats, second: Floats) -> Pencil:
     """Common axes of two covariances, shape (..., d, d).
 
+    From singular values of factors, which keep twice as many digits of s as eigenvalues of the product do.
+
     Raises:
         numpy.linalg.LinAlgError: a matrix is not positive definite.
+        ValueError: they are too unequal for the digits of a float.
     """
     scale = np.sqrt(np.diagonal(first, axis1=-2, axis2=-1))
     if not (scale > 0).all():
         raise np.linalg.LinAlgError
     one, other = (part / scale[..., :, np.newaxis] / scale[..., np.newaxis, :] for part in (first, second))
     factor = np.linalg.cholesky(one)
-    np.linalg.cholesky(other / np.trace(other, axis1=-2, axis2=-1)[..., np.newaxis, np.newaxis])
-    half = np.linalg.solve(factor, other)
-    ratios, vectors = np.linalg.eigh(np.linalg.solve(factor, np.swapaxes(half, -1, -2)))
-    if not (ratios > 0).all():
+    size = np.sqrt(np.trace(other, axis1=-2, axis2=-1))[..., np.newaxis]
+    if not (size > 0).all():
         raise np.linalg.LinAlgError
-    across = np.swapaxes(vectors, -1, -2)
+    inner = np.linalg.solve(factor, np.linalg.cholesky(other / size[..., np.newaxis] ** 2))
+    vectors, roots, _ = np.linalg.svd(inner)
+    if not (roots[..., -1] > LEAST_RATIO * roots[..., 0]).all():
+        raise ValueError(UNEQUAL)
     inverse = np.swapaxes(np.linalg.solve(np.swapaxes(factor, -1, -2), vectors), -1, -2)
-    return Pencil(
-        scale[..., np.newaxis] * (factor @ np.swapaxes(across, -1, -2)), inverse / scale[..., np.newaxis, :], ratios
-    )
+    return Pencil(scale[..., np.newaxis] * (factor @ vectors), inverse / scale[..., np.newaxis, :], (size * roots) ** 2)

@@ -127,7 +127,7 @@ def _solved(rows: Floats) -> tuple[Floats, Floats]:
     scale = np.sqrt((rows[..., :size] ** 2).sum(axis=-2))
     undetermined = ValueError(
         "targets must determine the biases: more of them, seen by two radars or more at different sites, not all on "
-        "the line through the sites; or a reference radar must be named"
+        "the line through the sites; or a reference radar must be named, or the plots are not of common targets"
     )
     if rows.shape[-2] < size or not (scale > 0).all():
         raise undetermined

@@ -17,30 +17,33 @@ class Pair(NamedTuple):
     high: RealArray
     low: RealArray
 
-    @staticmethod
-    def of_difference(first: float, second: float) -> Pair:
-        """The exact difference of two numbers."""
-        return _sum(np.asarray(first, np.float64), np.asarray(-second, np.float64))
-
-    def __add__(self, other: Pair) -> Pair:  # type: ignore[override]
-        total = _sum(self.high, other.high)
-        return Pair(total.high, total.low + (self.low + other.low))
+    def __add__(self, other: Pair | RealArray | float) -> Pair:  # type: ignore[override]
+        high, low = other if isinstance(other, Pair) else (np.asarray(other), 0.0)
+        total = sum_of(self.high, high)
+        return Pair(total.high, total.low + (self.low + low))
 
     def __sub__(self, other: Pair) -> Pair:
         return self + Pair(-other.high, -other.low)
 
-    def __mul__(self, factor: RealArray | float) -> Pair:  # type: ignore[override]
-        exact = product(self.high, np.asarray(factor))
-        return Pair(exact.high, exact.low + self.low * factor)
+    def __mul__(self, factor: Pair | RealArray | float) -> Pair:  # type: ignore[override]
+        high, low = factor if isinstance(factor, Pair) else (np.asarray(factor), 0.0)
+        exact = product(self.high, high)
+        return Pair(exact.high, exact.low + (self.low * high + self.high * low))
 
     def squared(self) -> Pair:
         """The square."""
-        exact = product(self.high, self.high)
-        return Pair(exact.high, exact.low + 2.0 * self.high * self.low)
+        return self * self
 
     def rounded(self) -> RealArray:
         """As one number."""
         return np.asarray(self.high + self.low)
+
+
+def sum_of(first: RealArray, second: RealArray) -> Pair:
+    """The exact sum of numbers."""
+    total = first + second
+    back = total - first
+    return Pair(total, (first - (total - back)) + (second - back))
 
 
 def product(first: RealArray, second: RealArray) -> Pair:
@@ -56,12 +59,6 @@ def square_root(square: Pair) -> Pair:
     exact = product(high, high)
     left = (square.high - exact.high) - exact.low + square.low
     return Pair(high, np.divide(left, 2.0 * high, out=np.zeros_like(high), where=high > 0))
-
-
-def _sum(first: RealArray, second: RealArray) -> Pair:
-    total = first + second
-    back = total - first
-    return Pair(total, (first - (total - back)) + (second - back))
 
 
 def _halves(value: RealArray) -> tuple[RealArray, RealArray]:

@@ -5,12 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from radartrack._arrays.validation import RealArray, number_between, positive_number
-from radartrack.frames.exact_products import Pair, product, square_root
+from radartrack.frames.exact_products import product, square_root, sum_of
+from radartrack.frames.exact_sines import sine_and_cosine
 
 MOST_STEPS = 64  # of Newton's; from these starts ten have always been enough
 FLATTEST = 0.5  # beyond, the bounds from which the search starts are worth little
 SETTLED = 2.0**-28  # a relative step of Newton's here leaves one and a half times its square
 SMALLEST = 1e-290  # stands for a root of zero: the square of what is divided by it does not overflow
+LEAST_CURVATURE = 1.0  # metres from the centre of curvature; nearer, a latitude is what the search has found
 NEAR_THE_RING = 1.0  # in semi-major axes: everywhere inside of the ellipsoid, whatever its flattening
 
 
@@ -38,6 +40,23 @@ class Ellipsoid:
     def squared_eccentricity(self) -> float:
         """One less the square of the ratio of the radii."""
         return self.flattening * (2.0 - self.flattening)
+
+    def position(self, latitude: RealArray, longitude: RealArray, height: RealArray) -> tuple[RealArray, ...]:
+        """x, y and z, each but for its last rounding: sines, products and sums are taken in twice the digits."""
+        sine, cosine = sine_and_cosine(latitude)
+        sine_of_longitude, cosine_of_longitude = sine_and_cosine(longitude)
+        excess = self._excess(sine.high)
+        raised = sum_of(height, np.asarray(self.semi_major_axis))
+        out = (raised + excess) * cosine
+        up = raised + (excess - self.squared_eccentricity * (self.semi_major_axis + excess))
+        parts = out * cosine_of_longitude, out * sine_of_longitude, up * sine
+        return tuple(part.rounded() for part in parts)
+
+    def _excess(self, sine: RealArray) -> RealArray:
+        """By how much the radius of curvature across the meridian is longer than the semi-major axis."""
+        less = self.squared_eccentricity * sine**2
+        root = np.sqrt(1.0 - less)
+        return np.asarray(self.semi_major_axis * less / (root * (1.0 + root)))
 
     def normal_through(self, from_axis: RealArray, above: RealArray) -> tuple[RealArray, RealArray]:
         """The normal to the nearest point of the meridian's ellipse, as components of no stated length.
@@ -67,20 +86,29 @@ class Ellipsoid:
         off_plane = np.sqrt(np.maximum(1.0 - cosine**2, 0.0))
         return cosine * ratio, np.where(k > SMALLEST, sine, off_plane)
 
-    def height_along(
-        self, position: tuple[RealArray, RealArray, RealArray], cosine: RealArray, sine: RealArray
-    ) -> RealArray:
-        """How far a position is outside, along a normal of this direction in its meridian.
+    def along_the_normal(
+        self, position: tuple[RealArray, RealArray, RealArray], latitude: RealArray
+    ) -> tuple[RealArray, RealArray]:
+        """Latitude and height of a position, from a latitude that is right but for rounding.
 
-        It is n'x less the support function of the ellipsoid, which is the least where n is right: an error of the
-        direction enters squared. Of the two large numbers the difference is taken in twice the digits.
+        How far the normal of that latitude passes the position by tells what it lacks. The height is n'x less the
+        support function of the ellipsoid, which is the least where n is right: an error of the direction enters
+        squared. Of large numbers the differences are taken in twice the digits.
         """
         x, y, z = position
-        squares = product(x, x) + product(y, y)
-        along = square_root(squares) * cosine + product(z, sine)
-        ratio = Pair.of_difference(1.0, self.flattening)
-        support = square_root(product(cosine, cosine) + ratio.squared() * sine * sine) * self.semi_major_axis
-        return (along - support).rounded()
+        sine, cosine = sine_and_cosine(latitude)
+        from_axis = square_root(product(x, x) + product(y, y))
+        along = from_axis * cosine + sine * z
+        ratio = sum_of(np.asarray(1.0), np.asarray(-self.flattening))
+        support = square_root(cosine.squared() + (ratio * sine).squared())
+        height = (along - support * self.semi_major_axis).rounded()
+        across = self.semi_major_axis + self._excess(sine.high)
+        bent = self.squared_eccentricity * across * sine.high * cosine.high
+        aside = (cosine * z - from_axis * sine + bent).rounded()
+        lengthening = across / self.semi_major_axis
+        curvature = (1.0 - self.squared_eccentricity) * across * lengthening**2 + height
+        missing = np.divide(aside, curvature, out=np.zeros_like(aside), where=curvature > LEAST_CURVATURE)
+        return latitude + missing, height
 
 
 def _below_root(P: RealArray, Q: RealArray, e2: float) -> RealArray:

@@ -3,6 +3,7 @@
 import math
 from typing import Any, cast
 
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
@@ -64,6 +65,32 @@ def test_the_intersection_holds_the_true_covariance_whatever_the_correlation(see
     true = gains[0] @ P[0] @ gains[0].T + gains[1] @ P[1] @ gains[1].T + mixed + mixed.T
     excess = np.linalg.eigvalsh(got.covariance - true)
     assert excess[0] >= -1e-9 * np.trace(got.covariance)
+
+
+@pytest.mark.parametrize("criterion", ["trace", "determinant"])
+def test_covariances_that_are_the_same_share_the_weight(criterion: Any) -> None:
+    P = np.array([[4.0, 1.0], [1.0, 3.0]])
+    got = fusion.covariance_intersection([[1.0, 5.0], [3.0, 1.0]], np.stack([P, P]), criterion)
+    np.testing.assert_allclose(got.mean, [2.0, 3.0], rtol=1e-14)
+    np.testing.assert_allclose(got.covariance, P, rtol=1e-14)
+    assert got.weight == 0.5
+
+
+@given(seed=st.integers(0, 10**6), decades=st.floats(0.0, 2.4))
+@share(0.3)
+def test_intersections_along_axes_of_very_different_deviations_keep_their_digits(seed: int, decades: float) -> None:
+    """One estimate is up to 1e10 times the better along one axis than along another, compared with the other one."""
+    generator = np.random.default_rng(seed)
+    root = np.eye(4) + 0.3 * generator.standard_normal((2, 4, 4))
+    root *= 10.0 ** (decades * generator.choice([-1.0, 1.0], (2, 4, 1)))
+    P = root @ np.swapaxes(root, -1, -2)
+    got = fusion.covariance_intersection(np.zeros((2, 4)), P, weight=0.3).covariance
+    with mpmath.workdps(50):
+        first, second = (mpmath.inverse(mpmath.matrix(part.tolist())) for part in P)
+        exact = mpmath.inverse(mpmath.mpf(0.3) * first + (1 - mpmath.mpf(0.3)) * second)
+    deviations = np.sqrt([float(exact[k, k]) for k in range(4)])
+    errors = (got - np.array(exact.tolist(), float)) / np.outer(deviations, deviations)
+    assert np.abs(errors).max() <= 1e-5
 
 
 def test_intersections_of_a_batch_are_those_of_each_and_the_closed_form_of_the_plane() -> None:
@@ -229,6 +256,10 @@ GOOD = np.stack([np.eye(2), 2 * np.eye(2)])
             "criterion must be one of",
         ),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD * [[[1, 0], [0, 0]]]), "positive definite"),
+        (
+            lambda: fusion.covariance_intersection(np.zeros((2, 2)), [np.diag([1, 1e-14]), np.diag([1e-14, 1])]),
+            "not too unequal",
+        ),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, weight=1.5), "weight must be from 0 to 1"),
         (lambda: fusion.fuse_correlated(np.zeros((2, 2)), GOOD, 2 * np.eye(2)), "covariance with cross_covariance"),
         (lambda: fusion.fuse_correlated(np.zeros((2, 2)), GOOD, np.eye(3)), "cross_covariance must have shape"),

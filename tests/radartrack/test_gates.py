@@ -13,9 +13,11 @@ from tests.examples import share
 
 
 def test_quantiles_of_arrays_are_those_of_scipy() -> None:
-    probability = np.array([1e-9, 1e-3, 0.5, 0.99, 1 - 1e-9])[:, np.newaxis]
+    probability = np.array([1e-12, 1e-3, 0.5, 0.99, 1 - 1e-12])[:, np.newaxis]
     degrees = np.array([0.5, 1.0, 2.0, 7.0, 600.0, 1e4])
-    expected = stats.chi2.ppf(probability, degrees)
+    expected = np.where(
+        probability < 0.5, stats.chi2.ppf(probability, degrees), stats.chi2.isf(1 - probability, degrees)
+    )
     np.testing.assert_allclose(consistency.chi_square_quantile(probability, degrees), expected, rtol=1e-8)
 
 
@@ -27,6 +29,14 @@ def test_gates_and_bands_are_quantiles_of_the_sum_over_the_runs(n: int, runs: in
     tail = (1 - inside) / 2
     expected = [sums.ppf(tail) / runs, sums.isf(tail) / runs]
     np.testing.assert_allclose(consistency.band(n, runs, inside), expected, rtol=1e-7)
+
+
+@pytest.mark.parametrize("inside", [1e-12, 0.3, 1 - 1e-12])
+@pytest.mark.parametrize("n", [1, 1000])
+def test_bands_of_any_probability_have_half_of_the_rest_on_either_side(n: int, inside: float) -> None:
+    low, high = consistency.band(n, probability=inside)
+    tail = (1 - inside) / 2
+    np.testing.assert_allclose([stats.chi2.cdf(low, n), stats.chi2.sf(high, n)], [tail, tail], rtol=1e-8)
 
 
 def test_the_gates_of_the_books() -> None:
@@ -72,7 +82,8 @@ def test_the_nees_of_a_kalman_filter_lies_in_its_band() -> None:
     ("call", "message"),
     [
         (lambda: consistency.gate(2, 1.0), "probability must be from"),
-        (lambda: consistency.gate(0), "degrees_of_freedom must be from"),
+        (lambda: consistency.gate(0), "components times runs must be from"),
+        (lambda: consistency.chi_square_quantile(1e-9, 0.05), "degrees_of_freedom must be from 0.1"),
         (lambda: consistency.gate(2, runs=0), "runs must be from"),
         (lambda: consistency.band([2, 3], [1, 2, 3]), "shapes must broadcast"),
         (lambda: consistency.nis([1.0, 2.0], np.diag([1.0, 0.0])), "covariance must be positive definite"),
