@@ -14,6 +14,7 @@ The plots have the names of the arguments of the conversions, and what `rt.simul
 """
 
 from collections.abc import Callable, Mapping
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,6 +29,7 @@ from radartrack._arrays.validation import (
     require_finite,
     require_within,
 )
+from radartrack._conversion.semidefinite import cast, roots, squares
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
 from radartrack.convert import Converted
 from radartrack.generated import initiation as formulas
@@ -116,9 +118,11 @@ def two_plots(
     (p1, c1), (p2, c2) = (_position(model, plot, axis) for plot in plots)
     if "range_rate" not in model.coordinates:
         return _difference(p1, c1, p2, c2, T)
-    # At the first plot, whose rate is of the velocity there, then moved on to the second.
-    start = _with_rate(model, _difference(p2, c2, p1, c1, -T), plots[0], axis)
-    return _with_rate(model, _moved(start, T), plots[1], axis)
+    pair = _Pair(np.concatenate(np.broadcast_arrays(p1, p2), axis=-1), _side_by_side(c1, c2), T)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what overflows is refused
+        for place, plot in enumerate(plots):
+            pair = _with_rate(model, pair, place, plot, axis)
+        return pair.belief()
 
 
 def _read(model: Sensor, plot: Plot) -> dict[str, ArrayLike]:
@@ -181,21 +185,56 @@ def _difference(first: RealArray, of_first: RealArray, second: RealArray, of_sec
     return _finite(mean, together.reshape(*per_pair.shape[:-4], size, size))
 
 
-def _moved(belief: Belief, T: RealArray) -> Belief:
-    size = belief.mean.shape[-1] // 2
-    transition = np.zeros((*T.shape, 2 * size, 2 * size)) + np.eye(2 * size)
-    transition[..., range(size), range(size, 2 * size)] = T[..., np.newaxis]
-    mean = (transition @ belief.mean[..., np.newaxis])[..., 0]
-    return _finite(mean, transition @ belief.covariance @ np.swapaxes(transition, -1, -2))
+class _Pair(NamedTuple):
+    """Two positions of a target, of which its velocity is the difference over the period.
+
+    The covariance is a root times its transpose: however exact a range rate is, it stays positive semidefinite, and
+    what a plot says of its own position is not lost beside a plot that says little.
+
+    Attributes:
+        mean: of both positions, one after the other, shape (..., 2n).
+        root: shape (..., 2n, 2n).
+        T: the period, shape (...).
+    """
+
+    mean: RealArray
+    root: RealArray
+    T: RealArray
+
+    def state(self, place: int) -> tuple[RealArray, RealArray]:
+        """Position and velocity at one of the plots, shape (..., 2n), and the root of their covariance."""
+        size = self.mean.shape[-1] // 2
+        parts = []
+        for rows in (self.mean[..., np.newaxis], self.root):
+            both = rows[..., :size, :], rows[..., size:, :]
+            velocity = (both[1] - both[0]) / self.T[..., np.newaxis, np.newaxis]
+            parts.append(np.concatenate(np.broadcast_arrays(both[place], velocity), axis=-2))
+        return parts[0][..., 0], parts[1]
+
+    def belief(self) -> Belief:
+        """Mean and covariance of position and velocity at the second plot."""
+        mean, root = self.state(1)
+        covariance = squares(root)
+        return _finite(mean, cast(covariance, covariance.dtype))
 
 
-def _with_rate(model: Sensor, belief: Belief, plot: Mapping[str, RealArray], axis: AzimuthFrom | None) -> Belief:
-    """A second-order extended update with the range rate of a plot whose range the belief holds already.
+def _side_by_side(first: RealArray, second: RealArray) -> RealArray:
+    """The root of the covariance of what is independent."""
+    size = first.shape[-1]
+    root = np.zeros((*np.broadcast_shapes(first.shape[:-2], second.shape[:-2]), 2 * size, 2 * size))
+    root[..., :size, :size], root[..., size:, size:] = roots(first), roots(second)
+    return root
+
+
+def _with_rate(
+    model: Sensor, pair: _Pair, place: int, plot: Mapping[str, RealArray], axis: AzimuthFrom | None
+) -> _Pair:
+    """A second-order extended update with the range rate of a plot whose range the pair holds already.
 
     The error of the range rate is a multiple of that of the range, and one that is independent of it: so what is new is
-    the range rate less that multiple of the range.
+    the range rate less that multiple of the range. The root is updated as by Potter (Battin 1964).
     """
-    mean, covariance = belief
+    mean, root = pair.state(place)
     r_std, rate_std, correlation = (plot[name] for name in ("range_std", "range_rate_std", "correlation"))
     multiple = correlation * rate_std / np.where(r_std > 0, r_std, np.inf)
     own = rate_std**2 * np.where(r_std > 0, (1 - correlation) * (1 + correlation), 1)
@@ -203,14 +242,17 @@ def _with_rate(model: Sensor, belief: Belief, plot: Mapping[str, RealArray], axi
     g, J, G = see(mean, azimuth_from=axis)
     expected = g[..., -1] - multiple * g[..., 0]
     row = J[..., -1, :] - multiple[..., np.newaxis] * J[..., 0, :]
-    turned = (G[..., -1, :, :] - multiple[..., np.newaxis, np.newaxis] * G[..., 0, :, :]) @ covariance
+    curvature = G[..., -1, :, :] - multiple[..., np.newaxis, np.newaxis] * G[..., 0, :, :]
+    turned = np.swapaxes(root, -1, -2) @ curvature @ root
     innovation = plot["range_rate"] - multiple * plot["r"] - expected - np.trace(turned, axis1=-2, axis2=-1) / 2
-    along = (covariance @ row[..., np.newaxis])[..., 0]
-    curved = (turned * np.swapaxes(turned, -1, -2)).sum(axis=(-2, -1)) / 2
-    total = (row * along).sum(axis=-1) + curved + own
-    gain = along / np.where(total > 0, total, 1)[..., np.newaxis]
-    reduced = covariance - gain[..., :, np.newaxis] * along[..., np.newaxis, :]
-    return _finite(mean + gain * innovation[..., np.newaxis], (reduced + np.swapaxes(reduced, -1, -2)) / 2)
+    along = (row[..., np.newaxis, :] @ root)[..., 0, :]
+    unknown = (turned**2).sum(axis=(-2, -1)) / 2 + own
+    total = (along**2).sum(axis=-1) + unknown
+    weight = along / np.where(total == 0, 1, total)[..., np.newaxis]
+    step = (pair.root @ weight[..., np.newaxis])[..., 0]
+    share = 1 / (1 + np.sqrt(unknown / np.where(total == 0, 1, total)))
+    reduced = pair.root - step[..., np.newaxis] * (share[..., np.newaxis] * along)[..., np.newaxis, :]
+    return pair._replace(mean=pair.mean + step * innovation[..., np.newaxis], root=reduced)
 
 
 def _finite(mean: RealArray, covariance: RealArray) -> Belief:

@@ -87,16 +87,36 @@ def nearest(covariances: RealArray, independent: RealArray) -> RealArray:
 
     """
     variances = np.maximum(_variances(independent), np.abs(_variances(covariances)))
-    deviations = np.sqrt(variances)  # what has none keeps none, whatever eigenvectors rounding mixes
-    divisors = np.where(deviations > 0, deviations, 1)
-    values, vectors = np.linalg.eigh(covariances / divisors[:, :, np.newaxis] / divisors[:, np.newaxis, :])
+    deviations, values, vectors = _correlations(covariances, variances)
     least, limit = values.min(initial=0), -ROUNDING * np.finfo(covariances.dtype).eps
     if not least >= limit:
         allowed = f"positive semidefinite: eigenvalues of its correlations from {limit:.2g}"
         raise ValueError(f"the covariance must be {allowed}; got {least:.2g}, for which the formulas are no use")
-    roots = deviations[:, :, np.newaxis] * vectors * np.sqrt(np.maximum(values, 0))[:, np.newaxis, :]
-    products: RealArray = (roots[:, :, np.newaxis, :] * roots[:, np.newaxis, :, :]).sum(axis=-1)
+    return squares(_roots(deviations, values, vectors))
+
+
+def roots(covariances: RealArray) -> RealArray:
+    """Matrices, shape (..., n, n), that times their transposes are these covariances within rounding."""
+    return _roots(*_correlations(covariances, _variances(covariances)))
+
+
+def squares(matrices: RealArray) -> RealArray:
+    """Matrices, shape (..., n, m), times their transposes, symmetric to the last bit."""
+    products: RealArray = (matrices[..., :, np.newaxis, :] * matrices[..., np.newaxis, :, :]).sum(axis=-1)
     return products
+
+
+def _correlations(covariances: RealArray, variances: RealArray) -> tuple[RealArray, RealArray, RealArray]:
+    """Deviations, and the eigenvalues and eigenvectors of the correlations."""
+    deviations = np.sqrt(variances)  # what has none keeps none, whatever eigenvectors rounding mixes
+    divisors = np.where(deviations > 0, deviations, 1)
+    values, vectors = np.linalg.eigh(covariances / divisors[..., :, np.newaxis] / divisors[..., np.newaxis, :])
+    return deviations, values, vectors
+
+
+def _roots(deviations: RealArray, values: RealArray, vectors: RealArray) -> RealArray:
+    found: RealArray = deviations[..., :, np.newaxis] * vectors * np.sqrt(np.maximum(values, 0))[..., np.newaxis, :]
+    return found
 
 
 def cast(covariances: RealArray, dtype: np.dtype[Any]) -> RealArray:
