@@ -96,10 +96,10 @@ def names_for(
     both = {**world.let, **let}
     quantities = [part.quantity for part in reference.parts]
     own = symbols_for([*let.values(), *texts], both, world, quantities)
-    meant = {letter.symbol for letter in letters.values() if letter.power == 1}
+    meant = {letter.symbol for letter in letters.values() if letter.is_symbol}
     symbols = {name: symbol for name, symbol in own.items() if symbol not in meant}
-    symbols |= {name: letter.symbol for name, letter in letters.items() if letter.power == 1}
-    powers = {name: _meaning(letter) for name, letter in letters.items() if letter.power != 1}
+    symbols |= {name: letter.symbol for name, letter in letters.items() if letter.is_symbol}
+    powers = {name: _meaning(letter) for name, letter in letters.items() if not letter.is_symbol}
     names = Names(symbols, both, world, powers)
     for name in let:
         check_name(name)

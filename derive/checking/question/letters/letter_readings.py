@@ -15,6 +15,7 @@ from types import MappingProxyType
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
 from radartrack.derive.checking.question.letters.assignments import (
+    STRONG,
     Choice,
     assignments,
     choices,
@@ -22,6 +23,7 @@ from radartrack.derive.checking.question.letters.assignments import (
     keeps_numbers,
     stem,
 )
+from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
@@ -46,12 +48,23 @@ KEPT = 5  # assignments of a wrong formula that are looked at closely
 
 @dataclass(frozen=True)
 class Letter(Choice[Variable]):
-    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant."""
+    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant.
+
+    Attributes:
+        function: of symbols for which the letter stands instead; then the symbol only says its unit and meaning.
+    """
+
+    function: Expr | None = None
 
     @property
     def value(self) -> Expr:
         """The same as an expression."""
-        return self.symbol**self.power
+        return self.symbol**self.power if self.function is None else self.function
+
+    @property
+    def is_symbol(self) -> bool:
+        """Whether it is another name of a symbol."""
+        return self.function is None and self.power == 1
 
     @property
     def dimension(self) -> Dimension:
@@ -152,8 +165,8 @@ class Typed:
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
 
     def _means(self, name: str) -> bool:
-        """Whether a name has a meaning by which it is a symbol of the quantity."""
-        symbols = self.reference.symbols
+        """Whether a name has a meaning by which it is a symbol of the quantity, or a function of these."""
+        symbols = [*self.reference.symbols, *self._functions]
         return bool(means(name, symbols) or means(name, symbols, weak=True))
 
     def _unmeant(self, word: str, readings: Sequence[Reading]) -> FormulaError:
@@ -203,14 +216,32 @@ class Typed:
         """What the letters may stand for; farther, also what they seldom do."""
         taken = frozenset((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
-        candidates = {name: choices(name, symbols) for name in unknown}
+        candidates = {name: self._choices(name, symbols) for name in unknown}
         if farther:
             candidates = {name: farther_choices(name, candidates, symbols) for name in unknown}
         known = {name: Choice(self._own[name]) for name in fixed}
         for one in islice(assignments(candidates, taken), MOST):
             if not keeps_numbers({**known, **one}):
                 continue
-            yield {name: Letter(choice.symbol, choice.power, choice.rank) for name, choice in one.items()}
+            yield {name: self._letter(choice) for name, choice in one.items()}
+
+    def _choices(self, name: str, symbols: Sequence[Variable]) -> list[Choice[Variable]]:
+        """What a letter may stand for: what it means, a function that it is usual for, or anything."""
+        usual = [] if means(name, symbols) else [one for one in self._dependents if one.is_called(name)]
+        found = [Choice(one.variable, rank=one.rank) for one in usual]
+        binds = any(one.rank == STRONG for one in found)
+        return found if binds else [*found, *choices(name, symbols)]
+
+    def _letter(self, choice: Choice[Variable]) -> Letter:
+        return Letter(choice.symbol, choice.power, choice.rank, self._functions.get(choice.symbol))
+
+    @cached_property
+    def _dependents(self) -> list[Dependent]:
+        return dependents(part.quantity for part in self.reference.parts)
+
+    @cached_property
+    def _functions(self) -> dict[Symbol, Expr]:
+        return {one.variable: one.value for one in self._dependents}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
         found = []
@@ -282,7 +313,11 @@ class Typed:
         symbols = self.reference.symbols
         found = RoughEvaluator(list(self.conditions.values()), symbols)([point[one.name] for one in symbols])
         values = zip(self.conditions, found or (), strict=False)
-        return point | {symbol.name: value for symbol, (value, _) in values}
+        known = point | {symbol.name: value for symbol, (value, _) in values}
+        rough = [(one, RoughEvaluator([one.value], symbols)) for one in self._dependents]
+        at_point = [known[one.name] for one in symbols]
+        found_there = ((one, value(at_point)) for one, value in rough)
+        return known | {one.variable.name: value[0][0] for one, value in found_there if value}
 
     @cached_property
     def _derived(self) -> list[list[tuple[float, ...] | None]]:
