@@ -1,8 +1,9 @@
-"""The slips that print is prone to in products of matrices: a transpose, an inverse or a factor lost, or out of place."""
+"""The slips that print is prone to in products of matrices: a transpose, an inverse or a factor lost, or misplaced."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
 
 from radartrack.derive.checking.repairing.print_slips import Alternative
 from radartrack.derive.formula.shape import Shape
@@ -22,9 +23,19 @@ def matrix_slips(node: Tree, arrays: Mapping[str, Shape], shape: ShapeOf) -> Ite
     found = shape(node)
     if not found:
         return
+    yield from _of_node(node, arrays, shape)
+    if len(found) == 2 and not isinstance(node, Array) and not _is_turned(node):
+        yield Alternative(Call("transpose", (node,)), "a missing transpose: {}", 1.0, (node,))
+        if found[0] == found[1]:
+            yield Alternative(Call("inv", (node,)), "a missing inverse: {}", 1.2, (node,))
+    if not isinstance(node, Product | Sum):
+        yield from _longer((node,), arrays)
+
+
+def _of_node(node: Tree, arrays: Mapping[str, Shape], shape: ShapeOf) -> Iterator[Alternative]:
     match node:
         case Name(name):
-            alike = (other for other in sorted(arrays) if other != name and arrays[other] == found)
+            alike = (other for other in sorted(arrays) if other != name and arrays[other] == shape(node))
             yield from (Alternative(Name(other), f"{name} should be {other}", 1.0) for other in alike)
         case Call("transpose", (inner,)):
             yield Alternative(inner, "an extra transpose: {}", 1.0, (node,))
@@ -36,16 +47,10 @@ def matrix_slips(node: Tree, arrays: Mapping[str, Shape], shape: ShapeOf) -> Ite
             yield from _reordered(factors, shape)
             yield from _longer(factors, arrays)
         case Sum(terms):
-            for name in sorted(one for one, own in arrays.items() if own == found):
+            for name in sorted(one for one, own in arrays.items() if own == shape(node)):
                 yield Alternative(Sum((*terms, Name(name))), f"a missing term {name}", 1.3)
         case _:
-            pass
-    if len(found) == 2 and not isinstance(node, Array) and not _is_turned(node):
-        yield Alternative(Call("transpose", (node,)), "a missing transpose: {}", 1.0, (node,))
-        if found[0] == found[1]:
-            yield Alternative(Call("inv", (node,)), "a missing inverse: {}", 1.2, (node,))
-    if not isinstance(node, Product | Sum):
-        yield from _longer((node,), arrays)
+            return
 
 
 def _turned_for_inverted(node: Tree, other: Tree) -> Iterator[Alternative]:
@@ -59,7 +64,7 @@ def _is_turned(node: Tree) -> bool:
 def _reordered(factors: tuple[Tree, ...], shape: ShapeOf) -> Iterator[Alternative]:
     """The product with two of its arrays exchanged, or with the transpose on the other side: J.T*K*J for J*K*J.T."""
     places = [place for place, factor in enumerate(factors) if shape(factor)]
-    for first, second in [*zip(places, places[1:], strict=False), *([(places[0], places[-1])] if places[2:] else [])]:
+    for first, second in [*pairwise(places), *([(places[0], places[-1])] if places[2:] else [])]:
         changed = list(factors)
         changed[first], changed[second] = factors[second], factors[first]
         tree = Product(tuple(changed))

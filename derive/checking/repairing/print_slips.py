@@ -253,6 +253,16 @@ def _of_a_sum(tree: Sum) -> Iterator[Alternative]:
     root, square = Call("sqrt", (tree,)), Power(tree, Number("2"))
     yield Alternative(root, "a missing root: {}", 1.3, (root,))
     yield Alternative(square, "a missing square: {}", 1.3, (square,))
+    yield from _brackets_of_fraction(tree.terms)
+
+
+def _brackets_of_fraction(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
+    """a + b/c + d may have been (a + b)/(c + d): both brackets of a fraction are lost in one line."""
+    for place, term in enumerate(terms[1:-1], 1):
+        bare = term.operand if isinstance(term, Negation) else term
+        if isinstance(bare, Quotient):
+            last = Negation(bare.numerator) if isinstance(term, Negation) else bare.numerator
+            yield _bracket(Quotient(Sum((*terms[:place], last)), _sum(bare.denominator, terms[place + 1 :])))
 
 
 def _without_root(call: Call) -> Iterator[Alternative]:

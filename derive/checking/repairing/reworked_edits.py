@@ -1,7 +1,7 @@
 """Edits of a formula that is worked out, or that stands in a definition: each is put in and everything done again.
 
-What a part would have to be worth cannot be told there, so every likely slip is undone in turn, the likeliest first, for as
-long as there is time.
+What a part would have to be worth cannot be told there, so every likely slip is undone in turn, the likeliest first,
+for as long as there is time.
 """
 
 from __future__ import annotations

@@ -94,12 +94,10 @@ class Repair:
     def _candidates(self) -> Iterator[tuple[str, Candidate]]:
         kinds = self.names.dimensions
         later = set(self._definitions)  # what a definition cannot mention
-        before: set[str] = set()
         for name, tree in self._definitions.items():
             others = {one: kind for one, kind in kinds.items() if one not in later}
             later.discard(name)
-            arrays = {one: shape for one, shape in self._arrays.items() if one not in self._definitions or one in before}
-            before.add(name)
+            arrays = {one: shape for one, shape in self._arrays.items() if one not in later and one != name}
             edits = () if name in self.names.fixed else single_edits(tree, others, arrays)
             yield from ((name, candidate) for candidate in edits)
         if _is_worked_out(self.formula):
@@ -155,7 +153,8 @@ class Repair:
         entries = _opened(inner, arrays)
         if entries is None:
             return True
-        entries, screen = reshaped(entries, self.derived.shape, row_by_row=bool(self.formula.source)), Screen(values, POINTS)
+        screen = Screen(values, POINTS)
+        entries = reshaped(entries, self.derived.shape, row_by_row=bool(self.formula.source))
         return entries.shape == self.derived.shape and all(
             close(screen(entry), wanted) for entry, wanted in zip(entries, self._targets, strict=True)
         )

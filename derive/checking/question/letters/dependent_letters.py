@@ -8,12 +8,13 @@ from dataclasses import dataclass
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.question.letters.letter_meanings import Role, meanings, means
+from radartrack.derive.checking.question.letters.letter_meanings import means
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.units import METRE, ONE, RADIAN, Unit
+from radartrack.derive.units import METRE, ONE, Unit
 
+COVARIANCES = ("P", "P_", "p", "K", "K_", "R_", "C_", "cov_", "sigma_", "s")
 LIKELY, FARTHER = 0, 2  # ranks, as those of what letters may stand for
 
 
@@ -82,11 +83,10 @@ def _measured(sensor: str, symbols: dict[str, Variable]) -> Iterator[Dependent]:
 def _coordinates(model: str) -> Iterator[Dependent]:
     """The coordinates that a measurement is converted to, and the third direction cosine."""
     converted = catalogue()[f"{model}.map"]
-    known = {"x": METRE, "y": METRE, "z": METRE, "eta": METRE}
-    for name, entry, place in zip(known, converted.expression.entries, range(converted.shape[0]), strict=False):
-        is_product = entry.free_symbols and converted.unit((place,)) != METRE
-        name = "eta" if is_product else name
-        yield Dependent(_variable(name, f"{name} of the plot", converted.unit((place,))), entry)
+    for place, entry in enumerate(converted.expression.entries):
+        unit = converted.unit((place,))
+        name = "xyz"[place] if unit == METRE else "eta"
+        yield Dependent(_variable(name, f"{name} of the plot", unit), entry)
     if {"u", "v"} <= {symbol.name for symbol in converted.symbols}:
         u, v = (symbol for symbol in converted.symbols if symbol.name in {"u", "v"})
         yield Dependent(_variable("w", "third direction cosine", ONE), sp.sqrt(1 - u**2 - v**2))
@@ -138,7 +138,11 @@ def _covariances(symbols: dict[str, Variable]) -> Iterator[Dependent]:
             one, other = (symbol for symbol in of if symbol is not None)
             both = one.name.removeprefix("sigma_"), other.name.removeprefix("sigma_")
             joined = {f"{a}{mark}{b}" for mark in ("", "_") for a, b in (both, both[::-1])}
-            spelled = {f"{stem}{pair}" for stem in ("P", "P_", "p", "K_", "K", "R_", "C_", "cov_", "sigma_", "s") for pair in joined}
+            spelled = {
+                f"{stem}{pair}"
+                for stem in ("P", "P_", "p", "K_", "K", "R_", "C_", "cov_", "sigma_", "s")
+                for pair in joined
+            }
             variable = _variable(f"covariance_{both[0]}_{both[1]}", "covariance of two errors", one.unit * other.unit)
             yield Dependent(variable, rho * one * other, frozenset(spelled | {"cov"}))
 

@@ -6,6 +6,7 @@ Only letters without a meaning are free. Each symbol is meant by one letter at m
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,7 +14,8 @@ from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
-from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
+from radartrack.derive.checking.question.formula_units import Dimension, misfits
+from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.letters.assignments import (
     STRONG,
     Choice,
@@ -38,6 +40,7 @@ from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.unit_text import measured
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
@@ -87,13 +90,18 @@ class Reading:
         letters: those that are no symbols of the quantity, or are read as another symbol than that of their name.
         wrong: how many entries have other values than the quantity at some points, as far as floating point tells.
         rank: how far-fetched the meanings are together.
-        fits: whether the units of the formula are those of the quantity.
+        misfits: how many parts of the formula, or entries, have units that do not fit.
     """
 
     letters: Letters
     wrong: int = 0
     rank: int = 0
-    fits: bool = True
+    misfits: int = 0
+
+    @property
+    def fits(self) -> bool:
+        """Whether the units of the formula are those of the quantity."""
+        return not self.misfits
 
     @property
     def is_right(self) -> bool:
@@ -143,7 +151,7 @@ class Typed:
         ]
         if any(len(name) > LONGEST for name in unknown):
             return []
-        if not unknown and (not doubtful or self._fits({})):
+        if not unknown and (not doubtful or not self._misfits({})):
             return [AS_TYPED]
         words = [name for name in unknown if is_word(name) and not self._means(name)]
         found = self._readings(unknown, fixed, doubtful)
@@ -155,12 +163,13 @@ class Typed:
         found = self._judged(self._assignments(unknown, fixed))
         if not any(reading.is_right for reading in found):
             farther = self._judged(self._assignments(unknown, fixed, farther=True))
-            fits = any(reading.fits for reading in found)
-            found = [one for one in farther if one.is_right or (one.fits and not fits)] or found
+            least = min((reading.misfits for reading in found), default=math.inf)
+            found = [one for one in farther if one.is_right or one.misfits < least] or found
         if doubtful and not any(reading.fits for reading in found):
             free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
             found = [reading for reading in free if reading.fits] or found
-        fitting = [reading for reading in found if reading.fits] or found
+        least_misfits = min((reading.misfits for reading in found), default=0)
+        fitting = [reading for reading in found if reading.misfits == least_misfits]
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
 
@@ -185,7 +194,7 @@ class Typed:
         unknown = [name for name in self.used if name not in self._own]
         left = [symbol for symbol in self.reference.symbols if symbol.name not in self.used]
         pairs = dict(zip(unknown, map(Letter, left), strict=False))
-        return [Reading(pairs, len(self.entries.entries), fits=False)] if len(pairs) == len(unknown) else []
+        return [Reading(pairs, len(self.entries.entries), misfits=1)] if len(pairs) == len(unknown) else []
 
     @cached_property
     def _own(self) -> dict[str, Variable]:
@@ -245,35 +254,34 @@ class Typed:
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
         found = []
-        known: dict[tuple[Dimension, ...], bool] = {}
+        known: dict[tuple[Dimension, ...], int] = {}
         for letters in assignments:
             kinds = tuple(letter.dimension for letter in letters.values())
             if kinds not in known:
-                known[kinds] = self._fits(letters)
+                known[kinds] = self._misfits(letters)
             rank = sum(letter.rank for letter in letters.values())
             found.append(Reading(dict(sorted(letters.items())), len(self.entries.entries), rank, known[kinds]))
         if any(reading.fits for reading in found):
             found = [reading for reading in found if reading.fits]
         judged = []
         for reading in sorted(found, key=lambda reading: reading.rank):
-            judged.append(Reading(reading.letters, self._wrong(reading.letters), reading.rank, reading.fits))
+            judged.append(Reading(reading.letters, self._wrong(reading.letters), reading.rank, reading.misfits))
             if not judged[-1].wrong:
                 break
         return judged
 
-    def _fits(self, letters: Letters) -> bool:
-        """Whether the formula has the units of the quantity."""
+    def _misfits(self, letters: Letters) -> int:
+        """How many parts of the formula, or entries, have units that do not fit."""
         known = {name: Dimension.of(symbol.unit) for name, symbol in self._own.items()}
         known |= {name: letter.dimension for name, letter in letters.items()}
-        try:
-            for name in self._needed:
-                known[name] = dimensions(known)(self.definitions[name])
-            fold = dimensions(known)
-            for entry, expected in zip(self.entries, self.reference.dimensions, strict=True):
-                check_dimension(fold(entry), expected)
-        except (WrongDimensions, KeyError):
-            return False
-        return True
+        count = 0
+        for name in self._needed:
+            known[name], wrong = misfits(self.definitions[name], known)
+            count += wrong
+        for entry, expected in zip(self.entries, self.reference.dimensions, strict=True):
+            found, wrong = misfits(entry, known)
+            count += wrong + (0 if found.free or found.agrees(expected) else 1)
+        return count
 
     def _wrong(self, letters: Letters) -> int:
         """How many entries have other values than the quantity."""
@@ -356,7 +364,8 @@ def as_typed(
     own = list(dict.fromkeys([*(symbol.name for symbol in reference.symbols), *declared]))
     try:
         known = _Definitions(let, own)
-        tree, _ = trimmed(read([*own, *let], known.shapes), reference.shape)
+        tree, _ = with_symbols(read([*own, *let], known.shapes), own)
+        tree, _ = trimmed(tree, reference.shape)
         needed = known.needed_by(tree)
         entries = written_out(tree, known.arrays)
     except (FormulaError, ValueError):
@@ -424,7 +433,8 @@ class _Definitions:
         for other in sorted(set(WORD.findall(self._let[name])) & self._let.keys()):
             self._read(other, (*path, name))
         try:
-            tree = read_loosely(self._let[name], [*self._own, *self._let], shapes=self.shapes)
+            text = number.formula if (number := measured(self._let[name])) else self._let[name]
+            tree, _ = with_symbols(read_loosely(text, [*self._own, *self._let], shapes=self.shapes), self._own)
             entries = written_out(tree, self.arrays)
         except (FormulaError, ValueError):
             self._trees[name] = None
