@@ -234,7 +234,7 @@ class Search:
         return combined(operation, part.needed, self._screen(part.node))
 
     def _piece_as_factor(self, part: Part) -> Iterator[Alternative]:
-        """A part of the derived formula that is missing as a factor or a divisor; of a number it would be all there is."""
+        """A part of the derived formula that is missing as a factor or a divisor; to a number it is no edit."""
         if part.is_shared or _is_number(part.node):
             return
         ratio = self._by(truediv, part)

@@ -100,7 +100,7 @@ def test_conditions_at_the_limits_and_between_symbols_hold(given: dict[str, str]
     ("name", "said"),
     [
         *((name, "is a function") for name in ("sin", "tan", "sqrt", "abs", "ln", "arctan", "atan2")),
-        *((name, "letters, digits and _") for name in ("g(x)", "3b", r"\dot{x}", "a.b", "x'", "é", "a b", "", "x[0]")),
+        *((name, "letters, digits and _") for name in ("g(x)", "3b", r"\frac{x}{y}", "a.b", "x'", "é", "a b", "", "x[0]")),
     ],
 )
 def test_a_name_that_no_formula_holds_is_not_defined(name: str, said: str) -> None:
