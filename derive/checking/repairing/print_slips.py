@@ -428,6 +428,11 @@ def _root_of(name: str) -> Callable[[Tree], Tree]:
     return lambda node: Name(name) if node == squared else node
 
 
+def plain_words(words: str) -> str:
+    """Words that are no pattern to fill in."""
+    return words.replace("{", "{{").replace("}", "}}")
+
+
 def _shown(tree: Tree) -> str:
     text = to_text(tree)
     return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
