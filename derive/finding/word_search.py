@@ -23,7 +23,7 @@ LONG = 4  # letters from which a word may have a slip, or be the beginning of an
 NAME, FIELD, SOURCE, SYMBOL, MEANING, PART, SLIP = 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 0.5
 NEAR = 0.25  # of the best score: less is a word of a symbol's meaning with a slip in it beside the name itself
 LONGEST_ENDING = 3  # letters that inflect a word: filtering, covariances; sidereal is no side
-NAME = re.compile(r"[A-Za-z]\w*")
+_LETTER = re.compile(r"[A-Za-z]\w*")
 _WORD = re.compile(r"[a-z0-9]+", re.IGNORECASE)
 _EMPTY = frozenset({"a", "an", "and", "by", "for", "from", "in", "of", "on", "the", "to", "with", "al", "et"})
 
@@ -72,7 +72,7 @@ def by_words(wanted: Sequence[str], quantities: Iterable[Quantity]) -> list[Quan
     parts = _parts(_words(text)[:MOST_WORDS])
     if not parts:
         return [] if text else known
-    if len(parts) > 1 and NAME.fullmatch(text) and (meant := [one for one in known if means(text, one.symbols)]):
+    if len(parts) > 1 and _LETTER.fullmatch(text) and (meant := [one for one in known if means(text, one.symbols)]):
         return meant  # a letter of the field: sigma_theta, delta_t
     scores = [[part.weight(one) for part in parts] for one in known]
     most = max((sum(map(bool, score)) for score in scores), default=0)
@@ -85,7 +85,7 @@ def by_words(wanted: Sequence[str], quantities: Iterable[Quantity]) -> list[Quan
 def missed(wanted: Sequence[str], found: Sequence[Quantity]) -> list[str]:
     """The words that are said of none of the quantities that were found."""
     text = " ".join(wanted).strip()
-    if not found or any(sign in text for sign in "*?[") or NAME.fullmatch(text):
+    if not found or any(sign in text for sign in "*?[") or any(_holds(one.name, text) for one in found):
         return []
     parts = _parts(_words(text)[:MOST_WORDS])
     return [part.word for part in parts if part.word and not any(map(part.weight, found))]

@@ -61,8 +61,9 @@ def _of(quantity: Quantity) -> Iterator[Dependent]:
         yield from _of_ellipsoid(symbols)
     if "k" in symbols and symbols["k"].whole:
         yield from _counts(symbols)
-    if first == "steady_state" and rest[-1] == "gain":
-        yield from _gains(quantity)
+    if first == "steady_state":
+        yield from _gains(catalogue()[f"{first}.{rest[0]}.gain"])
+    yield from _intensities(symbols)
     yield from _covariances(symbols)
 
 
@@ -126,6 +127,18 @@ def _gains(quantity: Quantity) -> Iterator[Dependent]:
     spelled = ("alpha", {"alfa", "g", "K1", "K_1"}), ("beta", {"h", "K2", "K_2"}), ("gamma", {"K3", "K_3"})
     for (name, others), entry in zip(spelled, quantity.expression.entries, strict=False):
         yield Dependent(_variable(name, f"gain {name}", ONE), entry, frozenset(others))
+
+
+def _intensities(symbols: dict[str, Variable]) -> Iterator[Dependent]:
+    """The one-sided spectral density of white noise, and the intensity that drives a correlated acceleration."""
+    if "q" in symbols:
+        unit = symbols["q"].unit
+        one_sided = frozenset({"N0", "N_0", "N_w"})
+        yield Dependent(_variable("one_sided", "one-sided spectral density", unit), 2 * symbols["q"], one_sided)
+    if {"alpha", "sigma_m"} <= symbols.keys():
+        alpha, sigma = symbols["alpha"], symbols["sigma_m"]
+        unit = alpha.unit * sigma.unit**2
+        yield Dependent(_variable("q", "intensity of the noise", unit), 2 * alpha * sigma**2)
 
 
 def _covariances(symbols: dict[str, Variable]) -> Iterator[Dependent]:

@@ -446,5 +446,11 @@ class _Definitions:
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:
     """What to say where several readings explain a formula equally well, which none of them makes right."""
+    if not any(one.fits for one in readings):
+        names = ", ".join(readings[0].letters)
+        verb = "is" if len(readings[0].letters) == 1 else "are"
+        return FormulaError(
+            f"the formula has the units of the quantity for none of its symbols: say with --let what {names} {verb}"
+        )
     options = [" ".join(f"--let {name}={letter}" for name, letter in one.letters.items()) for one in readings]
     return FormulaError(f"the letters of the formula may mean more than one thing; say which: {', or '.join(options)}")
