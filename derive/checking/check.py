@@ -47,6 +47,7 @@ from radartrack.derive.checking.question.printed_formula import (
     Printed,
     applying,
     conditions_for,
+    doubtful_angles,
     names_for,
     read_printed,
 )
@@ -259,6 +260,7 @@ def asked(reference: Reference, printed: Printed, given: Mapping[str, str], worl
     names = printed.names
     both = {**applying(world.given, reference, printed), **given} if world.given else given
     conditions = conditions_for(reference, both, names)
+    printed = replace(printed, remarks=(*printed.remarks, *doubtful_angles(reference, both, names)))
     reference, printed = (
         sense.applied(reference, printed, names, conditions) if sense != EXACTLY else (reference, printed)
     )
@@ -531,7 +533,7 @@ class Question:
         if not slips or slips[0].cost > account.cost:
             return account
         inside = (Suggestion(slip.formula, slip.words, definition=slip.definition) for slip in slips)
-        edits = () if account.convention else account.suggestions
+        edits = () if account.convention or len(wrong) > 1 else account.suggestions
         return Account("", wrong, (*inside, *edits), slips[0].cost)
 
     def _slips_inside(self, *, plain: bool) -> list[Slip]:

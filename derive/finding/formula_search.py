@@ -6,7 +6,7 @@ import math
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain, combinations, islice
 from typing import Any, TypeAlias
 
@@ -17,6 +17,14 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
     is_word,
     meanings,
     means,
+)
+from radartrack.derive.checking.repairing.print_slips import (
+    Alternative,
+    alternatives,
+    exchanged,
+    inside_function,
+    other_numbers,
+    plain_words,
 )
 from radartrack.derive.evaluation.tree_values import Program
 from radartrack.derive.formula.error import FormulaError
@@ -33,6 +41,8 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     names,
+    replace_at,
+    walk,
 )
 from radartrack.derive.formula.written_out import array_of, written_out
 from radartrack.derive.language.tensor import Index, Tensor
@@ -45,6 +55,7 @@ MOST_KEPT = 200  # before the plainest of them are chosen
 MOST_NEAR = 3
 MOST_READINGS = 5000  # of one set of symbols
 MOST_REARRANGED = 4  # each is explained, which takes a good part of a second
+LIKELY = 1.4  # the cost of the least likely slip that is undone
 SHARE = 0.5  # of the entries that are another quantity's, from which it may be that one in another order or convention
 
 Values = tuple[float, ...]  # at the points
@@ -66,6 +77,7 @@ class Candidate:
         difference: the largest relative one at the points.
         let: definitions that the formula uses; none where it is found.
         rank: how far-fetched the meanings of the letters are together.
+        slip: what was undone in the formula, where it is the quantity only then.
     """
 
     quantity: str
@@ -77,6 +89,7 @@ class Candidate:
     difference: float = 0.0
     let: Mapping[str, str] = field(default_factory=dict)
     rank: int = 0
+    slip: str = ""
 
     @property
     def effort(self) -> tuple[bool, bool, bool, int, int]:
@@ -161,10 +174,15 @@ class FormulaSearch:
 
     def __init__(self, rows: Rows) -> None:
         self._families: dict[tuple[int, tuple[int, ...], tuple[tuple[str, tuple[float, ...]], ...]], _Family] = {}
+        self._rows = rows
         for name, row in rows.items():
             self._add(name, row)
         for family in self._families.values():
             family.items.sort(key=lambda item: item[:2])
+
+    def among(self, prefix: str) -> FormulaSearch:
+        """The search over the quantities whose names begin so."""
+        return FormulaSearch({name: row for name, row in self._rows.items() if name.startswith(prefix)})
 
     def candidates(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth the same as, the plainest reading first; each quantity once.
@@ -204,6 +222,33 @@ class FormulaSearch:
                 if difference <= NEAR and (known is None or difference < known.difference):
                     best[item.quantity] = _candidate(printed, item, read, difference)
         return sorted(best.values(), key=lambda one: one.difference)[:MOST_NEAR]
+
+    def slipped(self, tree: Tree) -> list[Candidate]:
+        """What a formula of a number is with one slip undone, each quantity with the likeliest of its slips."""
+        printed = _entries(tree)
+        if printed is None or printed.shape:
+            return []
+        found: dict[str, tuple[float, Candidate]] = {}
+        kinds = dict.fromkeys(names(tree), "")
+        edits = [(edit, Tensor((), (edit.tree,)), [Program(edit.tree)]) for edit in _slips(tree, kinds)]
+        for family, letters in self._likeliest(printed):
+            for edit, edited, programs in edits:
+                values = _values(programs, letters, (), _CONVENTIONS[0], family)
+                for item, sign in _equal(family, values) if values is not None else ():
+                    if sign > 0 and edit.cost < found.get(item.quantity, (math.inf, None))[0]:
+                        read = _Read(family, letters, _CONVENTIONS[0], (), values or ())
+                        one = replace(_candidate(edited, item, read, 0.0), slip=edit.words)
+                        found[item.quantity] = edit.cost, one
+        return [one for _, one in sorted(found.values(), key=lambda pair: (pair[0], pair[1].effort))[:MOST_NEAR]]
+
+    def _likeliest(self, printed: Tensor[Tree]) -> Iterator[tuple[_Family, Reading]]:
+        """Each family with the likeliest reading of the letters as its symbols."""
+        letters = sorted(frozenset[str]().union(*map(names, printed)))
+        for (size, of_shape, _), family in self._families.items():
+            if size == len(letters) and of_shape == printed.shape:
+                reading = next(_assigned(letters, family, farther=False, strict=True), None)
+                if reading is not None:
+                    yield family, reading
 
     def _add(self, name: str, row: Mapping[str, Any]) -> None:
         meaning = f"{row['meaning']} ({row['source']})"
@@ -249,6 +294,16 @@ class FormulaSearch:
                     values = _values(programs, reading, turned, convention, family)
                     if values is not None:
                         yield _Read(family, reading, convention, turned, values)
+
+
+def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
+    """The formula after each slip that keeps its letters."""
+    letters = names(tree)
+    for path, node in walk(tree):
+        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *inside_function(node)):
+            changed = replace_at(tree, path, edit.tree)
+            if edit.cost <= LIKELY and edit.tree != node and names(changed) == letters:
+                yield replace(edit, tree=changed, kind=plain_words(edit.words), about=())
 
 
 def letters_of(tree: Tree) -> int | None:

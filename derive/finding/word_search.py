@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from radartrack.derive.bibliography import WORKS
+from radartrack.derive.checking.question.letters.letter_meanings import means
 from radartrack.derive.language.quantity import Quantity
 
 MOST_WORDS = 12
@@ -20,6 +21,9 @@ ALIKE = 0.8  # similarity from which a word is one with a slip in it
 LONG = 4  # letters from which a word may have a slip, or be the beginning of another
 # How much it says that a word is the name of a quantity, a word of the field, an author, and so on down.
 NAME, FIELD, SOURCE, SYMBOL, MEANING, PART, SLIP = 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 0.5
+NEAR = 0.25  # of the best score: less is a word of a symbol's meaning with a slip in it beside the name itself
+LONGEST_ENDING = 3  # letters that inflect a word: filtering, covariances; sidereal is no side
+_LETTER = re.compile(r"[A-Za-z]\w*")
 _WORD = re.compile(r"[a-z0-9]+", re.IGNORECASE)
 _EMPTY = frozenset({"a", "an", "and", "by", "for", "from", "in", "of", "on", "the", "to", "with", "al", "et"})
 
@@ -68,10 +72,23 @@ def by_words(wanted: Sequence[str], quantities: Iterable[Quantity]) -> list[Quan
     parts = _parts(_words(text)[:MOST_WORDS])
     if not parts:
         return [] if text else known
+    if len(parts) > 1 and _LETTER.fullmatch(text) and (meant := [one for one in known if means(text, one.symbols)]):
+        return meant  # a letter of the field: sigma_theta, delta_t
     scores = [[part.weight(one) for part in parts] for one in known]
     most = max((sum(map(bool, score)) for score in scores), default=0)
     found = [pair for pair in zip(scores, known, strict=True) if most and sum(map(bool, pair[0])) == most]
-    return [one for _, one in sorted(found, key=lambda pair: -sum(pair[0]))]
+    best = max((sum(score) for score, _ in found), default=0.0)
+    near = [pair for pair in found if sum(pair[0]) >= NEAR * best]
+    return [one for _, one in sorted(near, key=lambda pair: -sum(pair[0]))]
+
+
+def missed(wanted: Sequence[str], found: Sequence[Quantity]) -> list[str]:
+    """The words that are said of none of the quantities that were found."""
+    text = " ".join(wanted).strip()
+    if not found or any(sign in text for sign in "*?[") or any(_holds(one.name, text) for one in found):
+        return []
+    parts = _parts(_words(text)[:MOST_WORDS])
+    return [part.word for part in parts if part.word and not any(map(part.weight, found))]
 
 
 def _holds(name: str, text: str) -> bool:
@@ -93,7 +110,8 @@ class _Part:
         by_field = max((FIELD * one.meaning(quantity.name) for one in self.field), default=0.0)
         if not self.word:
             return by_field
-        return max(by_field, *(weight * _alike(self.word, words) for weight, words in _said(quantity)))
+        by_letter = SYMBOL if means(self.word, quantity.symbols) else 0.0
+        return max(by_field, by_letter, *(weight * _alike(self.word, words) for weight, words in _said(quantity)))
 
 
 def _parts(words: Words) -> list[_Part]:
@@ -154,7 +172,7 @@ def _similar(word: str, other: str) -> float:
         return 1.0
     if len(word) < LONG or len(other) < LONG or word[0] != other[0]:
         return 0.0
-    if other.startswith(word) or word.startswith(other):
+    if other.startswith(word) or (word.startswith(other) and len(word) <= len(other) + LONGEST_ENDING):
         return 0.75
     matcher = SequenceMatcher(None, word, other)
     if matcher.real_quick_ratio() < ALIKE or matcher.ratio() < ALIKE:

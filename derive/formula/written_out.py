@@ -34,9 +34,11 @@ from radartrack.derive.language.tensor import Tensor
 
 MOST = 20_000  # parts of an entry: of a product of many matrices it has many terms
 HIGHEST = 12  # power of a matrix
+LARGEST = 3  # rows of a matrix that is inverted
 ZERO, ONE = Number("0"), Number("1")
 
 Opened = Tensor[Tree] | None
+_BY_COFACTORS = {"det", "inv"}
 NO_ARRAYS: Mapping[str, Tensor[Tree]] = MappingProxyType({})
 
 
@@ -77,7 +79,8 @@ def _opened(node: Tree, below: list[Tensor[Tree]]) -> Opened:
     if isinstance(node, Entries):
         return _picked(below[0], node.places)
     if isinstance(node, Call) and node.function in VERBS:
-        return _LINEAR[node.function](below) if node.function in _LINEAR else None
+        is_large = node.function in _BY_COFACTORS and below[0].shape[0] > LARGEST
+        return None if is_large or node.function not in _OPENED else _OPENED[node.function](below)
     if any(one.shape for one in below):
         return _of_arrays(node, below)
     new = tuple(one.entries[0] for one in below)
@@ -155,13 +158,55 @@ def _outer(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     return Tensor((*first.shape, *second.shape), tuple(_product((a, b)) for a in first for b in second))
 
 
+def _determinant(below: list[Tensor[Tree]]) -> Tensor[Tree]:
+    return Tensor((), (_minor(_rows(below[0])),))
+
+
+def _inverse(below: list[Tensor[Tree]]) -> Tensor[Tree]:
+    """By cofactors: of the small matrices that are printed these are short enough."""
+    rows = _rows(below[0])
+    size, determinant = len(rows), _minor(rows)
+
+    def entry(i: int, j: int) -> Tree:
+        rest = [[one for column, one in enumerate(row) if column != i] for place, row in enumerate(rows) if place != j]
+        cofactor = _minor(rest)
+        return Quotient(cofactor if (i + j) % 2 == 0 else Negation(cofactor), determinant)
+
+    return Tensor.build((size, size), entry)
+
+
+def _rows(array: Tensor[Tree]) -> list[list[Tree]]:
+    return [list(row.entries) for row in array.parts()]
+
+
+def _minor(rows: list[list[Tree]]) -> Tree:
+    """The determinant by its first row."""
+    if not rows:
+        return ONE
+    terms = []
+    for place, first in enumerate(rows[0]):
+        if first != ZERO:
+            rest = [row[:place] + row[place + 1 :] for row in rows[1:]]
+            term = _product([first, _minor(rest)])
+            terms.append(Negation(term) if place % 2 and term != ZERO else term)
+    return _sum(terms)
+
+
 def _trace(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     known = dict(below[0].items())
     return Tensor((), (_sum([known[i, i] for i in range(below[0].shape[0])]),))
 
 
-_LINEAR: Mapping[str, Callable[[list[Tensor[Tree]]], Tensor[Tree]]] = MappingProxyType(
-    {"transpose": _transposed, "diag": _diagonal, "eye": _unit, "outer": _outer, "trace": _trace}
+_OPENED: Mapping[str, Callable[[list[Tensor[Tree]]], Tensor[Tree]]] = MappingProxyType(
+    {
+        "det": _determinant,
+        "diag": _diagonal,
+        "eye": _unit,
+        "inv": _inverse,
+        "outer": _outer,
+        "trace": _trace,
+        "transpose": _transposed,
+    }
 )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping
 
 from radartrack.derive.formula.error import FormulaError
@@ -9,9 +10,11 @@ from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
-from radartrack.derive.reading.notation import TEXT, read_formula
+from radartrack.derive.reading.notation import LATEX, TEXT, read_formula
 from radartrack.derive.reading.printed_text import is_printed
+from radartrack.derive.reading.tex.latex import latex_name
 
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _EULER = Constant("e")
 
 
@@ -41,15 +44,21 @@ def read_loosely(
 
 
 def plain_formulas(printed: Mapping[str, str]) -> dict[str, str]:
-    """Formulas by name, all as they are typed: λ is lambda, and σθ² is sigma_theta**2; what cannot be read stays."""
-    return {_plain(name): _plain(text) for name, text in printed.items()}
+    r"""Formulas by name, all as they are typed: λ and \lambda are lambda, and σθ² is sigma_theta**2.
+
+    What cannot be read stays as it is.
+    """
+    names = {name: (latex_name(name) or name) if "\\" in name else _plain(name) for name in printed}
+    return {names[name]: _plain(text, names.values()) for name, text in printed.items()}
 
 
-def _plain(text: str) -> str:
-    if not is_printed(text):
+def _plain(text: str, names: Collection[str] = ()) -> str:
+    is_latex = "\\" in text
+    if not (is_latex or is_printed(text)):
         return text
     try:
-        return to_text(read_loosely(text))
+        known = [name for name in names if NAME.fullmatch(name)] if is_latex else ()
+        return to_text(read_loosely(text, known, LATEX if is_latex else TEXT))
     except FormulaError:
         return text
 

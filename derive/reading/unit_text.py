@@ -49,6 +49,7 @@ BASE: Mapping[str, Scale] = MappingProxyType(
 _FACTOR = re.compile(
     r"\s*(?P<name>[A-Za-z]+|1|%)(?:\s*(?:\^|\*\*)\s*(?P<power>-?\d{1,2}|\(\s*-?\d{1,2}(?:\s*/\s*\d{1,2})?\s*\)))?\s*"
 )
+_MEASURED = re.compile(r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(?P<unit>[A-Za-z°1%].{0,59}?)\s*")
 _SIGN = re.compile(r"[*·/]")
 
 
@@ -64,6 +65,27 @@ def read_unit(text: str) -> Scale:
     for sign, factor in _factors(text):
         total = total * (factor ** Fraction(-1 if sign == "/" else 1))
     return total
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A number with a unit behind it: as a formula in SI units, and its unit."""
+
+    formula: str
+    unit: Unit
+
+
+def measured(text: str) -> Measured | None:
+    """A number with a unit, as one types it: `30deg`, `30°`, `10 km`; None for anything else."""
+    found = _MEASURED.fullmatch(text)
+    if found is None or found["unit"] in {"1", "%", "dB"}:
+        return None
+    try:
+        scale = read_unit(found["unit"].replace("°", "deg"))
+    except ValueError:
+        return None
+    formula = found["number"] if scale.factor == 1 else f"{found['number']}*({scale.factor})"
+    return Measured(formula, scale.unit)
 
 
 def _factors(text: str) -> Iterator[tuple[str, Scale]]:

@@ -53,7 +53,7 @@ def explanation(record: Record) -> Iterator[tuple[str, str]]:
         yield "order", order(*record["order"])
     for remark in record["remarks"]:
         if remark not in record["reason"]:
-            yield "but", remark
+            yield "but" if remark.startswith("equal ") else "note", remark
     for suggestion in record["suggestions"]:
         yield "perhaps meant", _suggestion(suggestion)
     for one in record.get("terms", ()):

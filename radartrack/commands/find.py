@@ -59,16 +59,35 @@ def find(
         decider.start()
         search = search_over(rows_until_found(own_quantities(model).values(), tree))
         found = list(proved(search.candidates(tree), decider, declared(model)))
+        found = found or list(_in_usual_letters(search, tree, decider))
     for candidate, proof in found:
         _tell(candidate, proof)
     if found:
         raise typer.Exit(FOUND)
-    near = search.near(tree)
+    slipped = search.slipped(tree)
+    for candidate in slipped:
+        _tell(candidate, f"near: {candidate.slip}; perhaps meant: {candidate.formula}")
+    near = slipped or search.near(tree)
+    if slipped:
+        raise typer.Exit(ONLY_NEAR)
     for candidate in near:
         _tell(candidate, f"near: at most {candidate.difference * 100:.2g} % apart at three points")
     if not near:
         terminal.complain("No quantity of the catalogue is this formula, nor near it.")
     raise typer.Exit(ONLY_NEAR)
+
+
+def _in_usual_letters(search: FormulaSearch, tree: Tree, decider: Decider) -> Iterator[tuple[Candidate, str]]:
+    """Those that a formula is with the letters that are usual for functions of symbols, or a factor understood."""
+    from radartrack.derive.finding.usual_letters import usual_forms
+
+    for usual in usual_forms(tree):
+        narrow = search.among(usual.family) if usual.family else search
+        found = list(proved(narrow.candidates(usual.tree), decider))
+        for candidate, how in found:
+            yield replace(candidate, convention=f"{candidate.convention} with {usual.words}".strip()), how
+        if found:
+            return
 
 
 def search_over(own: Mapping[str, Mapping[str, Any]] = MappingProxyType({})) -> FormulaSearch:

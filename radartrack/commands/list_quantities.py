@@ -24,12 +24,15 @@ def list_quantities(
     model: ModelFile = None,
 ) -> None:
     """List the quantities that WORDS mean, the best first: by name, meaning, source, symbols and the field's words."""
-    from radartrack.derive.finding.word_search import by_words
+    from radartrack.derive.finding.word_search import by_words, missed
 
     found = by_words(words or [], all_quantities(model).values())
     if not found:
         terminal.complain(f"Nothing is called {' '.join(words or [])!r}; `radartrack list` shows all quantities.")
         raise typer.Exit(1)
+    if unknown := missed(words or [], found):
+        said = " and ".join(map(repr, unknown))
+        terminal.complain(f"No quantity is about {said}; these have the other words.")
     console = terminal.console()
     if console.is_terminal:
         console.width = max(console.width, terminal.PLAIN_WIDTH)  # names are never cut; a narrower terminal wraps

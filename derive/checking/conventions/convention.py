@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, combinations
+from math import factorial, prod
 from typing import TypeVar
 
 from radartrack.derive import symbolic as sp
@@ -16,6 +17,7 @@ from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import RADIAN, SECOND, Unit
 
+POLYNOMIAL = {"fading_memory", "finite_sample", "steady_state"}
 IN_DEGREES = sp.Integer(180) / sp.pi
 PER_RADIAN = RADIAN**-1
 PER_SECOND = RADIAN / SECOND
@@ -93,7 +95,7 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     angles, returned = [*_other_axes(asked), *_other_senses(asked)], [*_returned_angles(asked)]
     degrees, variances = [*_degrees(asked)], [*_variances(asked)]
     kinds = (angles, returned, degrees, variances)
-    singles = [OURS, *chain.from_iterable(kinds)]
+    singles = [OURS, *chain.from_iterable(kinds), *_scaled_derivatives(asked)]
     pairs = (a & b for first, second in combinations(kinds, 2) for a in first for b in second)
     free = asked.correlations
     for one in (*singles, *pairs):
@@ -185,6 +187,21 @@ def _degrees(asked: Asked) -> Iterator[Convention]:
             yield Convention((words,), (), changes, inverse, cost=1.2)
     if returned:
         yield Convention(("what is returned in degrees",), factors=returned, cost=1.2)
+
+
+def _scaled_derivatives(asked: Asked) -> Iterator[Convention]:
+    """Coefficients of a polynomial for derivatives, as filters by hand have them: half the acceleration."""
+    part = asked.reference.part
+    if part is None or part.quantity.module not in POLYNOMIAL:
+        return
+    shape = part.quantity.shape
+    scales = {
+        index: prod(factorial(i) for size, i in zip(shape, place, strict=True) if size == max(shape))
+        for index, place in part.places.items()
+    }
+    if factors := {index: sp.Rational(1, scale) for index, scale in scales.items() if scale != 1}:
+        words = ("coefficients of T, T**2, ... for derivatives",)
+        yield Convention(words, ("half the acceleration",), factors=factors, cost=0.8)
 
 
 def _variances(asked: Asked) -> Iterator[Convention]:

@@ -90,6 +90,7 @@ class Dimension:
 
 FREE = Dimension(free=True)
 NOTHING = Dimension(free=True, zero=True)
+ANYTHING = Dimension(radian=None, free=True, zero=True)
 UNKNOWN = Dimension(radian=None, free=True)
 ANGLE = Dimension(radian=Fraction(1))
 _PERIODIC = {"cos", "cot", "csc", "sec", "sin", "tan"}
@@ -109,6 +110,23 @@ def dimensions(known: Mapping[str, Dimension]) -> Fold[Dimension]:
         return NOTHING if _is_zero(tree) else _dimension(tree, below)
 
     return Fold(step)
+
+
+def misfits(tree: Tree, known: Mapping[str, Dimension]) -> tuple[Dimension, int]:
+    """The dimension of a formula, and how many of its parts have none; these fit into whatever they stand in."""
+    count = 0
+
+    def step(node: Tree, below: Sequence[Dimension]) -> Dimension:
+        nonlocal count
+        if isinstance(node, Name):
+            return known.get(node.name, ANYTHING)
+        try:
+            return NOTHING if _is_zero(node) else _dimension(node, below)
+        except WrongDimensions:
+            count += 1
+            return ANYTHING
+
+    return Fold(step)(tree), count
 
 
 def check_dimension(found: Dimension, expected: Dimension) -> None:

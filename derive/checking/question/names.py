@@ -20,6 +20,7 @@ from radartrack.derive.checking.question.formula_units import (
     dimensions,
     in_definition,
 )
+from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.meaning import Meaning, number_of_parts, shape_of
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -41,6 +42,7 @@ from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.notation import LATEX, TEXT, Reading, read_formula
 from radartrack.derive.reading.printed_text import is_printed
+from radartrack.derive.reading.unit_text import measured
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 from radartrack.derive.verbs.table import VERBS
@@ -79,6 +81,7 @@ class Names(Mapping[str, Expression]):
         self._known: dict[str, Meaning] = dict(known)
         self._mentioned: set[str] = set()  # quantities
         self._being_defined: set[str] = set()
+        self.remarks: list[str] = []  # what the reader of definitions has to say
 
     def __getitem__(self, name: str) -> Expression:
         return self.meaning(name).value
@@ -316,7 +319,9 @@ class Names(Mapping[str, Expression]):
         others = self._without(name) if hides else self
         self._being_defined.add(name)
         try:
-            tree = others.tree(text)
+            number = measured(text)
+            tree, constants = with_symbols(others.tree(number.formula if number else text), self.symbols)
+            self.remarks += constants
             value = others.worked_out(tree)
             measure, size = others.largeness(tree)
         except FormulaError as error:
@@ -327,6 +332,8 @@ class Names(Mapping[str, Expression]):
             self._being_defined.discard(name)
         if value == 0:
             return Meaning(value, lambda _: NOTHING, measure, size, tree)
+        if number:
+            return Meaning(value, lambda _: Dimension.of(number.unit), measure, size, tree)
         return Meaning(value, _dimensions_of(f"let {name}", tree, others), measure, size, tree)
 
     def completed(self) -> Names:

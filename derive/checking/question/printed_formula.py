@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import prod
@@ -11,6 +13,7 @@ from radartrack.derive.catalogue import common_symbols
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
+from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.letters.letter_meanings import alike, means
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
@@ -23,8 +26,11 @@ from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.notation import LANGUAGES, TEXT
+from radartrack.derive.reading.unit_text import measured
 from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.units import RADIAN
 
+_PLAIN = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)\s*")
 NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
@@ -96,10 +102,10 @@ def names_for(
     both = {**world.let, **let}
     quantities = [part.quantity for part in reference.parts]
     own = symbols_for([*let.values(), *texts], both, world, quantities)
-    meant = {letter.symbol for letter in letters.values() if letter.power == 1}
+    meant = {letter.symbol for letter in letters.values() if letter.is_symbol}
     symbols = {name: symbol for name, symbol in own.items() if symbol not in meant}
-    symbols |= {name: letter.symbol for name, letter in letters.items() if letter.power == 1}
-    powers = {name: _meaning(letter) for name, letter in letters.items() if letter.power != 1}
+    symbols |= {name: letter.symbol for name, letter in letters.items() if letter.is_symbol}
+    powers = {name: _meaning(letter) for name, letter in letters.items() if not letter.is_symbol}
     names = Names(symbols, both, world, powers)
     for name in let:
         check_name(name)
@@ -129,7 +135,7 @@ def conditions_for(reference: Reference, given: Mapping[str, str], names: Names 
             near = alike(name, reference.symbols)
             guess = f"did you mean {near}? The" if near else "the"
             raise FormulaError(f"given {name}: {guess} symbols of {reference.text} are {', '.join(symbols)}")
-        trees[symbol], conditions[symbol] = _condition(name, value, known)
+        trees[symbol], conditions[symbol] = _condition(name, _with_unit(symbol, value), known)
     found = resolved(conditions)
     for symbol, tree in trees.items():
         _check_unit(symbol, tree, known)
@@ -153,11 +159,12 @@ def read_printed(formula: str, names: Names, expected: Index, notation: str = TE
     """
     try:
         reading = names.reading(formula, notation, function, prod(expected) if len(expected) == 1 else 1)
-        inner, padding = trimmed(reading.tree, expected)
+        tree, constants = with_symbols(reading.tree, names.symbols)
+        inner, padding = trimmed(tree, expected)
         source = formula if reading.notation in LANGUAGES else ""
-        remarks = (*reading.remarks, *((padding,) if padding else ()))
+        remarks = (*reading.remarks, *names.remarks, *constants, *((padding,) if padding else ()))
         found = printed(inner, names, expected, row_by_row=bool(source))
-        return replace(found, tree=reading.tree, source=source, remarks=(*remarks, *found.remarks))
+        return replace(found, tree=tree, source=source, remarks=tuple(dict.fromkeys((*remarks, *found.remarks))))
     except FormulaError as error:
         raise error.within(formula) from None
 
@@ -195,6 +202,28 @@ def _condition(name: str, text: str, known: Names) -> tuple[Tree, Expr]:
         return tree, known.read(tree)
     except FormulaError as error:
         raise FormulaError(f"given {name}: {error.message}", error.source or text, error.span) from None
+
+
+def _with_unit(symbol: Variable, text: str) -> str:
+    """What a symbol is set to, where it is a number with a unit, in SI units."""
+    number = measured(text)
+    if number is None:
+        return text
+    if number.unit != symbol.unit:
+        raise FormulaError(f"given {symbol}: {text.strip()} has the unit {number.unit}, {symbol} has {symbol.unit}")
+    return number.formula
+
+
+def doubtful_angles(reference: Reference, given: Mapping[str, str], names: Names) -> tuple[str, ...]:
+    """What to say of angles that are set to a number beyond a turn, which was perhaps meant in degrees."""
+    found = []
+    for name, text in given.items():
+        symbol = symbol_called(name, names, reference)
+        if symbol is None or symbol.unit != RADIAN or not _PLAIN.fullmatch(text):
+            continue
+        if abs(float(text)) > (2 * math.pi if symbol.is_angle else 1):
+            found.append(f"{name} = {text.strip()} is {text.strip()} rad; for degrees write {name}={text.strip()}deg")
+    return tuple(found)
 
 
 def _check_unit(symbol: Variable, tree: Tree, known: Names) -> None:

@@ -20,6 +20,7 @@ from radartrack.derive.checking.repairing.print_slips import (
     exchanged,
     inside_function,
     other_numbers,
+    plain_words,
 )
 from radartrack.derive.checking.repairing.smallest_edit import AT_ONE_PLACE, values_at
 from radartrack.derive.evaluation.points import generic_points
@@ -167,7 +168,9 @@ class _Trial:
                 tree, screen = self._trees[name], Screen(known, POINTS_OF_SEARCH)
                 for edit in Search(screen, needed, self._names, tree, [formula.tree]).edits(tree)[:ENOUGH]:
                     if edit.tree != tree and (mends := self._mends(name, edit.tree)):
-                        yield _Candidate(name, edit.tree, Alternative(edit.tree, _plain(edit.words), edit.cost), mends)
+                        yield _Candidate(
+                            name, edit.tree, Alternative(edit.tree, plain_words(edit.words), edit.cost), mends
+                        )
                 break
 
     def _needed_of(self, name: str, place: int) -> Values | None:
@@ -293,8 +296,3 @@ def _divided(node: Product) -> Iterator[Alternative]:
         rest = (*node.factors[:place], *node.factors[place + 1 :])
         above = rest[0] if len(rest) == 1 else Product(rest)
         yield Alternative(Quotient(above, factor), "{} below, not above", 1.4, (factor,))
-
-
-def _plain(words: str) -> str:
-    """Words that are no pattern to fill in."""
-    return words.replace("{", "{{").replace("}", "}}")

@@ -54,6 +54,7 @@ QUICK = 2  # points that rule out nearly every edit; at one, edits of even funct
 FACTORS = 13  # powers that a fit solves for: with more, points run out and a fit means nothing; with fewer, the sine
 # or the deviation that a long covariance misses is not among them
 FIRST_EDITS = 150  # of two at once: each costs a whole search for the second; beyond, two seconds are over
+SMALL = 6  # nodes that an edit may add to however short a formula: -cos(beta)**2; more for a 1 is no edit of it
 LIKELY = 1.2  # the cost of an edit that may be one of two
 PLAIN = 2.0  # the cost of one edit that is likelier than any two
 SCATTERED = 0.6  # the cost of each different symbol of a factor after the second: without it, a factor of many symbols
@@ -123,14 +124,16 @@ class Search:
 
     def edits(self, tree: Tree) -> list[Candidate]:
         """One edit, or one that runs through the formula; where there is no likely one, two."""
-        size = Fold[int](lambda _, below: 1 + sum(below))(tree)
+        size_of = Fold[int](lambda _, below: 1 + sum(below))
+        size = size_of(tree)
         found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
         found = found or list(self._single(tree))
         if not found or size <= HUGE:
             found += self._everywhere(tree)
         if size <= LARGE and not any(candidate.cost <= PLAIN for candidate in found):
             found += self._double(tree)
-        return sorted(found, key=lambda candidate: candidate.cost)
+        most = size + max(size, 1 if isinstance(tree, Number) else SMALL)
+        return sorted((one for one in found if size_of(one.tree) <= most), key=lambda candidate: candidate.cost)
 
     def _right_terms(self, tree: Tree) -> Terms:
         """Those that stand in different sums of the formula no more often than in those of the derived one."""
@@ -231,8 +234,8 @@ class Search:
         return combined(operation, part.needed, self._screen(part.node))
 
     def _piece_as_factor(self, part: Part) -> Iterator[Alternative]:
-        """A part of the derived formula that is missing as a factor or a divisor."""
-        if part.is_shared:
+        """A part of the derived formula that is missing as a factor or a divisor; to a number it is no edit."""
+        if part.is_shared or _is_number(part.node):
             return
         ratio = self._by(truediv, part)
         for piece, sign in self._pieces.find(ratio):

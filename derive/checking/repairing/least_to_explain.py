@@ -18,7 +18,7 @@ from radartrack.derive.checking.repairing.definition_slips import Formula, mende
 from radartrack.derive.checking.repairing.smallest_edit import suggest
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.verdict import Suggestion
-from radartrack.derive.formula.tree import Name, Tree, walk
+from radartrack.derive.formula.tree import Name, Tree, names, walk
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -94,7 +94,12 @@ class Print:
         return best
 
     def of_siblings(self) -> list[Suggestion]:
-        """What was printed wrong if another quantity of the model was meant, from which it is one edit away."""
+        """What was printed wrong if another quantity of the model was meant, from which it is one edit away.
+
+        From a number alone any other is.
+        """
+        if not any(names(tree) for tree in self.trees):
+            return []
         free = self.asked.correlations
         vanishing = () if self.asked.uses(free) else tuple(free)
         conditions = also_zero(self.asked.conditions, vanishing) or self.asked.conditions

@@ -253,6 +253,16 @@ def _of_a_sum(tree: Sum) -> Iterator[Alternative]:
     root, square = Call("sqrt", (tree,)), Power(tree, Number("2"))
     yield Alternative(root, "a missing root: {}", 1.3, (root,))
     yield Alternative(square, "a missing square: {}", 1.3, (square,))
+    yield from _brackets_of_fraction(tree.terms)
+
+
+def _brackets_of_fraction(terms: tuple[Tree, ...]) -> Iterator[Alternative]:
+    """a + b/c + d may have been (a + b)/(c + d): both brackets of a fraction are lost in one line."""
+    for place, term in enumerate(terms[1:-1], 1):
+        bare = term.operand if isinstance(term, Negation) else term
+        if isinstance(bare, Quotient):
+            last = Negation(bare.numerator) if isinstance(term, Negation) else bare.numerator
+            yield _bracket(Quotient(Sum((*terms[:place], last)), _sum(bare.denominator, terms[place + 1 :])))
 
 
 def _without_root(call: Call) -> Iterator[Alternative]:
@@ -416,6 +426,11 @@ def _put(name: str, tree: Tree) -> Callable[[Tree], Tree]:
 def _root_of(name: str) -> Callable[[Tree], Tree]:
     squared = Power(Name(name), Number("2"))
     return lambda node: Name(name) if node == squared else node
+
+
+def plain_words(words: str) -> str:
+    """Words that are no pattern to fill in."""
+    return words.replace("{", "{{").replace("}", "}}")
 
 
 def _shown(tree: Tree) -> str:

@@ -1,20 +1,24 @@
 """Edits of a formula that is worked out, or that stands in a definition: each is put in and everything done again.
 
 What a part would have to be worth cannot be told there, so every likely slip is undone in turn, the likeliest first,
-for
-as long as there is time.
+for as long as there is time.
 """
 
 from __future__ import annotations
 
 import time
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 
 from radartrack.derive.checking.repairing.edit_search import Candidate
+from radartrack.derive.checking.repairing.matrix_slips import matrix_slips
 from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, inside_function, other_numbers
 from radartrack.derive.checking.reporting.barrier import attempted
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.functions import BINDING
 from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.shape import NO_SHAPES, Shape, shapes
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -57,8 +61,25 @@ def edits_that(
     return found
 
 
-def single_edits(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Candidate]:
-    """The formula after each likely slip is undone."""
+def single_edits(
+    tree: Tree, kinds: Mapping[str, object], arrays: Mapping[str, Shape] = NO_SHAPES
+) -> Iterator[Candidate]:
+    """The formula after each likely slip is undone.
+
+    Args:
+        tree: the formula.
+        kinds: the symbols that may stand for others, and what makes them alike.
+        arrays: the names that stand for arrays, and their shapes.
+    """
+    yield from _edits_of_numbers(tree, kinds)
+    shape = shapes(defaultdict(tuple, arrays))
+    for path, node in walk(tree):
+        with suppress(FormulaError):  # of what is wrong around a slip: arrays that do not fit each other
+            for edit in matrix_slips(node, arrays, shape):
+                yield Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
+
+
+def _edits_of_numbers(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Candidate]:
     for path, node in walk(tree):
         if _is_bound(tree, path) or isinstance(node, Array):
             continue

@@ -9,16 +9,23 @@ from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.question.conditions import under
+from radartrack.derive.checking.question.meaning import shape_of, tensor
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.printed_formula import Printed, printed
+from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.checking.repairing.edit_search import Candidate
 from radartrack.derive.checking.repairing.reworked_edits import ENOUGH, MOST, SECONDS, single_edits
 from radartrack.derive.checking.reporting.barrier import attempted
+from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.evaluation.tree_values import Screen, Values, close
+from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Entries, Tree, has_verbs, parts
+from radartrack.derive.formula.shape import Shape
+from radartrack.derive.formula.tree import Tree
+from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -90,10 +97,18 @@ class Repair:
         for name, tree in self._definitions.items():
             others = {one: kind for one, kind in kinds.items() if one not in later}
             later.discard(name)
-            edits = () if name in self.names.fixed else single_edits(tree, others)
+            arrays = {one: shape for one, shape in self._arrays.items() if one not in later and one != name}
+            edits = () if name in self.names.fixed else single_edits(tree, others, arrays)
             yield from ((name, candidate) for candidate in edits)
         if _is_worked_out(self.formula):
-            yield from ((FORMULA, candidate) for candidate in single_edits(self.formula.tree, kinds))
+            yield from ((FORMULA, one) for one in single_edits(self.formula.tree, kinds, self._arrays))
+
+    @cached_property
+    def _arrays(self) -> dict[str, Shape]:
+        """The shapes of the names that stand for arrays."""
+        mentioned = names_of(self.formula.tree).union(*map(names_of, self._definitions.values()))
+        found = {name: shape_of(self.names[name]) for name in mentioned if name in self.names}
+        return {name: shape for name, shape in found.items() if shape}
 
     def _confirmation(self, where: str, tree: Tree) -> Callable[[], bool]:
         return lambda: self._is_right(where, tree)
@@ -120,25 +135,39 @@ class Repair:
 
     def _screened(self, where: str, tree: Tree) -> bool:
         """Whether an edit may be right by its values in floating point; where these do not tell, it may."""
-        if not where or self._targets is None:
+        if self._targets is None:
             return True
         values: dict[str, Values] = dict(self._symbols)
+        arrays = dict(self._quantities)
         for name, definition in self._definitions.items():
-            value = Screen(values, POINTS)(tree if name == where else definition)
-            if value is None:
+            opened = _opened(tree if name == where else definition, arrays)
+            if opened is None:
+                return True
+            if opened.shape:
+                arrays[name] = opened
+                continue
+            if (value := Screen(values, POINTS)(opened.entries[0])) is None:
                 return False
             values[name] = value
+        inner, _ = trimmed(self.formula.tree if where else tree, self.derived.shape)
+        entries = _opened(inner, arrays)
+        if entries is None:
+            return True
         screen = Screen(values, POINTS)
-        return all(
-            close(screen(entry), wanted) for entry, wanted in zip(self.formula.entries, self._targets, strict=True)
+        entries = reshaped(entries, self.derived.shape, row_by_row=bool(self.formula.source))
+        return entries.shape == self.derived.shape and all(
+            close(screen(entry), wanted) for entry, wanted in zip(entries, self._targets, strict=True)
         )
+
+    @cached_property
+    def _quantities(self) -> dict[str, Tensor[Tree]]:
+        """The entries of those that are called by name, as formulas."""
+        own = self._arrays.keys() - self._definitions.keys()
+        return {name: tensor(self.names[name]).map(as_printed) for name in own}
 
     @cached_property
     def _targets(self) -> list[Values] | None:
         """What the entries should be worth at some points; None where floating point does not tell."""
-        trees = (*self._definitions.values(), *self.formula.entries)
-        if _is_worked_out(self.formula) or any(has_verbs(tree) or _has_arrays(tree) for tree in trees):
-            return None
         found = [self._at_points(entry) for entry in self.derived]
         return [value for value in found if value is not None] if None not in found else None
 
@@ -176,5 +205,9 @@ def _is_worked_out(formula: Printed) -> bool:
     return bool(formula.worked_out)
 
 
-def _has_arrays(tree: Tree) -> bool:
-    return any(isinstance(node, Array | Entries) for node in parts(tree))
+def _opened(tree: Tree, arrays: Mapping[str, Tensor[Tree]]) -> Tensor[Tree] | None:
+    """The entries of a formula of arrays, none of one that has no meaning; None where it has to be worked out."""
+    try:
+        return written_out(tree, arrays)
+    except FormulaError:
+        return Tensor((0,), ())

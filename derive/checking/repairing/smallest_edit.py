@@ -22,7 +22,19 @@ from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Name, Number, Path, Power, Product, Sum, Tree, children, parts
+from radartrack.derive.formula.tree import (
+    Call,
+    Name,
+    Negation,
+    Number,
+    Path,
+    Power,
+    Product,
+    Sum,
+    Tree,
+    children,
+    parts,
+)
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -175,8 +187,8 @@ def _plain(node: Tree) -> Tree:
     match node:
         case Power(base, Number("1")):
             return base
-        case Sum(terms) if ZERO in terms:
-            kept = tuple(term for term in terms if term != ZERO) or (ZERO,)
+        case Sum(terms) if ZERO in terms or Negation(ZERO) in terms:
+            kept = tuple(term for term in terms if term not in {ZERO, Negation(ZERO)}) or (ZERO,)
             return kept[0] if len(kept) == 1 else Sum(kept)
         case _:
             return node

@@ -30,7 +30,7 @@ from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
 from radartrack.derive.reading.tex.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.latex_equations import equations
 from radartrack.derive.reading.tex.latex_hints import hint
-from radartrack.derive.reading.tex.latex_letters import Letter, Names
+from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
 from radartrack.derive.reading.tex.latex_tokens import WORDS, LatexTokens
 
 _OF_ANGLES = frozenset({"acos", "asin", "atan", "cos", "cot", "csc", "sec", "sin", "tan"})
@@ -75,6 +75,12 @@ def read_latex(
         return finished(tree, shapes=shapes, strangers=strangers)
     except FormulaError as error:
         raise error.within(text) from None
+
+
+def latex_name(text: str) -> str | None:
+    r"""The name of what is printed, if it is one letter, with all that decorates it: \lambda' is lambda_prime."""
+    letter = _letter(text, frozenset())
+    return full_name(letter) if letter else None
 
 
 def _letter(left: str, names: frozenset[str]) -> Letter | None:

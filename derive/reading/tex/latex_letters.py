@@ -93,6 +93,11 @@ class Names:
             yield letter.base
 
 
+def full_name(letter: Letter) -> str:
+    """The name of a letter with all that decorates it."""
+    return next(iter(_decorated(letter) if letter.decorations else _plain(letter.base, letter.below)))
+
+
 def spelled(sign: str) -> str:
     """A sign of a subscript as part of a name: k|k-1 is k_km1."""
     return _SIGNS.get(sign, sign)

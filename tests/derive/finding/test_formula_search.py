@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
 from radartrack.derive.finding.screening_values import row
+from radartrack.derive.finding.usual_letters import usual_forms
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
@@ -167,6 +168,41 @@ def test_a_slip_is_near_and_never_found(slip: str) -> None:
     near: list[Candidate] = search().near(tree)
     assert near
     assert all(0 < one.difference < 0.5 for one in near)
+
+
+@pytest.mark.parametrize(
+    ("slip", "quantity", "right"),
+    [
+        (
+            "y*(vx*y + vy*x)/(x^2 + y^2)^(3/2)",
+            "observe.polar_doppler.jacobian[2,0]",
+            "y*(vx*y - vy*x)/(x**2 + y**2)**(3/2)",
+        ),
+        ("R*cos(theta)*exp(s_theta^2)", "polar.unbiased.estimate[0]", "r*cos(beta)*exp(sigma_beta**2/2)"),
+        ("sin(T*omega)*omega", "motion.turn.known_rate.transition[0,1]", "sin(T*omega)/omega"),
+    ],
+)
+def test_a_slip_is_undone_and_never_found(slip: str, quantity: str, right: str) -> None:
+    tree = read_loosely(slip)
+    assert search().candidates(tree) == []
+    assert (quantity, right) in {(one.quantity, one.formula) for one in search().slipped(tree) if one.slip}
+
+
+@pytest.mark.parametrize(
+    ("formula", "quantity"),
+    [
+        ("[[x/r, y/r], [-y/r^2, x/r^2]]", "observe.polar.jacobian"),
+        ("(N*(1 - e^2) + h)*sin(phi)", "frames.ecef_from_geodetic.map[2]"),
+        ("-r*u/w", "ruv.jacobian[2,1]"),
+        ("dt^3/3", "motion.constant_velocity.process_noise.continuous[0,0]"),
+        ("2*(2*n + 1)/((n + 1)*(n + 2))", "finite_sample.degree1.range.covariance[0,0]"),
+    ],
+)
+def test_letters_that_are_functions_and_factors_that_are_understood_are_put_in(formula: str, quantity: str) -> None:
+    forms = usual_forms(read_loosely(formula))
+    assert any(
+        quantity in {one.quantity for one in search().among(form.family).candidates(form.tree)} for form in forms
+    )
 
 
 @pytest.mark.parametrize(

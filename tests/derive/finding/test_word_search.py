@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.finding.word_search import FieldWord, by_words, field_words
+from radartrack.derive.finding.word_search import FieldWord, by_words, field_words, missed
 from radartrack.derive.language.quantity import Quantity
 
 QUANTITIES = list(catalogue().values())
@@ -73,6 +73,18 @@ def test_several_words_are_all_met(words: str, first: str) -> None:
     assert first in found(*words.split())[0]
 
 
-@pytest.mark.parametrize("nothing", ["xyzzy", "nothing.like.this", "zq", "?", "...", "qqqqqqqqqqqqqqqqqqqqqqqq " * 50])
+@pytest.mark.parametrize(("words", "unknown"), [("sidereal time", ["sidereal"]), ("singer bananas", ["bananas"])])
+def test_words_that_are_said_of_nothing_are_told(words: str, unknown: list[str]) -> None:
+    assert missed(words.split(), by_words(words.split(), QUANTITIES)) == unknown
+
+
+@pytest.mark.parametrize(("letter", "name"), [("sigma_theta", "polar.std.linear"), ("lambda", "alpha_beta.gain")])
+def test_a_letter_of_the_field_finds_what_has_its_symbol(letter: str, name: str) -> None:
+    assert any(name in one for one in found(letter))
+
+
+@pytest.mark.parametrize(
+    "nothing", ["xyzzy", "sidereal", "nothing.like.this", "zq", "?", "...", "qqqqqqqqqqqqqqqqqqqqqqqq " * 50]
+)
 def test_what_means_nothing_finds_nothing(nothing: str) -> None:
     assert found(nothing) == []

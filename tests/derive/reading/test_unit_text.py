@@ -8,7 +8,7 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive.reading.unit_text import BASE, Scale, read_unit
+from radartrack.derive.reading.unit_text import BASE, Scale, measured, read_unit
 from radartrack.derive.units import METRE, RADIAN, SECOND, Unit
 
 powers = st.builds(Fraction, st.integers(-4, 4), st.integers(1, 3))
@@ -53,3 +53,24 @@ def test_what_is_no_unit_is_refused_with_a_word(text: str):
 
 def test_every_unit_that_is_offered_is_read():
     assert [name for name in BASE if read_unit(name) != BASE[name]] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "formula", "unit"),
+    [
+        ("30deg", "30*(pi/180)", "rad"),
+        ("30°", "30*(pi/180)", "rad"),
+        (" -2.5e3 km ", "-2.5e3*(1000)", "m"),
+        ("9.81 m/s^2", "9.81", "m/s^2"),
+        (".5 mrad", ".5*(1/1000)", "rad"),
+    ],
+)
+def test_a_number_with_a_unit_is_a_formula_in_si_units(text: str, formula: str, unit: str):
+    found = measured(text)
+    assert found is not None
+    assert (found.formula, str(found.unit)) == (formula, unit)
+
+
+@pytest.mark.parametrize("text", ["30", "deg", "30*deg", "2r", "30 deg + 1", "1e", "5 %", "__import__('os') m", ""])
+def test_what_is_no_number_with_a_unit_stays_a_formula(text: str):
+    assert measured(text) is None

@@ -55,7 +55,8 @@ def free_choices(name: str, symbols: Sequence[Symbol]) -> list[Choice[Symbol]]:
     role = meanings(name).role
     weak = {symbol for symbol, _ in means(name, symbols, weak=True)}
     power = 2 if role is Role.VARIANCE else 1
-    found = [Choice(one, power, _rank(name, one, weak=one in weak)) for one in symbols if _may_play(role, one)]
+    playing = [one for one in symbols if _may_play(role, one)] or (symbols if len(name) == 1 else [])
+    found = [Choice(one, power, _rank(name, one, weak=one in weak)) for one in playing]
     return sorted(found, key=lambda choice: choice.rank)
 
 

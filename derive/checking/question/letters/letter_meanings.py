@@ -110,6 +110,12 @@ _STRONG = {
     "path": "path bistatic_range total_range",
     "baseline": "baseline",
     "rate": "alpha",
+    "latitude": "latitude lat phi varphi",
+    "longitude": "longitude lon lng long lambda lam",
+    "height": "height h H alt altitude hgt",
+    "semi_major_axis": "semi_major_axis a a_e R_a",
+    "flattening": "flattening f",
+    "tracking_index": "index tracking_index Lambda lambda lam",
 }
 _WEAK = {
     "range": "d D a",
@@ -329,5 +335,7 @@ _OWN = {
     "j": "index",
     "omega": "turn_rate",
     "alpha": "rate",
+    "index": "tracking_index",
     **{name: name for name in ("u", "v", "x", "y", "z", "vx", "vy", "vz", "heading", "speed", "path", "baseline")},
+    **{name: name for name in ("latitude", "longitude", "height", "semi_major_axis", "flattening")},
 }

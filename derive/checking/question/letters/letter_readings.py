@@ -6,6 +6,7 @@ Only letters without a meaning are free. Each symbol is meant by one letter at m
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,8 +14,10 @@ from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
-from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension, dimensions
+from radartrack.derive.checking.question.formula_units import Dimension, misfits
+from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.letters.assignments import (
+    STRONG,
     Choice,
     assignments,
     choices,
@@ -22,6 +25,7 @@ from radartrack.derive.checking.question.letters.assignments import (
     keeps_numbers,
     stem,
 )
+from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
 from radartrack.derive.checking.question.names import WORD
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
@@ -36,6 +40,7 @@ from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.unit_text import measured
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
@@ -46,12 +51,23 @@ KEPT = 5  # assignments of a wrong formula that are looked at closely
 
 @dataclass(frozen=True)
 class Letter(Choice[Variable]):
-    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant."""
+    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant.
+
+    Attributes:
+        function: of symbols for which the letter stands instead; then the symbol only says its unit and meaning.
+    """
+
+    function: Expr | None = None
 
     @property
     def value(self) -> Expr:
         """The same as an expression."""
-        return self.symbol**self.power
+        return self.symbol**self.power if self.function is None else self.function
+
+    @property
+    def is_symbol(self) -> bool:
+        """Whether it is another name of a symbol."""
+        return self.function is None and self.power == 1
 
     @property
     def dimension(self) -> Dimension:
@@ -74,13 +90,18 @@ class Reading:
         letters: those that are no symbols of the quantity, or are read as another symbol than that of their name.
         wrong: how many entries have other values than the quantity at some points, as far as floating point tells.
         rank: how far-fetched the meanings are together.
-        fits: whether the units of the formula are those of the quantity.
+        misfits: how many parts of the formula, or entries, have units that do not fit.
     """
 
     letters: Letters
     wrong: int = 0
     rank: int = 0
-    fits: bool = True
+    misfits: int = 0
+
+    @property
+    def fits(self) -> bool:
+        """Whether the units of the formula are those of the quantity."""
+        return not self.misfits
 
     @property
     def is_right(self) -> bool:
@@ -130,7 +151,7 @@ class Typed:
         ]
         if any(len(name) > LONGEST for name in unknown):
             return []
-        if not unknown and (not doubtful or self._fits({})):
+        if not unknown and (not doubtful or not self._misfits({})):
             return [AS_TYPED]
         words = [name for name in unknown if is_word(name) and not self._means(name)]
         found = self._readings(unknown, fixed, doubtful)
@@ -142,18 +163,19 @@ class Typed:
         found = self._judged(self._assignments(unknown, fixed))
         if not any(reading.is_right for reading in found):
             farther = self._judged(self._assignments(unknown, fixed, farther=True))
-            fits = any(reading.fits for reading in found)
-            found = [one for one in farther if one.is_right or (one.fits and not fits)] or found
+            least = min((reading.misfits for reading in found), default=math.inf)
+            found = [one for one in farther if one.is_right or one.misfits < least] or found
         if doubtful and not any(reading.fits for reading in found):
             free = self._judged(self._assignments([*unknown, *doubtful], [n for n in fixed if n not in doubtful]))
             found = [reading for reading in free if reading.fits] or found
-        fitting = [reading for reading in found if reading.fits] or found
+        least_misfits = min((reading.misfits for reading in found), default=0)
+        fitting = [reading for reading in found if reading.misfits == least_misfits]
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
 
     def _means(self, name: str) -> bool:
-        """Whether a name has a meaning by which it is a symbol of the quantity."""
-        symbols = self.reference.symbols
+        """Whether a name has a meaning by which it is a symbol of the quantity, or a function of these."""
+        symbols = [*self.reference.symbols, *self._functions]
         return bool(means(name, symbols) or means(name, symbols, weak=True))
 
     def _unmeant(self, word: str, readings: Sequence[Reading]) -> FormulaError:
@@ -172,7 +194,7 @@ class Typed:
         unknown = [name for name in self.used if name not in self._own]
         left = [symbol for symbol in self.reference.symbols if symbol.name not in self.used]
         pairs = dict(zip(unknown, map(Letter, left), strict=False))
-        return [Reading(pairs, len(self.entries.entries), fits=False)] if len(pairs) == len(unknown) else []
+        return [Reading(pairs, len(self.entries.entries), misfits=1)] if len(pairs) == len(unknown) else []
 
     @cached_property
     def _own(self) -> dict[str, Variable]:
@@ -203,46 +225,63 @@ class Typed:
         """What the letters may stand for; farther, also what they seldom do."""
         taken = frozenset((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
-        candidates = {name: choices(name, symbols) for name in unknown}
+        candidates = {name: self._choices(name, symbols) for name in unknown}
         if farther:
             candidates = {name: farther_choices(name, candidates, symbols) for name in unknown}
         known = {name: Choice(self._own[name]) for name in fixed}
         for one in islice(assignments(candidates, taken), MOST):
             if not keeps_numbers({**known, **one}):
                 continue
-            yield {name: Letter(choice.symbol, choice.power, choice.rank) for name, choice in one.items()}
+            yield {name: self._letter(choice) for name, choice in one.items()}
+
+    def _choices(self, name: str, symbols: Sequence[Variable]) -> list[Choice[Variable]]:
+        """What a letter may stand for: what it means, a function that it is usual for, or anything."""
+        usual = [] if means(name, symbols) else [one for one in self._dependents if one.is_called(name)]
+        found = [Choice(one.variable, rank=one.rank) for one in usual]
+        binds = any(one.rank == STRONG for one in found)
+        return found if binds else [*found, *choices(name, symbols)]
+
+    def _letter(self, choice: Choice[Variable]) -> Letter:
+        return Letter(choice.symbol, choice.power, choice.rank, self._functions.get(choice.symbol))
+
+    @cached_property
+    def _dependents(self) -> list[Dependent]:
+        return dependents(part.quantity for part in self.reference.parts)
+
+    @cached_property
+    def _functions(self) -> dict[Symbol, Expr]:
+        return {one.variable: one.value for one in self._dependents}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
         found = []
-        known: dict[tuple[Dimension, ...], bool] = {}
+        known: dict[tuple[Dimension, ...], int] = {}
         for letters in assignments:
             kinds = tuple(letter.dimension for letter in letters.values())
             if kinds not in known:
-                known[kinds] = self._fits(letters)
+                known[kinds] = self._misfits(letters)
             rank = sum(letter.rank for letter in letters.values())
             found.append(Reading(dict(sorted(letters.items())), len(self.entries.entries), rank, known[kinds]))
         if any(reading.fits for reading in found):
             found = [reading for reading in found if reading.fits]
         judged = []
         for reading in sorted(found, key=lambda reading: reading.rank):
-            judged.append(Reading(reading.letters, self._wrong(reading.letters), reading.rank, reading.fits))
+            judged.append(Reading(reading.letters, self._wrong(reading.letters), reading.rank, reading.misfits))
             if not judged[-1].wrong:
                 break
         return judged
 
-    def _fits(self, letters: Letters) -> bool:
-        """Whether the formula has the units of the quantity."""
+    def _misfits(self, letters: Letters) -> int:
+        """How many parts of the formula, or entries, have units that do not fit."""
         known = {name: Dimension.of(symbol.unit) for name, symbol in self._own.items()}
         known |= {name: letter.dimension for name, letter in letters.items()}
-        try:
-            for name in self._needed:
-                known[name] = dimensions(known)(self.definitions[name])
-            fold = dimensions(known)
-            for entry, expected in zip(self.entries, self.reference.dimensions, strict=True):
-                check_dimension(fold(entry), expected)
-        except (WrongDimensions, KeyError):
-            return False
-        return True
+        count = 0
+        for name in self._needed:
+            known[name], wrong = misfits(self.definitions[name], known)
+            count += wrong
+        for entry, expected in zip(self.entries, self.reference.dimensions, strict=True):
+            found, wrong = misfits(entry, known)
+            count += wrong + (0 if found.free or found.agrees(expected) else 1)
+        return count
 
     def _wrong(self, letters: Letters) -> int:
         """How many entries have other values than the quantity."""
@@ -282,7 +321,11 @@ class Typed:
         symbols = self.reference.symbols
         found = RoughEvaluator(list(self.conditions.values()), symbols)([point[one.name] for one in symbols])
         values = zip(self.conditions, found or (), strict=False)
-        return point | {symbol.name: value for symbol, (value, _) in values}
+        known = point | {symbol.name: value for symbol, (value, _) in values}
+        rough = [(one, RoughEvaluator([one.value], symbols)) for one in self._dependents]
+        at_point = [known[one.name] for one in symbols]
+        found_there = ((one, value(at_point)) for one, value in rough)
+        return known | {one.variable.name: value[0][0] for one, value in found_there if value}
 
     @cached_property
     def _derived(self) -> list[list[tuple[float, ...] | None]]:
@@ -321,7 +364,8 @@ def as_typed(
     own = list(dict.fromkeys([*(symbol.name for symbol in reference.symbols), *declared]))
     try:
         known = _Definitions(let, own)
-        tree, _ = trimmed(read([*own, *let], known.shapes), reference.shape)
+        tree, _ = with_symbols(read([*own, *let], known.shapes), own)
+        tree, _ = trimmed(tree, reference.shape)
         needed = known.needed_by(tree)
         entries = written_out(tree, known.arrays)
     except (FormulaError, ValueError):
@@ -389,7 +433,8 @@ class _Definitions:
         for other in sorted(set(WORD.findall(self._let[name])) & self._let.keys()):
             self._read(other, (*path, name))
         try:
-            tree = read_loosely(self._let[name], [*self._own, *self._let], shapes=self.shapes)
+            text = number.formula if (number := measured(self._let[name])) else self._let[name]
+            tree, _ = with_symbols(read_loosely(text, [*self._own, *self._let], shapes=self.shapes), self._own)
             entries = written_out(tree, self.arrays)
         except (FormulaError, ValueError):
             self._trees[name] = None
@@ -401,5 +446,11 @@ class _Definitions:
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:
     """What to say where several readings explain a formula equally well, which none of them makes right."""
+    if not any(one.fits for one in readings):
+        names = ", ".join(readings[0].letters)
+        verb = "is" if len(readings[0].letters) == 1 else "are"
+        return FormulaError(
+            f"the formula has the units of the quantity for none of its symbols: say with --let what {names} {verb}"
+        )
     options = [" ".join(f"--let {name}={letter}" for name, letter in one.letters.items()) for one in readings]
     return FormulaError(f"the letters of the formula may mean more than one thing; say which: {', or '.join(options)}")

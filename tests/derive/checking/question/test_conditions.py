@@ -9,6 +9,7 @@ from radartrack.derive import check
 from radartrack.derive.checking.papers.audit import decide
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 from radartrack.derive.checking.question.compared_quantity import refer
+from radartrack.derive.formula.error import FormulaError
 
 COVARIANCE = "polar.covariance.linear[0,0]"
 PRINTED = "r**2*sigma_beta**2*sin(beta)**2 + sigma_r**2*cos(beta)**2"
@@ -100,7 +101,8 @@ def test_conditions_at_the_limits_and_between_symbols_hold(given: dict[str, str]
     ("name", "said"),
     [
         *((name, "is a function") for name in ("sin", "tan", "sqrt", "abs", "ln", "arctan", "atan2")),
-        *((name, "letters, digits and _") for name in ("g(x)", "3b", r"\dot{x}", "a.b", "x'", "é", "a b", "", "x[0]")),
+        *((name, "letters, digits and _") for name in ("g(x)", "3b", r"\frac{x}{y}", "a.b", "x'", "é", "a b", "")),
+        ("x[0]", "letters, digits and _"),
     ],
 )
 def test_a_name_that_no_formula_holds_is_not_defined(name: str, said: str) -> None:
@@ -178,3 +180,44 @@ def test_no_edit_is_the_formula_itself() -> None:
 
 def _correlations(quantity: str) -> list[str]:
     return [symbol.name for symbol in refer(quantity).symbols if symbol.is_correlation]
+
+
+@pytest.mark.parametrize(
+    ("given", "formula"),
+    [
+        ({"beta": "30deg"}, "r*sqrt(3)/2"),
+        ({"beta": " 30 deg"}, "r*sqrt(3)/2"),
+        ({"beta": "30°"}, "r*sqrt(3)/2"),
+        ({"beta": "-1.5e1deg"}, "r*(sqrt(6) + sqrt(2))/4"),
+        ({"r": "10km"}, "10000*cos(beta)"),
+        ({"azimuth": "500 mrad"}, "r*cos(1/2)"),
+    ],
+)
+def test_a_number_may_have_a_unit(given: dict[str, str], formula: str) -> None:
+    verdict = check("polar.map[0]", formula, given=given)
+    assert verdict.is_equal
+    assert not verdict.remarks
+
+
+@pytest.mark.parametrize("given", [{"r": "30deg"}, {"beta": "10 km"}, {"r": "5s"}])
+def test_a_number_in_another_unit_is_refused(given: dict[str, str]) -> None:
+    with pytest.raises(FormulaError, match="has the unit"):
+        check("polar.map[0]", "r*cos(beta)", given=given)
+
+
+def test_a_definition_may_be_a_number_with_a_unit() -> None:
+    assert check("polar.map[0]", "R*cos(beta)", let={"R": "10km"}, given={"r": "10km"}).is_equal
+    wrong = check("polar.map[0]", "r*cos(beta) + R", let={"R": "10s"})
+    assert wrong.verdict == "wrong_dimensions"
+
+
+@pytest.mark.parametrize(("value", "is_told"), [("30", True), ("-90", True), ("6.2", False), ("30*pi/180", False)])
+def test_an_angle_beyond_a_turn_is_told_to_be_in_radians(value: str, is_told: bool) -> None:
+    remarks = check("polar.map[0]", "r*cos(beta)", given={"beta": value}).remarks
+    assert any(f"beta={value}deg" in one for one in remarks) is is_told
+
+
+def test_definitions_may_be_latex() -> None:
+    formula = r"\left(\lambda^{-2}-2\right) r^2\cos^2\theta+\frac{1}{2}(r^2+\sigma_r^2)(1+\lambda'\cos 2\theta)"
+    let = {r"\lambda": r"e^{-\sigma_\theta^2/2}", r"\lambda'": r"\lambda^{4}"}
+    assert check("polar.unbiased.covariance[0,0]", formula, latex=True, let=let, given={"rho": "0"}).is_equal

@@ -1,0 +1,109 @@
+"""Formulas in letters that are usual for functions of a quantity's symbols, and without a factor that is understood."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from radartrack.derive.catalogue import catalogue
+from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
+from radartrack.derive.checking.question.letters.letter_meanings import meanings, means
+from radartrack.derive.checking.reporting.derived_formula import as_printed
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.tree import Name, Number, Power, Product, Tree
+from radartrack.derive.formula.tree import names as names_of
+from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.symbolic import Expr
+
+# One quantity of each subject that has letters of its own.
+SUBJECTS = (
+    "observe.polar_doppler.jacobian",
+    "observe.spherical_doppler.jacobian",
+    "observe.ruv.jacobian",
+    "observe.bistatic.jacobian",
+    "polar.jacobian",
+    "spherical.jacobian",
+    "ruv.jacobian",
+    "bistatic.jacobian",
+    "frames.ecef_from_geodetic.map",
+    "finite_sample.degree1.range_rate.rate_weights",
+    "fusion.correlated.variance",
+)
+# Process noise is printed for an intensity of one, a covariance as the factor by which variances are reduced.
+FEW = 2  # letters: a longer formula lacks no factor, and readings with one more letter are many
+UNDERSTOOD = (("q", 1), ("sigma_w", 2), ("sigma_r", 2), ("sigma_m", 2))
+
+
+@dataclass(frozen=True)
+class Usual:
+    """A formula in symbols.
+
+    Attributes:
+        tree: the formula.
+        words: what was done to it.
+        family: how the names of the quantities begin that it may be; nothing for any.
+    """
+
+    tree: Tree
+    words: str
+    family: str = ""
+
+
+def usual_forms(tree: Tree) -> Iterator[Usual]:
+    """What a formula may be short for, the likeliest first."""
+    plain = list(_in_symbols(tree))
+    yield from plain
+    if len(names_of(tree)) <= FEW:
+        for one in (*plain, Usual(tree, "")):
+            yield from _with_factors(one)
+
+
+def _in_symbols(tree: Tree) -> Iterator[Usual]:
+    """With the functions of symbols for which letters stand, in each subject that has all the other letters."""
+    letters = names_of(tree)
+    for subject in SUBJECTS:
+        quantity = catalogue()[subject]
+        known = dependents([quantity])
+        for rank in sorted({one.rank for one in known}):
+            meant = _meant(letters, quantity, [one for one in known if one.rank <= rank])
+            if meant and all(_may_be_of(name, quantity) for name in letters - meant.keys()):
+                meant |= _symbols_meant(letters - meant.keys(), quantity)
+                trees = {name: as_printed(value) for name, value in meant.items()}
+                written = rebuild(tree, lambda node, trees=trees: _put(node, trees))  # type: ignore[misc]
+                said = ", ".join(f"{name} for {value}" for name, value in meant.items())
+                yield Usual(written, said, f"{quantity.module}.")
+
+
+def _meant(letters: frozenset[str], quantity: Quantity, known: Sequence[Dependent]) -> dict[str, Expr]:
+    own = {symbol.name for symbol in quantity.symbols}
+    found: dict[str, Expr] = {}
+    for one in known:
+        called = (name for name in sorted(letters) if name not in own and name not in found and one.is_called(name))
+        if (name := next(called, None)) is not None and not means(name, quantity.symbols):
+            found[name] = one.value
+    return found
+
+
+def _symbols_meant(letters: frozenset[str], quantity: Quantity) -> dict[str, Expr]:
+    """The symbols that letters mean: in what was put in these stand by their own names."""
+    own = {symbol.name for symbol in quantity.symbols}
+    said = {name: means(name, quantity.symbols) for name in sorted(letters - own)}
+    return {name: found[0][0] for name, found in said.items() if len(found) == 1 and found[0][1] == 1}
+
+
+def _may_be_of(name: str, quantity: Quantity) -> bool:
+    """Whether a letter is one of the subject, or means nothing."""
+    own = any(symbol.name == name for symbol in quantity.symbols)
+    return own or bool(means(name, quantity.symbols)) or not meanings(name).strong
+
+
+def _with_factors(one: Usual) -> Iterator[Usual]:
+    for name, power in UNDERSTOOD:
+        if name not in names_of(one.tree):
+            factor: Tree = Name(name) if power == 1 else Power(Name(name), Number(str(power)))
+            said = f"{name if power == 1 else f'{name}**{power}'} = 1 understood"
+            yield Usual(Product((factor, one.tree)), f"{one.words}, {said}" if one.words else said, one.family)
+
+
+def _put(node: Tree, trees: dict[str, Tree]) -> Tree:
+    return trees.get(node.name, node) if isinstance(node, Name) else node
