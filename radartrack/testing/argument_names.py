@@ -73,8 +73,9 @@ def _is_called(words: list[str], joined: str, name: str, symbol: Variable) -> bo
         return bool(kept) and _is_alias("".join(kept), name)
     of = name.removeprefix("sigma_")
     marks = {*DEVIATION, *VARIANCE}
-    kept = [word for word in words if word not in {*marks, *DEGREES, "2"}]
-    if len(kept) == len([word for word in words if word not in {*DEGREES, "2"}]):  # s_r or sr: no mark of its own
+    dropped = {*DEGREES} if of == "2" else {*DEGREES, "2"}  # sigma2_r is a square, sigma_2 the second
+    kept = [word for word in words if word not in {*marks, *dropped}]
+    if len(kept) == len([word for word in words if word not in dropped]):  # s_r or sr: no mark of its own
         return any(joined.startswith(mark) and _is_alias(joined.removeprefix(mark), of) for mark in marks)
     return _is_alias("".join(kept), of) if kept else False
 

@@ -13,8 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
+from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_bindings import bindings, declared
+from radartrack.testing.argument_bindings import CUSTOMARY, bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
 from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
 from radartrack.testing.compiled_function import NotCallable, as_called
@@ -33,6 +34,7 @@ from radartrack.testing.function_conventions import (
 )
 from radartrack.testing.function_slips import SlipSearch, merged
 from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
+from radartrack.testing.returned_forms import returned_forms
 from radartrack.testing.unexplained_difference import described, region
 from radartrack.testing.wanted import Expected, Wanted
 from radartrack.verification.domain_points import Points
@@ -43,7 +45,7 @@ CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
 CLOSE_IN_TABLES = 1e-6  # what a form that cancels may lose in a table, whose points have no neighbours
-FAILING = 80  # ways to call it after which a function that raises at all of them is given up
+FAILING = 240  # ways to call it after which a function that raises at all of them is given up
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
 WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
@@ -54,6 +56,9 @@ EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 MOST_LOST = 1000.0  # ulp that any way to write a formula may lose
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
+
+
+MORE = ", and give the others their values: functools.partial, or a lambda"
 
 
 class CannotDiagnose(ValueError):
@@ -72,6 +77,7 @@ class Reading:
         wrong: how many different entries are wrong then.
         other: whether it is compared with another quantity.
         single: whether it returns single precision, or computes in it.
+        form: what of the quantity it returns, where that is not the quantity itself.
     """
 
     wanted: Wanted
@@ -81,6 +87,7 @@ class Reading:
     wrong: int
     other: bool = False
     single: bool = False
+    form: str = ""
 
     @property
     def cost(self) -> float:
@@ -91,7 +98,7 @@ class Reading:
     @property
     def words(self) -> str:
         """The convention; empty as asked for."""
-        said = " and ".join(filter(None, (self.change.words, self.arrangement.words)))
+        said = " and ".join(filter(None, (self.form, self.change.words, self.arrangement.words)))
         if not self.other:
             return said
         return f"this is {self.wanted.name}" + (f" with {said}" if said else "")
@@ -119,8 +126,24 @@ def examined(
     except NotCallable as error:
         raise CannotDiagnose(str(error)) from None
     every = [Examination(one, wanted, arguments, stated) for one in forms]
-    fitting = [one for one in every if one.is_callable] if len(every) > 1 else []
-    return min(fitting or every[:1], key=lambda one: one.readings[0].cost).diagnosis()
+    fitting = [one for one in every if one.is_callable]
+    plain = min(fitting, key=lambda one: one.readings[0].cost, default=every[0])
+    if fitting and plain.readings[0].wrong == 0:
+        return plain.diagnosis()
+    others = [
+        Examination(form.of(one), form.wanted, arguments, stated, form.words)
+        for form in returned_forms(wanted)
+        for one in forms
+    ]
+    right = next((one for one in others if one.is_callable and one.readings[0].wrong == 0), None)
+    if right is not None:
+        return right.diagnosis()
+    found = plain.diagnosis() if fitting else None
+    if found is not None and found.verdict != "differs":
+        return found
+    slipped = (one.diagnosis() for one in others if one.is_callable)
+    found = next((one for one in slipped if one.verdict == "slip"), found)
+    return found or plain.diagnosis()
 
 
 class Examination:
@@ -132,8 +155,10 @@ class Examination:
         wanted: Wanted,
         arguments: Mapping[str, str | Sequence[str]],
         stated: ArgumentChange,
+        form: str = "",
     ) -> None:
         self._function, self._wanted, self._arguments, self._stated = function, wanted, arguments, stated
+        self._form = form
         self._tried: dict[tuple[str, ...], tuple[Wanted, Expected]] = {}
         self._troubles: dict[str, None] = {}
 
@@ -218,8 +243,14 @@ class Examination:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(name for name, _, _ in declared(self._function) or ())
+            if taken.partition(", ")[0] in {"self", "cls"}:
+                return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""
-            return f"the function cannot be called with {names}{own}; say what its parameters take: arguments={{...}}"
+            more = "" if len(taken.split(", ")) <= len(self._wanted.symbols) else MORE
+            return (
+                f"the function cannot be called with {names}{own}; "
+                f"say what its parameters take: arguments={{...}}{more}"
+            )
         returned = [one for one in self._troubles if one.startswith(RETURNS)]
         return (returned or list(self._troubles))[0]
 
@@ -228,7 +259,7 @@ class Examination:
         absent = [
             symbol.name
             for symbol in self._wanted.symbols
-            if symbol.is_correlation and symbol.name not in binding.symbols
+            if (symbol.is_correlation or symbol.name in CUSTOMARY) and symbol.name not in binding.symbols
         ]
         wanted = self._without(absent)
         implied = self._implied(binding)
@@ -238,7 +269,8 @@ class Examination:
     def _without(self, absent: Sequence[str]) -> Wanted:
         key = tuple(absent)
         if key not in self._tried:
-            wanted = self._wanted.without(absent) if absent else self._wanted
+            values = {name: CUSTOMARY.get(name, 0.0) for name in absent}
+            wanted = self._wanted.having(values) if absent else self._wanted
             self._tried[key] = wanted, wanted.ordinary(FEW)
         return self._tried[key][0]
 
@@ -270,7 +302,7 @@ class Examination:
 
         def readings(close: float, *, single: bool) -> list[Reading]:
             found = arrangements.best(calls.values, expected.values, close * expected.scales)
-            return [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+            return [Reading(wanted, bound, change, one, wrong, single=single, form=self._form) for wrong, one in found]
 
         found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
         yield from found
@@ -410,14 +442,15 @@ class Examination:
 
     def _right(self, reading: Reading) -> Diagnosis:
         """Of a function that is right at ordinary points: how exact it is elsewhere, and whether it is right there."""
-        expected = reading.wanted.domain(DOMAIN)
+        # Of what another form has lost nothing is known beyond ordinary points.
+        expected = reading.wanted.ordinary(SCREENING) if reading.form else reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
         epsilon = SINGLE if reading.single else DOUBLE
         undefined = list(_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
         wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
-        coarse = self._right_when_coarse(reading)
+        coarse = None if reading.form else self._right_when_coarse(reading)
         plain = not reading.words
         if wrong.any() or coarse is not None:
             return self._elsewhere(reading, expected, found, wrong, coarse, undefined)
@@ -551,8 +584,9 @@ class Examination:
         )
 
     def _remarks(self, reading: Reading, calls: Calls | None) -> tuple[str, ...]:
-        zero = sorted(set(reading.wanted.given) - set(self._wanted.given))
-        said = [f"for {', '.join(f'{name} = 0' for name in zero)}, as it takes no {', '.join(zero)}"] if zero else []
+        absent = sorted(set(reading.wanted.given) - set(self._wanted.given))
+        values = ", ".join(f"{name} = {reading.wanted.given[name]:.9g}" for name in absent)
+        said = [f"for {values}, as it takes no {' and no '.join(absent)}"] if absent else []
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
         elif reading.single:
@@ -652,9 +686,15 @@ def _size(expected: Expected, place: int) -> Iterator[float]:
 
 
 def correlated_pairs(quantity: Quantity) -> dict[str, tuple[str, str]]:
-    """The correlations of the errors of its model, each with the deviations that it joins."""
+    """The correlations of its errors, each with the deviations that it joins: those of the same plot or track."""
     if quantity.model is None:
-        return {}
+        deviations = [symbol.name for symbol in quantity.symbols if is_deviation(symbol)]
+        alike = {
+            symbol.name: [name for name in deviations if name.endswith(symbol.name.removeprefix("rho_"))]
+            for symbol in quantity.symbols
+            if symbol.is_correlation
+        }
+        return {name: (pair[0], pair[1]) for name, pair in alike.items() if len(pair) == 2}
     sigma = dict(zip(quantity.model.measured, quantity.model.deviations, strict=False))
     return {rho.name: (sigma[a].name, sigma[b].name) for (a, b), rho in quantity.model.correlations.items()}
 

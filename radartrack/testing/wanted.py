@@ -51,7 +51,7 @@ class Wanted:
     @property
     def name(self) -> str:
         """As it was asked for."""
-        whole = self.shape == self.quantity.shape
+        whole = self.shape == self.quantity.shape or len(self.places) > 1
         return self.quantity.name if whole else f"{self.quantity.name}[{', '.join(map(str, self.places[0]))}]"
 
     @cached_property
@@ -79,9 +79,9 @@ class Wanted:
         every = list(indices(self.quantity.shape))
         return [every.index(place) for place in self.places]
 
-    def without(self, names: Sequence[str]) -> Wanted:
-        """The same with these symbols zero."""
-        return Wanted(self.quantity, self.places, self.shape, {**self.given, **dict.fromkeys(names, 0.0)})
+    def having(self, values: Mapping[str, float]) -> Wanted:
+        """The same with more of its symbols fixed."""
+        return Wanted(self.quantity, self.places, self.shape, {**self.given, **values})
 
     def at(self, points: Points) -> Expected:
         """The exact values at some points, without those at which there are none."""
