@@ -171,7 +171,7 @@ def _scalars(
             left = iter(rest)
             bound = [name or next(left) for name in by_name]
             is_told = is_told or len(taken) in {len(places), max(len(places) - 1, TELLING)}
-            yield Binding(tuple(map(_parameter, places, bound)))
+            yield Binding(tuple(map(_parameter, places, bound)), told=len(taken) == len(places))
     if not stated and not is_told:
         for order in islice(permutations(names, len(places)), MOST):
             yield Binding(tuple(map(_parameter, places, order)))

@@ -98,11 +98,13 @@ class Binding:
         parameters: in the order of the call.
         form: how vectors and numbers are handed over.
         changes: what is passed in place of a symbol's value: degrees, a variance.
+        told: whether the names of all parameters say it.
     """
 
     parameters: tuple[Parameter, ...]
     form: Form = Form.SCALARS
     changes: Mapping[str, Change] = field(default_factory=dict, hash=False)
+    told: bool = field(default=False, compare=False)
 
     @property
     def symbols(self) -> tuple[str, ...]:

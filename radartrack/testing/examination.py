@@ -46,6 +46,7 @@ DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
 CLOSE_IN_TABLES = 1e-6  # what a form that cancels may lose in a table, whose points have no neighbours
 FAILING = 240  # ways to call it after which a function that raises at all of them is given up
+BESIDE = 100  # other ways that are tried where the names of the parameters say how it is called
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
 WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
@@ -160,6 +161,7 @@ class Examination:
         self._function, self._wanted, self._arguments, self._stated = function, wanted, arguments, stated
         self._form = form
         self._tried: dict[tuple[str, ...], tuple[Wanted, Expected]] = {}
+        self._arranged: dict[Wanted, Arrangements] = {}
         self._troubles: dict[str, None] = {}
 
     def diagnosis(self) -> Diagnosis:
@@ -216,18 +218,19 @@ class Examination:
         """
         found: list[Reading] = []
         callable_as: set[tuple[Parameter, ...]] = set()
-        failed = 0
+        failed = beside = 0
         wanted, pairs = self._wanted, correlated_pairs(self._wanted.quantity)
         for binding in bindings(self._function, wanted.symbols, self._arguments, wanted.needed, pairs):
             if binding.parameters in callable_as:  # in another form
                 continue
             here = list(self._of_binding(binding))
             failed += not here
+            beside += bool(found) and found[0].binding.told and not binding.told
             callable_as |= {reading.binding.parameters for reading in here}
             found += here
             if any(reading.cost == 0 for reading in here):
                 return sorted(here, key=lambda one: one.cost)
-            if failed >= FAILING and not found:
+            if (failed >= FAILING and not found) or beside >= BESIDE:
                 break
         if not found:
             raise CannotDiagnose(self._why())
@@ -298,7 +301,7 @@ class Examination:
         if calls.trouble and not np.isfinite(calls.values).any():
             self._troubles[calls.trouble] = None
             return
-        arrangements = Arrangements(wanted, self._stated_order)
+        arrangements = self._arrangements(wanted)
 
         def readings(close: float, *, single: bool) -> list[Reading]:
             found = arrangements.best(calls.values, expected.values, close * expected.scales)
@@ -324,6 +327,11 @@ class Examination:
             )
             for point, entry in places[:SHOWN]
         )
+
+    def _arrangements(self, wanted: Wanted) -> Arrangements:
+        if wanted not in self._arranged:
+            self._arranged[wanted] = Arrangements(wanted, self._stated_order)
+        return self._arranged[wanted]
 
     @property
     def _stated_order(self) -> Sequence[str]:

@@ -258,14 +258,29 @@ class Arrangements:
                 away[:, self._angles] = np.angle(np.exp(1j * away[:, self._angles]))
                 near = np.abs(away) <= tolerance[:, :, np.newaxis]
             same = np.all(near, axis=0)
-            counted = [(self._wrong(same, sources), own, said, sources) for said, sources, own in self.orders]
+            counted = [
+                (int(wrong), own, said, sources)
+                for wrong, (said, sources, own) in zip(self._wrong(same), self.orders, strict=True)
+            ]
             for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
                 both = " and ".join(filter(None, (said, words)))
                 yield wrong, Arrangement(both, sources, factors, offsets, cost + own)
 
-    def _wrong(self, same: npt.NDArray[np.bool_], sources: tuple[int, ...]) -> int:
-        entries = self._wanted.entries
-        return len({entries[place] for place, source in enumerate(sources) if not same[place, source]})
+    @cached_property
+    def _sources(self) -> npt.NDArray[np.int_]:
+        """For each order, where each entry stands."""
+        return np.array([sources for _, sources, _ in self.orders], dtype=int).reshape(-1, self._size)
+
+    @cached_property
+    def _groups(self) -> npt.NDArray[np.int_]:
+        """For each entry and each different formula, whether it has that."""
+        entries = list(dict.fromkeys(self._wanted.entries))
+        return np.array([[int(one == entry) for entry in entries] for one in self._wanted.entries])
+
+    def _wrong(self, same: npt.NDArray[np.bool_]) -> npt.NDArray[np.int_]:
+        """How many different entries each order leaves wrong."""
+        wrong = ~same[np.arange(self._size), self._sources]
+        return np.asarray(((wrong @ self._groups) > 0).sum(axis=1))
 
 
 def is_direction(wanted: Wanted, place: Index) -> bool:

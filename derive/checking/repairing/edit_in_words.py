@@ -68,6 +68,10 @@ def _words(old: Tree, new: Tree) -> str:
             return f"the power 1 is {_shown(exponent)}: {_shown(new)} for {_shown(old)}"
         case Call("sqrt", (operand,)), _ if operand == new:
             return f"the root is missing: {_shown(new)} for {_shown(old)}"
+        case Product((first, *rest)), _ if rest == [new]:
+            return f"the factor {_shown(first)} is missing"
+        case _, Product((first, *rest)) if rest == [old]:
+            return f"an extra factor {_shown(first)}"
         case (Sum(), _) | (_, Sum()):
             return _of_parts(old, new, Sum, "term")
         case (Product() | Quotient(), _) | (_, Product() | Quotient()):

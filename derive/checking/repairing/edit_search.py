@@ -123,14 +123,23 @@ class Search:
 
     def edits(self, tree: Tree) -> list[Candidate]:
         """One edit, or one that runs through the formula; where there is no likely one, two."""
-        size = Fold[int](lambda _, below: 1 + sum(below))(tree)
+        found = self.single_edits(tree)
+        if not any(candidate.cost <= PLAIN for candidate in found):
+            found += self.double_edits(tree)
+        return sorted(found, key=lambda candidate: candidate.cost)
+
+    def single_edits(self, tree: Tree) -> list[Candidate]:
+        """One edit, or one that runs through the formula."""
+        size = _size(tree)
         found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
         found = found or list(self._single(tree))
         if not found or size <= HUGE:
             found += self._everywhere(tree)
-        if size <= LARGE and not any(candidate.cost <= PLAIN for candidate in found):
-            found += self._double(tree)
         return sorted(found, key=lambda candidate: candidate.cost)
+
+    def double_edits(self, tree: Tree) -> list[Candidate]:
+        """Two edits; none of a long formula."""
+        return sorted(self._double(tree), key=lambda candidate: candidate.cost) if _size(tree) <= LARGE else []
 
     def _right_terms(self, tree: Tree) -> Terms:
         """Those that stand in different sums of the formula no more often than in those of the derived one."""
@@ -313,6 +322,10 @@ class Search:
         factors: list[Tree] = [*first, *pairs, *growth, *last]
         found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
+
+
+def _size(tree: Tree) -> int:
+    return Fold[int](lambda _, below: 1 + sum(below))(tree)
 
 
 def _rounded(values: Values | None) -> Values | None:
