@@ -170,8 +170,9 @@ def _scalars(
         for rest in islice(permutations(free, by_name.count("")), MOST):
             left = iter(rest)
             bound = [name or next(left) for name in by_name]
-            is_told = is_told or len(taken) in {len(places), max(len(places) - 1, TELLING)}
-            yield Binding(tuple(map(_parameter, places, bound)), told=len(taken) == len(places))
+            told = len(taken) in {len(places), max(len(places) - 1, TELLING)}
+            is_told = is_told or told
+            yield Binding(tuple(map(_parameter, places, bound)), told=told)
     if not stated and not is_told:
         for order in islice(permutations(names, len(places)), MOST):
             yield Binding(tuple(map(_parameter, places, order)))

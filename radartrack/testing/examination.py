@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
 from functools import cached_property
 from itertools import combinations
@@ -17,6 +18,7 @@ from radartrack.derive.checking.comparing.order_of_difference import is_deviatio
 from radartrack.derive.language.quantity import Quantity
 from radartrack.testing.argument_bindings import CUSTOMARY, bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
+from radartrack.testing.argument_slips import argument_slip
 from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
 from radartrack.testing.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
@@ -79,6 +81,7 @@ class Reading:
         other: whether it is compared with another quantity.
         single: whether it returns single precision, or computes in it.
         form: what of the quantity it returns, where that is not the quantity itself.
+        first: what came back when it was read.
     """
 
     wanted: Wanted
@@ -89,6 +92,7 @@ class Reading:
     other: bool = False
     single: bool = False
     form: str = ""
+    first: Array | None = field(default=None, compare=False)
 
     @property
     def cost(self) -> float:
@@ -142,8 +146,8 @@ def examined(
     found = plain.diagnosis() if fitting else None
     if found is not None and found.verdict != "differs":
         return found
-    slipped = (one.diagnosis() for one in others if one.is_callable)
-    found = next((one for one in slipped if one.verdict == "slip"), found)
+    slipped = (one.diagnosis() for one in others if len(wanted.shape) > 1 and one.is_callable)
+    found = next((one for one in slipped if len(one.slips) == 1), found)
     return found or plain.diagnosis()
 
 
@@ -161,7 +165,7 @@ class Examination:
         self._function, self._wanted, self._arguments, self._stated = function, wanted, arguments, stated
         self._form = form
         self._tried: dict[tuple[str, ...], tuple[Wanted, Expected]] = {}
-        self._arranged: dict[Wanted, Arrangements] = {}
+        self._arranged: dict[tuple[Wanted, tuple[str, ...]], Arrangements] = {}
         self._troubles: dict[str, None] = {}
 
     def diagnosis(self) -> Diagnosis:
@@ -301,11 +305,12 @@ class Examination:
         if calls.trouble and not np.isfinite(calls.values).any():
             self._troubles[calls.trouble] = None
             return
-        arrangements = self._arrangements(wanted)
+        arrangements = self._arrangements(wanted, bound)
 
         def readings(close: float, *, single: bool) -> list[Reading]:
             found = arrangements.best(calls.values, expected.values, close * expected.scales)
-            return [Reading(wanted, bound, change, one, wrong, single=single, form=self._form) for wrong, one in found]
+            known = {"single": single, "form": self._form, "first": calls.values}
+            return [Reading(wanted, bound, change, one, wrong, **known) for wrong, one in found]
 
         found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
         yield from found
@@ -328,10 +333,12 @@ class Examination:
             for point, entry in places[:SHOWN]
         )
 
-    def _arrangements(self, wanted: Wanted) -> Arrangements:
-        if wanted not in self._arranged:
-            self._arranged[wanted] = Arrangements(wanted, self._stated_order)
-        return self._arranged[wanted]
+    def _arrangements(self, wanted: Wanted, binding: Binding) -> Arrangements:
+        vectors = [one.symbols for one in binding.parameters if one.is_vector and one.correlated is None]
+        passed = vectors[0] if len(vectors) == 1 else ()
+        if (wanted, passed) not in self._arranged:
+            self._arranged[wanted, passed] = Arrangements(wanted, self._stated_order, passed)
+        return self._arranged[wanted, passed]
 
     @property
     def _stated_order(self) -> Sequence[str]:
@@ -415,7 +422,16 @@ class Examination:
             calls, found = self._values(reading, screening)
         _, found_there = self._values(reading, confirming)
         search = SlipSearch(screening, found, confirming, found_there)
-        wrong = self._wrong(calls, found, screening)
+        in_degrees = frozenset(name for name, one in reading.binding.changes.items() if one is math.degrees)
+        of_argument = argument_slip(screening, found, confirming, found_there, in_degrees)
+        slips = self._of_entries(search, self._wrong(calls, found, screening), found, reading)
+        if of_argument is not None and (slips is None or len(slips) > 1 or of_argument.cost < _cost(slips)):
+            return (of_argument,)
+        return slips
+
+    def _of_entries(
+        self, search: SlipSearch, wrong: Sequence[int], found: Array, reading: Reading
+    ) -> tuple[Slip, ...] | None:
         slips = list(self._exchanged(search, wrong, reading.wanted))
         explained = {entry for slip in slips for entry in slip.entries}
         known: dict[Any, Slip | None] = {}
@@ -518,11 +534,13 @@ class Examination:
         return np.where(turns, np.abs(error), error)  # half a turn more is half a turn less
 
     def _changing(self, reading: Reading) -> Iterator[str]:
-        """Whether two calls give the same."""
-        expected = self._expected(reading.wanted)
-        first, second = (self._values(reading, expected)[1] for _ in range(2))
+        """Whether two calls give the same, and whether calls between them matter."""
+        points = self._expected(reading.wanted).points
+        first, second = (called(self._function, reading.binding, points, reading.wanted.shape).values for _ in range(2))
         if not np.array_equal(first, second, equal_nan=True):
             yield f"{CHANGING}: two calls with the same arguments give different values"
+        elif reading.first is not None and not np.array_equal(first, reading.first, equal_nan=True):
+            yield f"{CHANGING}: it gives other values than when it was called before, with the same arguments"
 
     def _elsewhere(
         self,
@@ -550,6 +568,9 @@ class Examination:
         )
 
     def _with_slips(self, reading: Reading, slips: tuple[Slip, ...]) -> Diagnosis:
+        """Of a function that is no function nothing is explained by an edit."""
+        if any(self._changing(reading)):
+            return self._unexplained(reading)
         expected = reading.wanted.ordinary(SCREENING)
         calls, found = self._values(reading, expected)
         errors = expected.errors(np.where(np.isfinite(found), found, 0.0))
@@ -666,7 +687,8 @@ def _undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[str]:
             kinds.setdefault("it is infinite" if np.isinf(found[place]).any() else "it is undefined", []).append(place)
     for words, places in list(kinds.items())[:SHOWN]:
         at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(places[0]).items())
-        yield f"{words} at {len(places)} of {expected.count} points, such as {at}"
+        there = np.isin(np.arange(expected.count), places)
+        yield f"{words} {region(expected, there) if len(places) > 1 else 'at one point'}, such as {at}"
 
 
 def _indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[str]:

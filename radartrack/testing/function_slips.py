@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
@@ -23,7 +24,6 @@ from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Negation, Number, Power, Product, Quotient, Sum, Tree, replace_at, walk
 from radartrack.derive.language.tensor import Index, Tensor
-from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
@@ -31,6 +31,7 @@ from radartrack.testing.diagnosis import Slip
 from radartrack.testing.wanted import Expected
 
 ONE = Number("1")
+DECIMAL = re.compile(r"(10+)/(\d+) for (\d+)")
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
 SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
 LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
@@ -58,7 +59,8 @@ class SlipSearch:
     def __init__(self, screening: Expected, found: Array, confirming: Expected, found_there: Array) -> None:
         self._screening, self._found = screening, found
         self._confirming, self._found_there = confirming, found_there
-        symbols: Sequence[Variable] = screening.wanted.symbols
+        wanted = screening.wanted
+        symbols = [symbol for symbol in wanted.quantity.symbols if wanted.given.get(symbol.name) != 0]
         self._names = Names({symbol.name: symbol for symbol in symbols})
         self._here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
@@ -243,7 +245,13 @@ def _told(derived: Tree, candidate: Candidate, index: Index, names: Names) -> Sl
     """In the words of the formula as it was edited, or as it would be written then, whichever are shorter."""
     edited = rebuild(candidate.tree, _without_one)
     words, tree = min(((edit_in_words(derived, one), one) for one in (edited, _rewritten(edited, names))), key=_length)
-    return Slip((index,), words, _short(tree), _short(derived), candidate.cost)
+    return Slip((index,), _in_decimals(words), _short(tree), _short(derived), candidate.cost)
+
+
+def _in_decimals(words: str) -> str:
+    """0.333 for 1/3, in place of 1000/333 for 3."""
+    match = DECIMAL.fullmatch(words)
+    return f"{int(match[2]) / int(match[1]):g} for 1/{match[3]}" if match else words
 
 
 def _without_one(node: Tree) -> Tree:
