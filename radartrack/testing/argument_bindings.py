@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations, islice, pairwise, permutations, product
+from itertools import combinations, islice, pairwise, permutations, product, zip_longest
 from types import MappingProxyType
 from typing import Any
 
@@ -13,11 +13,16 @@ from radartrack.derive.checking.comparing.order_of_difference import is_deviatio
 from radartrack.derive.language.variable import Variable
 from radartrack.testing.argument_names import meanings
 from radartrack.testing.called_function import Binding, Form, Parameter
+from radartrack.testing.structured_arguments import structured
 
 MOST = 800  # ways to call a function that are tried
 TELLING = 2  # parameters with telling names that leave one other no choice
+FIRST = 60  # bindings of vectors in the usual orders, which are tried in all forms
 USUAL = 12  # bindings of vectors, cut in all places as they are listed, before other orders are tried
 ORDERS = 120  # of the symbols in one vector
+
+# Constants that code has built in: of WGS 84 (NIMA TR8350.2, table 3.1).
+CUSTOMARY: Mapping[str, float] = {"semi_major_axis": 6378137.0, "flattening": 1 / 298.257223563}
 
 Declared = Sequence[tuple[str, bool, bool]]  # name, whether it may be left out, whether it goes by name
 
@@ -36,6 +41,8 @@ def declared(function: Callable[..., Any]) -> Declared | None:
     kinds = inspect.Parameter
     if any(one.kind is kinds.VAR_POSITIONAL for one in parameters):
         return None
+    if [one.kind for one in parameters] == [kinds.VAR_KEYWORD]:
+        return []
     return [
         (one.name, one.default is not kinds.empty, one.kind is kinds.KEYWORD_ONLY)
         for one in parameters
@@ -62,13 +69,42 @@ def bindings(
     given = declared(function)
     fewer = [symbol for symbol in symbols if symbol.name in needed]
     independent = [symbol for symbol in symbols if not symbol.is_correlation]
-    sets = list(dict.fromkeys(map(tuple, (symbols, independent, fewer))))
-    unnamed = [[(f"argument {n + 1}", False, False) for n, _ in enumerate(known)] for known in sets]
-    places = unnamed if given is None else [given] * len(sets)
-    for known, taken in zip(sets, places, strict=True):
+    unusual = [symbol for symbol in symbols if symbol.name not in CUSTOMARY]
+    sets = list(dict.fromkeys(map(tuple, (symbols, independent, fewer, unusual))))
+    places = [_places(given, known) for known in sets]
+    pairs_of = list(zip(places, sets, strict=True))
+    for taken, known in pairs_of:
         yield from islice(_distinct(_numbers(taken, known, stated)), MOST)
-    for known, taken in zip(sets, places, strict=True):
+    usual = [one for taken, known in pairs_of for one in islice(_arrays(taken, known, stated, pairs), FIRST)]
+    usual.sort(key=lambda one: -sum(parameter.correlated is not None for parameter in one.parameters))
+    yield from _distinct(iter(usual))
+    yield from (other for one in dict.fromkeys(usual) for other in _in_other_forms(one, function, symbols))
+    for taken, known in pairs_of:
         yield from islice(_distinct(_arrays(taken, known, stated, pairs)), MOST)
+
+
+def _places(given: Declared | None, symbols: Sequence[Variable]) -> Declared:
+    """The parameters; where they have no names, or all names are allowed, one for each symbol."""
+    if given is None:
+        return [(f"argument {n + 1}", False, False) for n, _ in enumerate(symbols)]
+    return given or [(symbol.name, False, True) for symbol in symbols]
+
+
+def _in_other_forms(binding: Binding, function: Callable[..., Any], symbols: Sequence[Variable]) -> Iterator[Binding]:
+    """The same with vectors as columns, as rows, as objects or complex numbers."""
+    known = {symbol.name: symbol for symbol in symbols}
+    vectors = [one for one in binding.parameters if one.is_vector and one.correlated is None]
+    if not vectors or binding.form is not Form.SCALARS:
+        return
+    yield from (replace(binding, form=form) for form in (Form.COLUMNS, Form.ROWS))
+    options = [
+        list(structured(one, function, known)) if one in vectors and len(one.symbols) > 1 else [one]
+        for one in binding.parameters
+    ]
+    for choice in islice(zip_longest(*options), max(map(len, options))):
+        parameters = tuple(one or own for one, own in zip(choice, binding.parameters, strict=True))
+        if parameters != binding.parameters:
+            yield replace(binding, parameters=parameters)
 
 
 def _distinct(found: Iterator[Binding]) -> Iterator[Binding]:
@@ -88,7 +124,7 @@ def _numbers(
     for chosen in _selections(places, required, symbols):
         first = list(islice((one for one in _scalars(chosen, symbols, stated) if needed <= set(one.symbols)), 1))
         yield from first
-        yield from (replace(one, form=Form.ARRAYS) for one in first)
+        yield from (replace(one, form=form) for form in (Form.ARRAYS, Form.WHOLE) for one in first)
         yield from islice((one for one in _scalars(chosen, symbols, stated) if needed <= set(one.symbols)), 1, None)
 
 
@@ -101,10 +137,9 @@ def _arrays(
     """Parameters that are vectors or covariance matrices."""
     required = [place for place in places if not place[1]]
     for chosen in (required, list(places)):
-        for form in (Form.SCALARS, Form.COLUMNS):
-            for one in _vectors(chosen, symbols, stated):
-                yield replace(one, form=form)
-                yield from (replace(other, form=form) for other in _with_covariance(one, symbols, pairs))
+        for one in _vectors(chosen, symbols, stated):
+            yield one
+            yield from _with_covariance(one, symbols, pairs)
 
 
 def _selections(places: Declared, required: Declared, symbols: Sequence[Variable]) -> Iterator[Declared]:
@@ -135,8 +170,9 @@ def _scalars(
         for rest in islice(permutations(free, by_name.count("")), MOST):
             left = iter(rest)
             bound = [name or next(left) for name in by_name]
-            is_told = is_told or len(taken) in {len(places), max(len(places) - 1, TELLING)}
-            yield Binding(tuple(map(_parameter, places, bound)))
+            told = len(taken) in {len(places), max(len(places) - 1, TELLING)}
+            is_told = is_told or told
+            yield Binding(tuple(map(_parameter, places, bound)), told=told)
     if not stated and not is_told:
         for order in islice(permutations(names, len(places)), MOST):
             yield Binding(tuple(map(_parameter, places, order)))
@@ -170,16 +206,27 @@ def _with_covariance(
 ) -> Iterator[Binding]:
     """The same with deviations that are passed together as the covariance matrix of the errors."""
     deviations = {symbol.name for symbol in symbols if is_deviation(symbol)}
-    for place, parameter in enumerate(binding.parameters):
-        own = [name for name in parameter.symbols if name in deviations]
-        joined = [name for name in parameter.symbols if name in pairs]
-        if len(own) > 1 and {*own, *joined} == set(parameter.symbols) and parameter.is_vector:
-            try:
-                correlated = tuple((own.index(a), own.index(b)) for a, b in map(pairs.__getitem__, joined))
-            except ValueError:  # a correlation with what is passed elsewhere
-                continue
-            matrix = replace(parameter, symbols=(*own, *joined), correlated=correlated)
-            yield replace(binding, parameters=(*binding.parameters[:place], matrix, *binding.parameters[place + 1 :]))
+    matrices = [_matrix(parameter, deviations, pairs) for parameter in binding.parameters]
+    several = sum(matrix is not None for matrix in matrices) > 1
+    alone = [[one if n == place else None for n, one in enumerate(matrices)] for place in range(len(matrices))]
+    for chosen in (matrices, *(alone if several else ())):
+        if any(chosen):
+            both = tuple(matrix or own for matrix, own in zip(chosen, binding.parameters, strict=True))
+            yield replace(binding, parameters=both)
+
+
+def _matrix(
+    parameter: Parameter, deviations: Collection[str], pairs: Mapping[str, tuple[str, str]]
+) -> Parameter | None:
+    """A vector of deviations and their correlations as their covariance matrix; None of anything else."""
+    own = [name for name in parameter.symbols if name in deviations]
+    joined = [name for name in parameter.symbols if name in pairs]
+    if len(own) < 2 or {*own, *joined} != set(parameter.symbols) or not parameter.is_vector:
+        return None
+    if any(not set(pairs[name]) <= set(own) for name in joined):  # a correlation with what is passed elsewhere
+        return None
+    correlated = tuple((own.index(pairs[name][0]), own.index(pairs[name][1])) for name in joined)
+    return replace(parameter, symbols=(*own, *joined), correlated=correlated)
 
 
 def _fewer(

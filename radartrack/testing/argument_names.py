@@ -24,11 +24,24 @@ ALIASES: dict[str, tuple[str, ...]] = {
     "vz": ("vz", "zdot", "dz", "velz", "zvel", "vup"),
     "T": ("t", "dt", "deltat", "period", "ts", "tau", "step", "timestep", "interval", "scantime", "scanperiod"),
     "omega": ("omega", "w", "turnrate", "yawrate", "psidot"),
-    "heading": ("heading", "psi", "yaw", "hdg", "theta", "phi"),
+    "heading": ("heading", "psi", "yaw", "hdg", "theta", "phi", "h"),
     "k": ("k", "n", "count", "samples", "scans"),
     "q": ("q", "intensity", "psd", "spectraldensity", "qc"),
     "rho": ("rho", "corr", "correlation", "correlationcoefficient"),
     "path": ("path", "pathlength", "s"),
+    "baseline": ("l", "bl", "base"),
+    "speed": ("v", "vel", "velocity"),
+    "latitude": ("lat", "phi"),
+    "longitude": ("lon", "lng", "long", "lam", "lambda"),
+    "height": ("h", "alt", "altitude", "hgt"),
+    "semi_major_axis": ("a", "semimajor"),
+    "flattening": ("f",),
+    "index": ("lam", "lambda", "trackingindex"),
+    "alpha": ("a",),
+    "weight": ("w", "omega"),
+    "azimuth": ("az", "azim"),
+    "first": ("z1", "x1", "m1"),
+    "second": ("z2", "x2", "m2"),
 }
 DEVIATION = ("sigma", "sig", "std", "stddev", "deviation", "s", "sd", "stdev", "noise")
 VARIANCE = ("var", "variance", "sigma2", "sigmasq", "sig2", "cov")
@@ -73,8 +86,9 @@ def _is_called(words: list[str], joined: str, name: str, symbol: Variable) -> bo
         return bool(kept) and _is_alias("".join(kept), name)
     of = name.removeprefix("sigma_")
     marks = {*DEVIATION, *VARIANCE}
-    kept = [word for word in words if word not in {*marks, *DEGREES, "2"}]
-    if len(kept) == len([word for word in words if word not in {*DEGREES, "2"}]):  # s_r or sr: no mark of its own
+    dropped = {*DEGREES} if of == "2" else {*DEGREES, "2"}  # sigma2_r is a square, sigma_2 the second
+    kept = [word for word in words if word not in {*marks, *dropped}]
+    if len(kept) == len([word for word in words if word not in dropped]):  # s_r or sr: no mark of its own
         return any(joined.startswith(mark) and _is_alias(joined.removeprefix(mark), of) for mark in marks)
     return _is_alias("".join(kept), of) if kept else False
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
 from typing import Any
 
@@ -31,7 +31,22 @@ class Form(Enum):
 
     SCALARS = "numbers"
     COLUMNS = "column vectors"
+    ROWS = "matrices of one row, as of many plots"
     ARRAYS = "arrays of one element"
+    WHOLE = "whole numbers as such"
+
+
+@dataclass(frozen=True)
+class Made:
+    """What is passed in place of a vector.
+
+    Attributes:
+        words: what that is, before the symbols.
+        of: makes it of the values, in the order of the symbols.
+    """
+
+    words: str
+    of: Callable[[list[float]], Any] = field(compare=False)
 
 
 @dataclass(frozen=True)
@@ -45,6 +60,7 @@ class Parameter:
         is_keyword: whether it is passed by name.
         correlated: of deviations that are passed as a covariance matrix, for each correlation among the symbols the
             places of its deviations; None where they are passed as they are.
+        made: what is made of the values where no vector is passed: an object, a complex number.
     """
 
     name: str
@@ -52,6 +68,7 @@ class Parameter:
     is_vector: bool = False
     is_keyword: bool = False
     correlated: tuple[tuple[int, int], ...] | None = None
+    made: Made | None = None
 
     @property
     def words(self) -> str:
@@ -59,6 +76,8 @@ class Parameter:
         listed = ", ".join(self.symbols)
         if self.correlated is not None:
             return f"{self.name}: the covariance matrix of {listed}"
+        if self.made is not None:
+            return f"{self.name}: {self.made.words} of {listed}"
         return f"{self.name}: ({listed})" if self.is_vector else f"{self.name}: {self.symbols[0]}"
 
     def matrix(self, values: list[float]) -> Array:
@@ -79,11 +98,13 @@ class Binding:
         parameters: in the order of the call.
         form: how vectors and numbers are handed over.
         changes: what is passed in place of a symbol's value: degrees, a variance.
+        told: whether the names of all parameters say it.
     """
 
     parameters: tuple[Parameter, ...]
     form: Form = Form.SCALARS
     changes: Mapping[str, Change] = field(default_factory=dict, hash=False)
+    told: bool = field(default=False, compare=False)
 
     @property
     def symbols(self) -> tuple[str, ...]:
@@ -96,18 +117,27 @@ class Binding:
         named: dict[str, Any] = {}
         for parameter in self.parameters:
             values = [self.changes.get(name, _itself)(point[name]) for name in parameter.symbols]
-            matrix = parameter.correlated is not None
-            value = parameter.matrix(values) if matrix else self._handed(values, is_vector=parameter.is_vector)
+            value = self._handed(parameter, values)
             if parameter.is_keyword:
                 named[parameter.name] = value
             else:
                 places.append(value)
         return places, named
 
-    def _handed(self, values: list[float], *, is_vector: bool) -> Any:
-        if not is_vector:
-            return np.array(values) if self.form is Form.ARRAYS else float(values[0])
-        return np.array(values)[:, np.newaxis] if self.form is Form.COLUMNS else np.array(values)
+    def _number(self, value: float) -> Any:
+        if self.form is Form.ARRAYS:
+            return np.array([value])
+        return int(value) if self.form is Form.WHOLE and float(value).is_integer() else float(value)
+
+    def _handed(self, parameter: Parameter, values: list[float]) -> Any:
+        if parameter.correlated is not None:
+            return parameter.matrix(values)
+        if parameter.made is not None:
+            return parameter.made.of(values)
+        if not parameter.is_vector:
+            return self._number(values[0])
+        axis = {Form.COLUMNS: 1, Form.ROWS: 0}.get(self.form)
+        return np.array(values) if axis is None else np.expand_dims(values, axis)
 
 
 @dataclass
@@ -177,6 +207,7 @@ def called(function: Callable[..., Any], binding: Binding, points: Points, shape
 
 def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
     """The result as an array of a shape; what is wrong with it, in words, where it cannot be one."""
+    result = _parts(result, shape)
     found = _array(result)
     if found is None:
         fitting = (
@@ -194,8 +225,24 @@ def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
     return f"{RETURNS} {given}; {_spoken(shape)} is wanted"
 
 
+def _parts(result: Any, shape: Index) -> Any:
+    """The values of a dict or of the fields of an object, in their order; both parts of x + iy; else the result."""
+    if isinstance(result, dict):
+        return list(result.values())
+    if is_dataclass(result) and not isinstance(result, type):
+        return [getattr(result, one.name) for one in fields(result)]
+    if shape == (2,) and isinstance(result, complex | np.complexfloating):
+        return [result.real, result.imag]
+    own = getattr(result, "__dict__", None)
+    return list(own.values()) if own and _array(result) is None and not callable(result) else result
+
+
+def as_array(result: Any) -> npt.NDArray[Any] | None:
+    """What a function returns as an array of numbers; None for what is none."""
+    return _array(_parts(result, ()))
+
+
 def _array(result: Any) -> npt.NDArray[Any] | None:
-    """An array of numbers; None for what is none."""
     if result is None:
         return None
     try:

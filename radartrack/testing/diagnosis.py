@@ -152,16 +152,16 @@ class Diagnosis:
             case "loses_digits":
                 return f"This is {self.quantity}, but it loses digits."
             case "convention":
-                return f"This is not {self.quantity} as asked for" + (
-                    convention + "." if convention.startswith(":") else f"; it is{convention}."
-                )
+                found = convention if convention.startswith(":") else f"; it is{convention}"
+                exactly = "" if self.ulp is None or self.lost_digits else f", to {self.ulp:.3g} ulp"
+                return f"This is not {self.quantity} as asked for{found}{exactly}."
             case "slip":
                 beside = f" (read{convention.replace(': this is', ' as')})" if convention else ""
                 return f"This is {self.quantity} but for a slip{beside}: {self.slip}."
             case "undefined" if all(one.startswith(CHANGING) for one in self.undefined):
                 return f"This is {self.quantity}{convention}, but not deterministic."
             case "undefined":
-                return f"This is {self.quantity} where it has a value, but not everywhere{convention}."
+                return f"This is {self.quantity}{convention} where it has a value, but not everywhere."
             case _:
                 return f"This is not {self.quantity}{convention}."
 
@@ -169,7 +169,7 @@ class Diagnosis:
         assert self.worst is not None  # noqa: S101 - asked by the caller
         one = self.worst
         at = ", ".join(f"{name} = {value:.6g}" for name, value in one.point.items())
-        which = "worst" if self.agrees else "for example"
+        which = "for example" if self.slip or self.differences else "worst"
         return f"{which} at {at}: {place(one.entry)}{one.found!r}, exact {one.exact!r}"
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
 from functools import cached_property
 from itertools import combinations
@@ -13,9 +14,11 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
+from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_bindings import bindings, declared
+from radartrack.testing.argument_bindings import CUSTOMARY, bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
+from radartrack.testing.argument_slips import argument_slip
 from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
 from radartrack.testing.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
@@ -33,6 +36,7 @@ from radartrack.testing.function_conventions import (
 )
 from radartrack.testing.function_slips import SlipSearch, merged
 from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
+from radartrack.testing.returned_forms import returned_forms
 from radartrack.testing.unexplained_difference import described, region
 from radartrack.testing.wanted import Expected, Wanted
 from radartrack.verification.domain_points import Points
@@ -43,7 +47,8 @@ CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
 CLOSE_IN_TABLES = 1e-6  # what a form that cancels may lose in a table, whose points have no neighbours
-FAILING = 80  # ways to call it after which a function that raises at all of them is given up
+FAILING = 240  # ways to call it after which a function that raises at all of them is given up
+BESIDE = 100  # other ways that are tried where the names of the parameters say how it is called
 PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier than any other quantity
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
 WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
@@ -54,6 +59,9 @@ EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 MOST_LOST = 1000.0  # ulp that any way to write a formula may lose
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
+
+
+MORE = ", and give the others their values: functools.partial, or a lambda"
 
 
 class CannotDiagnose(ValueError):
@@ -72,6 +80,8 @@ class Reading:
         wrong: how many different entries are wrong then.
         other: whether it is compared with another quantity.
         single: whether it returns single precision, or computes in it.
+        form: what of the quantity it returns, where that is not the quantity itself.
+        first: what came back when it was read.
     """
 
     wanted: Wanted
@@ -81,6 +91,8 @@ class Reading:
     wrong: int
     other: bool = False
     single: bool = False
+    form: str = ""
+    first: Array | None = field(default=None, compare=False)
 
     @property
     def cost(self) -> float:
@@ -91,7 +103,7 @@ class Reading:
     @property
     def words(self) -> str:
         """The convention; empty as asked for."""
-        said = " and ".join(filter(None, (self.change.words, self.arrangement.words)))
+        said = " and ".join(filter(None, (self.form, self.change.words, self.arrangement.words)))
         if not self.other:
             return said
         return f"this is {self.wanted.name}" + (f" with {said}" if said else "")
@@ -119,8 +131,24 @@ def examined(
     except NotCallable as error:
         raise CannotDiagnose(str(error)) from None
     every = [Examination(one, wanted, arguments, stated) for one in forms]
-    fitting = [one for one in every if one.is_callable] if len(every) > 1 else []
-    return min(fitting or every[:1], key=lambda one: one.readings[0].cost).diagnosis()
+    fitting = [one for one in every if one.is_callable]
+    plain = min(fitting, key=lambda one: one.readings[0].cost, default=every[0])
+    if fitting and plain.readings[0].wrong == 0:
+        return plain.diagnosis()
+    others = [
+        Examination(form.of(one), form.wanted, arguments, stated, form.words)
+        for form in returned_forms(wanted)
+        for one in forms
+    ]
+    right = next((one for one in others if one.is_callable and one.readings[0].wrong == 0), None)
+    if right is not None:
+        return right.diagnosis()
+    found = plain.diagnosis() if fitting else None
+    if found is not None and found.verdict != "differs":
+        return found
+    slipped = (one.diagnosis() for one in others if len(wanted.shape) > 1 and one.is_callable)
+    found = next((one for one in slipped if len(one.slips) == 1), found)
+    return found or plain.diagnosis()
 
 
 class Examination:
@@ -132,9 +160,12 @@ class Examination:
         wanted: Wanted,
         arguments: Mapping[str, str | Sequence[str]],
         stated: ArgumentChange,
+        form: str = "",
     ) -> None:
         self._function, self._wanted, self._arguments, self._stated = function, wanted, arguments, stated
+        self._form = form
         self._tried: dict[tuple[str, ...], tuple[Wanted, Expected]] = {}
+        self._arranged: dict[tuple[Wanted, tuple[str, ...]], Arrangements] = {}
         self._troubles: dict[str, None] = {}
 
     def diagnosis(self) -> Diagnosis:
@@ -191,18 +222,19 @@ class Examination:
         """
         found: list[Reading] = []
         callable_as: set[tuple[Parameter, ...]] = set()
-        failed = 0
+        failed = beside = 0
         wanted, pairs = self._wanted, correlated_pairs(self._wanted.quantity)
         for binding in bindings(self._function, wanted.symbols, self._arguments, wanted.needed, pairs):
             if binding.parameters in callable_as:  # in another form
                 continue
             here = list(self._of_binding(binding))
             failed += not here
+            beside += bool(found) and found[0].binding.told and not binding.told
             callable_as |= {reading.binding.parameters for reading in here}
             found += here
             if any(reading.cost == 0 for reading in here):
                 return sorted(here, key=lambda one: one.cost)
-            if failed >= FAILING and not found:
+            if (failed >= FAILING and not found) or beside >= BESIDE:
                 break
         if not found:
             raise CannotDiagnose(self._why())
@@ -218,8 +250,14 @@ class Examination:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(name for name, _, _ in declared(self._function) or ())
+            if taken.partition(", ")[0] in {"self", "cls"}:
+                return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""
-            return f"the function cannot be called with {names}{own}; say what its parameters take: arguments={{...}}"
+            more = "" if len(taken.split(", ")) <= len(self._wanted.symbols) else MORE
+            return (
+                f"the function cannot be called with {names}{own}; "
+                f"say what its parameters take: arguments={{...}}{more}"
+            )
         returned = [one for one in self._troubles if one.startswith(RETURNS)]
         return (returned or list(self._troubles))[0]
 
@@ -228,7 +266,7 @@ class Examination:
         absent = [
             symbol.name
             for symbol in self._wanted.symbols
-            if symbol.is_correlation and symbol.name not in binding.symbols
+            if (symbol.is_correlation or symbol.name in CUSTOMARY) and symbol.name not in binding.symbols
         ]
         wanted = self._without(absent)
         implied = self._implied(binding)
@@ -238,7 +276,8 @@ class Examination:
     def _without(self, absent: Sequence[str]) -> Wanted:
         key = tuple(absent)
         if key not in self._tried:
-            wanted = self._wanted.without(absent) if absent else self._wanted
+            values = {name: CUSTOMARY.get(name, 0.0) for name in absent}
+            wanted = self._wanted.having(values) if absent else self._wanted
             self._tried[key] = wanted, wanted.ordinary(FEW)
         return self._tried[key][0]
 
@@ -266,11 +305,12 @@ class Examination:
         if calls.trouble and not np.isfinite(calls.values).any():
             self._troubles[calls.trouble] = None
             return
-        arrangements = Arrangements(wanted, self._stated_order)
+        arrangements = self._arrangements(wanted, bound)
 
         def readings(close: float, *, single: bool) -> list[Reading]:
             found = arrangements.best(calls.values, expected.values, close * expected.scales)
-            return [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+            known = {"single": single, "form": self._form, "first": calls.values}
+            return [Reading(wanted, bound, change, one, wrong, **known) for wrong, one in found]
 
         found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
         yield from found
@@ -292,6 +332,13 @@ class Examination:
             )
             for point, entry in places[:SHOWN]
         )
+
+    def _arrangements(self, wanted: Wanted, binding: Binding) -> Arrangements:
+        vectors = [one.symbols for one in binding.parameters if one.is_vector and one.correlated is None]
+        passed = vectors[0] if len(vectors) == 1 else ()
+        if (wanted, passed) not in self._arranged:
+            self._arranged[wanted, passed] = Arrangements(wanted, self._stated_order, passed)
+        return self._arranged[wanted, passed]
 
     @property
     def _stated_order(self) -> Sequence[str]:
@@ -375,7 +422,16 @@ class Examination:
             calls, found = self._values(reading, screening)
         _, found_there = self._values(reading, confirming)
         search = SlipSearch(screening, found, confirming, found_there)
-        wrong = self._wrong(calls, found, screening)
+        in_degrees = frozenset(name for name, one in reading.binding.changes.items() if one is math.degrees)
+        of_argument = argument_slip(screening, found, confirming, found_there, in_degrees)
+        slips = self._of_entries(search, self._wrong(calls, found, screening), found, reading)
+        if of_argument is not None and (slips is None or len(slips) > 1 or of_argument.cost < _cost(slips)):
+            return (of_argument,)
+        return slips
+
+    def _of_entries(
+        self, search: SlipSearch, wrong: Sequence[int], found: Array, reading: Reading
+    ) -> tuple[Slip, ...] | None:
         slips = list(self._exchanged(search, wrong, reading.wanted))
         explained = {entry for slip in slips for entry in slip.entries}
         known: dict[Any, Slip | None] = {}
@@ -410,14 +466,15 @@ class Examination:
 
     def _right(self, reading: Reading) -> Diagnosis:
         """Of a function that is right at ordinary points: how exact it is elsewhere, and whether it is right there."""
-        expected = reading.wanted.domain(DOMAIN)
+        # Of what another form has lost nothing is known beyond ordinary points.
+        expected = reading.wanted.ordinary(SCREENING) if reading.form else reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
         epsilon = SINGLE if reading.single else DOUBLE
         undefined = list(_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
         wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
-        coarse = self._right_when_coarse(reading)
+        coarse = None if reading.form else self._right_when_coarse(reading)
         plain = not reading.words
         if wrong.any() or coarse is not None:
             return self._elsewhere(reading, expected, found, wrong, coarse, undefined)
@@ -477,11 +534,13 @@ class Examination:
         return np.where(turns, np.abs(error), error)  # half a turn more is half a turn less
 
     def _changing(self, reading: Reading) -> Iterator[str]:
-        """Whether two calls give the same."""
-        expected = self._expected(reading.wanted)
-        first, second = (self._values(reading, expected)[1] for _ in range(2))
+        """Whether two calls give the same, and whether calls between them matter."""
+        points = self._expected(reading.wanted).points
+        first, second = (called(self._function, reading.binding, points, reading.wanted.shape).values for _ in range(2))
         if not np.array_equal(first, second, equal_nan=True):
             yield f"{CHANGING}: two calls with the same arguments give different values"
+        elif reading.first is not None and not np.array_equal(first, reading.first, equal_nan=True):
+            yield f"{CHANGING}: it gives other values than when it was called before, with the same arguments"
 
     def _elsewhere(
         self,
@@ -509,6 +568,9 @@ class Examination:
         )
 
     def _with_slips(self, reading: Reading, slips: tuple[Slip, ...]) -> Diagnosis:
+        """Of a function that is no function nothing is explained by an edit."""
+        if any(self._changing(reading)):
+            return self._unexplained(reading)
         expected = reading.wanted.ordinary(SCREENING)
         calls, found = self._values(reading, expected)
         errors = expected.errors(np.where(np.isfinite(found), found, 0.0))
@@ -551,8 +613,9 @@ class Examination:
         )
 
     def _remarks(self, reading: Reading, calls: Calls | None) -> tuple[str, ...]:
-        zero = sorted(set(reading.wanted.given) - set(self._wanted.given))
-        said = [f"for {', '.join(f'{name} = 0' for name in zero)}, as it takes no {', '.join(zero)}"] if zero else []
+        absent = sorted(set(reading.wanted.given) - set(self._wanted.given))
+        values = ", ".join(f"{name} = {reading.wanted.given[name]:.9g}" for name in absent)
+        said = [f"for {values}, as it takes no {' and no '.join(absent)}"] if absent else []
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
         elif reading.single:
@@ -624,7 +687,8 @@ def _undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[str]:
             kinds.setdefault("it is infinite" if np.isinf(found[place]).any() else "it is undefined", []).append(place)
     for words, places in list(kinds.items())[:SHOWN]:
         at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(places[0]).items())
-        yield f"{words} at {len(places)} of {expected.count} points, such as {at}"
+        there = np.isin(np.arange(expected.count), places)
+        yield f"{words} {region(expected, there) if len(places) > 1 else 'at one point'}, such as {at}"
 
 
 def _indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[str]:
@@ -652,9 +716,15 @@ def _size(expected: Expected, place: int) -> Iterator[float]:
 
 
 def correlated_pairs(quantity: Quantity) -> dict[str, tuple[str, str]]:
-    """The correlations of the errors of its model, each with the deviations that it joins."""
+    """The correlations of its errors, each with the deviations that it joins: those of the same plot or track."""
     if quantity.model is None:
-        return {}
+        deviations = [symbol.name for symbol in quantity.symbols if is_deviation(symbol)]
+        alike = {
+            symbol.name: [name for name in deviations if name.endswith(symbol.name.removeprefix("rho_"))]
+            for symbol in quantity.symbols
+            if symbol.is_correlation
+        }
+        return {name: (pair[0], pair[1]) for name, pair in alike.items() if len(pair) == 2}
     sigma = dict(zip(quantity.model.measured, quantity.model.deviations, strict=False))
     return {rho.name: (sigma[a].name, sigma[b].name) for (a, b), rho in quantity.model.correlations.items()}
 

@@ -79,9 +79,18 @@ def deviations_of(symbols: Sequence[Variable]) -> list[str]:
 def argument_changes(symbols: Sequence[Variable]) -> list[ArgumentChange]:
     """Single conventions of arguments, then two of different kinds together."""
     kinds = [list(_degrees(symbols)), list(_variances(symbols)), list(_other_axes(symbols))]
-    singles = [change for kind in (*kinds, _other_units(symbols)) for change in kind]
+    units = list(_other_units(symbols))
+    singles = [change for kind in (*kinds, units, _reciprocals(symbols)) for change in kind]
     doubles = [a.beside(b) for first, second in combinations(kinds, 2) for a, b in product(first, second)]
+    doubles += [a.beside(b) for a, b in product(kinds[0], units) if not a.changes.keys() & b.changes.keys()]
     return [*singles, *doubles]
+
+
+def _reciprocals(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
+    """A time constant for a rate, a rate of scans for their period."""
+    for symbol in symbols:
+        if symbol.unit in {SECOND, SECOND**-1} and not is_deviation(symbol):
+            yield ArgumentChange(f"1/{symbol.name} in place of {symbol.name}", {symbol.name: _reciprocal}, 1)
 
 
 def _degrees(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
@@ -170,10 +179,11 @@ class Arrangements:
     Args:
         wanted: the quantity.
         stated: the order of the state, where the user says it: the columns of a derivative follow it.
+        passed: the order in which a vector of the state is passed, which results may have as well.
     """
 
-    def __init__(self, wanted: Wanted, stated: Sequence[str] = ()) -> None:
-        self._wanted, self._stated = wanted, stated
+    def __init__(self, wanted: Wanted, stated: Sequence[str] = (), passed: Sequence[str] = ()) -> None:
+        self._wanted, self._stated, self._passed = wanted, stated, passed
         self._size = len(wanted.places)
 
     @cached_property
@@ -233,8 +243,12 @@ class Arrangements:
         flat = {index: place for place, index in enumerate(indices(shape))}
         own = tuple(range(self._size))
         found: dict[tuple[int, ...], tuple[str, float]] = {own: ("", 0)}
-        for words, moved, cost in _moves(shape, self._names):
-            if self._stated and words == f"the columns in the order {', '.join(self._stated)}":
+        state = [symbol.name for symbol in self._wanted.quantity.symbols]
+        order = tuple(place for place in map(state.index, self._passed) if place < len(self._passed))
+        orders = [order] if sorted(order) == list(range(len(self._passed))) else []
+        as_asked = {f"the {axis} in the order {', '.join(self._stated)}" for axis in ("columns", "entries")}
+        for words, moved, cost in _moves(shape, self._names, orders):
+            if self._stated and words in as_asked:
                 words, cost = "", 0  # noqa: PLW2901 - as it was asked for
             found.setdefault(tuple(flat[moved(index)] for index in indices(shape)), (words, cost))
         return [(words, sources, cost) for sources, (words, cost) in found.items()]
@@ -258,14 +272,29 @@ class Arrangements:
                 away[:, self._angles] = np.angle(np.exp(1j * away[:, self._angles]))
                 near = np.abs(away) <= tolerance[:, :, np.newaxis]
             same = np.all(near, axis=0)
-            counted = [(self._wrong(same, sources), own, said, sources) for said, sources, own in self.orders]
+            counted = [
+                (int(wrong), own, said, sources)
+                for wrong, (said, sources, own) in zip(self._wrong(same), self.orders, strict=True)
+            ]
             for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
                 both = " and ".join(filter(None, (said, words)))
                 yield wrong, Arrangement(both, sources, factors, offsets, cost + own)
 
-    def _wrong(self, same: npt.NDArray[np.bool_], sources: tuple[int, ...]) -> int:
-        entries = self._wanted.entries
-        return len({entries[place] for place, source in enumerate(sources) if not same[place, source]})
+    @cached_property
+    def _sources(self) -> npt.NDArray[np.int_]:
+        """For each order, where each entry stands."""
+        return np.array([sources for _, sources, _ in self.orders], dtype=int).reshape(-1, self._size)
+
+    @cached_property
+    def _groups(self) -> npt.NDArray[np.int_]:
+        """For each entry and each different formula, whether it has that."""
+        entries = list(dict.fromkeys(self._wanted.entries))
+        return np.array([[int(one == entry) for entry in entries] for one in self._wanted.entries])
+
+    def _wrong(self, same: npt.NDArray[np.bool_]) -> npt.NDArray[np.int_]:
+        """How many different entries each order leaves wrong."""
+        wrong = ~same[np.arange(self._size), self._sources]
+        return np.asarray(((wrong @ self._groups) > 0).sum(axis=1))
 
 
 def is_direction(wanted: Wanted, place: Index) -> bool:
@@ -275,27 +304,29 @@ def is_direction(wanted: Wanted, place: Index) -> bool:
     return is_angle and not any(is_deviation(symbol) for symbol in wanted.symbols)
 
 
-def _moves(shape: Index, names: Sequence[str]) -> Iterator[tuple[str, Callable[[Index], Index], float]]:
+def _moves(
+    shape: Index, names: Sequence[str], more: Sequence[tuple[int, ...]] = ()
+) -> Iterator[tuple[str, Callable[[Index], Index], float]]:
     """Where an entry stands in another order, what that is called, and what it costs."""
     if len(shape) == 1:
-        for order in _orders(shape[0]):
+        for order in _orders(shape[0], more):
             yield f"the entries in the order {_spoken(order)}", _Move((order,)), ORDER
     if len(shape) < 2:
         return
     if len(set(shape)) == 1:
-        yield from _of_a_cube(shape)
+        yield from _of_a_cube(shape, more)
     rest = len(shape) - 1
-    for rows in _orders(shape[0]):
+    for rows in _orders(shape[0], more):
         yield f"the rows in the order {_spoken(rows)}", _Move((rows, *(_own(shape[1]),) * rest)), ORDER
-    for columns in _orders(shape[1]):
+    for columns in _orders(shape[1], more):
         yield f"the columns in the order {_spoken(columns, names)}", _Move((_own(shape[0]), *(columns,) * rest)), ORDER
-    if max(shape) < LONGEST:
+    if min(shape) < max(shape) <= LONGEST or max(shape) < LONGEST:
         for rows, columns in product(_orders(shape[0]), _orders(shape[1])):
             words = f"the rows in the order {_spoken(rows)} and the columns in the order {_spoken(columns, names)}"
             yield words, _Move((rows, *(columns,) * rest)), 2 * ORDER
 
 
-def _of_a_cube(shape: Index) -> Iterator[tuple[str, Callable[[Index], Index], float]]:
+def _of_a_cube(shape: Index, more: Sequence[tuple[int, ...]]) -> Iterator[tuple[str, Callable[[Index], Index], float]]:
     """The same of as many rows as columns."""
     if len(shape) == 3:
         yield "the first axis last", _Move(last=True), 1
@@ -303,7 +334,7 @@ def _of_a_cube(shape: Index) -> Iterator[tuple[str, Callable[[Index], Index], fl
     yield "the result transposed", _Move(transposed=True), 1
     for words, triangle in _triangles(shape[0]):
         yield f"the entries in the order {words}", _Triangle(shape[0], triangle), ORDER
-    for order in _orders(shape[0]):
+    for order in _orders(shape[0], more):
         yield f"rows and columns in the order {_spoken(order)}", _Move((order, order)), ORDER
 
 
@@ -345,8 +376,9 @@ class _Triangle:
         return tuple(np.triu_indices(self.size)[axis][self.order.index((i, j))] for axis in range(2))
 
 
-def _orders(size: int) -> Iterator[tuple[int, ...]]:
+def _orders(size: int, more: Sequence[tuple[int, ...]] = ()) -> Iterator[tuple[int, ...]]:
     """All orders of few things; of many, what stands by turns: positions and velocities, or axis by axis."""
+    yield from (order for order in more if len(order) == size)
     if size <= LONGEST:
         yield from permutations(range(size))
         return
@@ -380,6 +412,10 @@ def _squared(value: float) -> float:
 
 def _complement(value: float) -> float:
     return math.pi / 2 - value
+
+
+def _reciprocal(value: float) -> float:
+    return 1 / value if value else math.inf
 
 
 def _negative(value: float) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
@@ -18,17 +19,19 @@ from radartrack.derive.checking.repairing.print_slips import Alternative, altern
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Negation, Number, Power, Product, Sum, Tree, replace_at, walk
+from radartrack.derive.formula.tree import Negation, Number, Power, Product, Quotient, Sum, Tree, replace_at, walk
 from radartrack.derive.language.tensor import Index, Tensor
-from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import Slip
 from radartrack.testing.wanted import Expected
 
+ONE = Number("1")
+DECIMAL = re.compile(r"(10+)/(\d+) for (\d+)")
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
 SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
 LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
@@ -36,7 +39,11 @@ LONG = 300  # characters of a formula that is told
 SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
 SHORT = 400  # characters of a formula that is tried over one denominator
 POINTS, FEWEST = 18, 8  # at which edits are screened, and fewer than which say nothing
+PLAIN = 2.0  # the cost of one edit that is likelier than any other kind
+TWICE = 3.0  # the cost below which no two edits are
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
+
+Edits = Callable[[Search, Tree, Values], Iterable[Candidate]]
 
 
 class SlipSearch:
@@ -52,7 +59,8 @@ class SlipSearch:
     def __init__(self, screening: Expected, found: Array, confirming: Expected, found_there: Array) -> None:
         self._screening, self._found = screening, found
         self._confirming, self._found_there = confirming, found_there
-        symbols: Sequence[Variable] = screening.wanted.symbols
+        wanted = screening.wanted
+        symbols = [symbol for symbol in wanted.quantity.symbols if wanted.given.get(symbol.name) != 0]
         self._names = Names({symbol.name: symbol for symbol in symbols})
         self._here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
@@ -73,14 +81,14 @@ class SlipSearch:
             {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
         )
         index = wanted.places[place] if wanted.shape else ()
-        best: tuple[Candidate, Tree] | None = None
-        for tree in _trees(entry):
-            limit = math.inf if best is None else best[0].cost
-            found = self._confirmed(tree, target, place, limit)
-            best = best if found is None else (found, tree)
-            if best is not None and best[0].cost <= LIKELY:
+        trees = _trees(entry)
+        searches = [Search(self._screen, target, self._names, tree, ()) for tree in trees]
+        found: tuple[Candidate, Tree] | None = None
+        for edits, is_enough in (self._single, PLAIN), (self._forwards_and_below, TWICE), (self._double, math.inf):
+            found = self._likeliest(edits, searches, trees, target, place, found)
+            if found is not None and found[0].cost <= is_enough:
                 break
-        return None if best is None else _told(best[1], best[0], index, self._names)
+        return None if found is None else _told(found[1], found[0], index, self._names)
 
     def is_entry(self, place: int, other: int) -> bool:
         """Whether the function has in one place what belongs in another."""
@@ -88,28 +96,42 @@ class SlipSearch:
         near = np.abs(self._found[:, place] - expected[:, other]) <= TOLERANCE * scales[:, other]
         return bool(near.all())
 
-    def _confirmed(self, tree: Tree, target: Values, place: int, limit: float) -> Candidate | None:
-        """The likeliest edit that holds in all directions, if it is likelier than a limit; forwards where none is."""
-        sound = self._sound(tree, place)
-        for edits in self._edits(tree, target):
-            for candidate in sorted(edits, key=lambda one: one.cost):
-                if candidate.cost >= limit:
-                    break
-                if self._is_confirmed(candidate.tree, place, sound):
-                    return candidate
-        return None
+    def _likeliest(
+        self,
+        edits: Edits,
+        searches: Sequence[Search],
+        trees: Sequence[Tree],
+        target: Values,
+        place: int,
+        best: tuple[Candidate, Tree] | None,
+    ) -> tuple[Candidate, Tree] | None:
+        """The likeliest edit that holds in all directions, in any way to write the formula."""
+        for search, tree in zip(searches, trees, strict=True):
+            if best is not None and best[0].cost <= LIKELY:
+                break
+            limit = math.inf if best is None else best[0].cost
+            candidates = [one for one in edits(search, tree, target) if one.cost < limit]
+            sound = self._sound(tree, place) if candidates else []
+            confirmed = (one for one in sorted(candidates, key=_by_cost) if self._is_confirmed(one.tree, place, sound))
+            likeliest = next(confirmed, None)
+            best = best if likeliest is None else (likeliest, tree)
+        return best
 
-    def _edits(self, tree: Tree, target: Values) -> Iterator[Iterable[Candidate]]:
-        """Edits that fit, by one search after the other."""
+    def _single(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
         if all(value == 0 for value in target):
-            yield [Candidate(Number("0"), "", 1.0)]
-            return
-        if not self._here:  # a number, which many things are worth: only what is plainly an edit of it
-            yield self._forwards(tree, target)
-            return
-        search = Search(self._screen, target, self._names, tree, ())
-        yield [*search.edits(tree), *self._misread_powers(tree, target)]
-        yield [*self._forwards(tree, target), *self._below_even_powers(search, tree)]
+            yield Candidate(Number("0"), "", 1.0)
+        elif self._here:
+            yield from search.single_edits(tree)
+            yield from self._misread_powers(tree, target)
+
+    def _forwards_and_below(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
+        yield from self._forwards(tree, target)
+        if self._here:
+            yield from self._below_even_powers(search, tree)
+
+    def _double(self, search: Search, tree: Tree, _: Values) -> list[Candidate]:
+        """Of a number, which many things are worth, only what is plainly an edit of it is taken."""
+        return search.double_edits(tree) if self._here else []
 
     def _misread_powers(self, tree: Tree, target: Values) -> Iterator[Candidate]:
         """`x*2`, `x + 2` and `2 + x` for `x**2`: the sign of a power is lost where text is taken over."""
@@ -179,6 +201,10 @@ class SlipSearch:
         )
 
 
+def _by_cost(candidate: Candidate) -> float:
+    return candidate.cost
+
+
 def _near(values: Values | None, target: Values, sizes: Sequence[float], share: float = SAME) -> bool:
     if values is None:
         return False
@@ -217,9 +243,27 @@ def _trees(entry: Expr) -> list[Tree]:
 
 def _told(derived: Tree, candidate: Candidate, index: Index, names: Names) -> Slip:
     """In the words of the formula as it was edited, or as it would be written then, whichever are shorter."""
-    written = _rewritten(candidate.tree, names)
-    words, tree = min(((edit_in_words(derived, one), one) for one in (candidate.tree, written)), key=_length)
-    return Slip((index,), words, _short(tree), _short(derived), candidate.cost)
+    edited = rebuild(candidate.tree, _without_one)
+    words, tree = min(((edit_in_words(derived, one), one) for one in (edited, _rewritten(edited, names))), key=_length)
+    return Slip((index,), _in_decimals(words), _short(tree), _short(derived), candidate.cost)
+
+
+def _in_decimals(words: str) -> str:
+    """0.333 for 1/3, in place of 1000/333 for 3."""
+    match = DECIMAL.fullmatch(words)
+    return f"{int(match[2]) / int(match[1]):g} for 1/{match[3]}" if match else words
+
+
+def _without_one(node: Tree) -> Tree:
+    """Without a factor or a divisor 1, which nobody writes."""
+    match node:
+        case Product(factors) if ONE in factors:
+            kept = tuple(factor for factor in factors if factor != ONE)
+            return kept[0] if len(kept) == 1 else Product(kept) if kept else ONE
+        case Quotient(numerator, denominator) if denominator == ONE:
+            return numerator
+        case _:
+            return node
 
 
 def _length(told: tuple[str, Tree]) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations
 
 import mpmath
 import numpy as np
@@ -17,6 +18,7 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.derive.symbolic import Expr
+from radartrack.derive.units import ONE
 from radartrack.testing.called_function import Array
 from radartrack.testing.diagnosis import LostDigits
 from radartrack.testing.function_conventions import deviations_of
@@ -101,11 +103,11 @@ def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits
 def _where(expected: Expected, errors: npt.NDArray[np.float64], place: int) -> str:
     """The symbol with which the error grows or falls most clearly, and from which value on."""
     logarithms = np.log10(np.maximum(errors, 1.0))
-    found: dict[str, float] = {}
-    for symbol in expected.wanted.symbols:
-        values = np.abs(expected.points[symbol.name])
-        if symbol.low >= 0 and (values > 0).all() and np.ptp(values) > 0:
-            found[symbol.name] = float(np.corrcoef(np.log10(values), logarithms)[0, 1])
+    found = {
+        name: float(np.corrcoef(np.log10(values), logarithms)[0, 1])
+        for name, values in _sizes(expected).items()
+        if (values > 0).all() and np.ptp(values) > 0
+    }
     spread = {name: clear for name, clear in found.items() if name in deviations_of(expected.wanted.symbols)}
     chosen = spread if any(clear < -CLEAR for clear in spread.values()) else found
     name = max(chosen, key=lambda name: abs(chosen[name]), default="")
@@ -113,10 +115,23 @@ def _where(expected: Expected, errors: npt.NDArray[np.float64], place: int) -> s
     if abs(best) < CLEAR:
         at = ", ".join(f"{one} = {value:.3g}" for one, value in expected.point(place).items())
         return f"at {at}"
-    bad = np.abs(expected.points[name])[errors > MANY_ULP]
+    bad = _sizes(expected)[name][errors > MANY_ULP]
     if best < 0:
         return f"where {name} is small ({name} <= {bad.max():.1e})"
     return f"where {name} is large ({name} >= {bad.min():.1e})"
+
+
+def _sizes(expected: Expected) -> dict[str, npt.NDArray[np.float64]]:
+    """The symbols that have one sign, and products and ratios of two that have no unit: T*alpha, sigma_r/r."""
+    symbols = [symbol for symbol in expected.wanted.symbols if symbol.low >= 0]
+    found = {symbol.name: np.abs(expected.points[symbol.name]) for symbol in symbols}
+    for one, other in combinations([symbol for symbol in symbols if symbol.unit != ONE], 2):
+        first, second = found[one.name], found[other.name]
+        if one.unit * other.unit == ONE:
+            found[f"{one.name}*{other.name}"] = first * second
+        elif one.unit == other.unit and (first > 0).all():
+            found[f"{other.name}/{one.name}"] = second / first
+    return found
 
 
 def _subtraction(entry: Expr, expected: Expected, place: int) -> str:

@@ -29,6 +29,7 @@ NAME = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?
 WIDE = 1.1  # twice an ordinary deviation without a unit
 WHOLE = 11  # how far whole numbers are spread at ordinary points; high powers of larger ones drown other terms
 BESIDE = 10.0  # times which a value may be larger than others of its unit at ordinary points: it drowns them beyond
+NEARLY_ZERO = (1e-3, -1e-6, 1e-9)  # of the upper end: where a formula divides by what may be zero it loses digits
 INSIDE = 0.6  # of the upper end of a domain, up to which values are raised beside larger ones
 
 
@@ -51,7 +52,7 @@ class Wanted:
     @property
     def name(self) -> str:
         """As it was asked for."""
-        whole = self.shape == self.quantity.shape
+        whole = self.shape == self.quantity.shape or len(self.places) > 1
         return self.quantity.name if whole else f"{self.quantity.name}[{', '.join(map(str, self.places[0]))}]"
 
     @cached_property
@@ -79,9 +80,9 @@ class Wanted:
         every = list(indices(self.quantity.shape))
         return [every.index(place) for place in self.places]
 
-    def without(self, names: Sequence[str]) -> Wanted:
-        """The same with these symbols zero."""
-        return Wanted(self.quantity, self.places, self.shape, {**self.given, **dict.fromkeys(names, 0.0)})
+    def having(self, values: Mapping[str, float]) -> Wanted:
+        """The same with more of its symbols fixed."""
+        return Wanted(self.quantity, self.places, self.shape, {**self.given, **values})
 
     def at(self, points: Points) -> Expected:
         """The exact values at some points, without those at which there are none."""
@@ -225,7 +226,8 @@ def edge_points(symbols: Sequence[Variable]) -> Points:
     rows = list(round_points(symbols))
     (middle,) = ordinary_points(symbols, 1)
     for symbol in symbols:
-        ends = [symbol.low, symbol.high, *([0.0] if symbol.low < 0 < symbol.high else [])]
+        is_both = symbol.low < 0 < symbol.high and not symbol.is_correlation
+        ends = [symbol.low, symbol.high, *([0.0, *(symbol.high * share for share in NEARLY_ZERO)] if is_both else [])]
         rows += [middle | {symbol.name: float(end)} for end in ends]
     deviations = [symbol for symbol in symbols if is_deviation(symbol)]
     for end in ("low", "high") if deviations else ():

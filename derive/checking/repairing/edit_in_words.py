@@ -69,11 +69,22 @@ def _words(old: Tree, new: Tree) -> str:
         case Call("sqrt", (operand,)), _ if operand == new:
             return f"the root is missing: {_shown(new)} for {_shown(old)}"
         case (Sum(), _) | (_, Sum()):
-            return _of_parts(old, new, Sum, "term")
+            return _of_one_factor(old, new) or _of_parts(old, new, Sum, "term")
         case (Product() | Quotient(), _) | (_, Product() | Quotient()):
             return _of_factors(old, new)
         case _:
             return _replaced(old, new)
+
+
+def _of_one_factor(old: Tree, new: Tree) -> str:
+    """Which factor a sum has lost or got; empty where it is none."""
+    match old, new:
+        case Product((first, *rest)), _ if rest == [new]:
+            return f"the factor {_shown(first)} is missing"
+        case _, Product((first, *rest)) if rest == [old]:
+            return f"an extra factor {_shown(first)}"
+        case _:
+            return ""
 
 
 def _of_parts(old: Tree, new: Tree, kind: type[Sum | Product], called: str) -> str:

@@ -8,7 +8,7 @@ time, and a factor or term that is missing shows in the ratio or the difference.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from operator import sub, truediv
@@ -124,16 +124,23 @@ class Search:
 
     def edits(self, tree: Tree) -> list[Candidate]:
         """One edit, or one that runs through the formula; where there is no likely one, two."""
-        size_of = Fold[int](lambda _, below: 1 + sum(below))
-        size = size_of(tree)
+        found = self.single_edits(tree)
+        if not any(candidate.cost <= PLAIN for candidate in found):
+            found += self.double_edits(tree)
+        return sorted(found, key=lambda candidate: candidate.cost)
+
+    def single_edits(self, tree: Tree) -> list[Candidate]:
+        """One edit, or one that runs through the formula."""
+        size = _size(tree)
         found = list(self._single(tree, besides=self._right_terms(tree))) if size > HUGE else []
         found = found or list(self._single(tree))
         if not found or size <= HUGE:
             found += self._everywhere(tree)
-        if size <= LARGE and not any(candidate.cost <= PLAIN for candidate in found):
-            found += self._double(tree)
-        most = size + max(size, 1 if isinstance(tree, Number) else SMALL)
-        return sorted((one for one in found if size_of(one.tree) <= most), key=lambda candidate: candidate.cost)
+        return _small(found, tree)
+
+    def double_edits(self, tree: Tree) -> list[Candidate]:
+        """Two edits; none of a long formula."""
+        return _small(self._double(tree), tree) if _size(tree) <= LARGE else []
 
     def _right_terms(self, tree: Tree) -> Terms:
         """Those that stand in different sums of the formula no more often than in those of the derived one."""
@@ -316,6 +323,18 @@ class Search:
         factors: list[Tree] = [*first, *pairs, *growth, *last]
         found = [(tree, self._screen(tree)) for tree in dict.fromkeys(factors)]
         return [(tree, values) for tree, values in found if values is not None][:FACTORS]
+
+
+def _size(tree: Tree) -> int:
+    return Fold[int](lambda _, below: 1 + sum(below))(tree)
+
+
+def _small(found: Iterable[Candidate], tree: Tree) -> list[Candidate]:
+    """Those that are an edit of the formula and not another one in its place, likely ones first."""
+    size_of = Fold[int](lambda _, below: 1 + sum(below))
+    size = size_of(tree)
+    most = size + max(size, 1 if isinstance(tree, Number) else SMALL)
+    return sorted((one for one in found if size_of(one.tree) <= most), key=lambda candidate: candidate.cost)
 
 
 def _rounded(values: Values | None) -> Values | None:
