@@ -51,6 +51,8 @@ def confirmed(source: str, claim: Claim) -> float:
         source: the text of the generated module.
         claim: with `function`, `arguments` (name, low, high, kind, and of whole numbers `whole` and `at_most`),
             `shape`, `scale`, `groups`, `correlated`, `precision`, and `trees`, of every case how its box is split.
+            Where the scale is a formula of its own, `stated` is a function that computes it, written like the module's,
+            and `paired` whether that of every entry is the geometric mean of its row's and its column's.
 
     Raises:
         Refused: the boxes do not cover the domain, or a statement cannot be followed in one of them.
@@ -177,6 +179,8 @@ def _start(claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[flo
             run.waves["sin", name], run.waves["cos", name] = None, box.constant(1)
         elif argument["kind"] == "angle":
             _turn(run, name, choice, low, high)
+            reach = max(abs(argument["low"]), abs(argument["high"]))
+            run.names[name] = box.argument(0, box.ball(SMALLEST).log().lower(), box.ball(reach).log().upper())
         else:
             run.names[name] = box.argument({"+": 1, "-": -1, "±": 0}[choice], low, high)
     return run
@@ -311,15 +315,23 @@ def _figure(
         _entries(function, _moved(run, claim, end), indices) for end in ("low", "high") if claim["scale"] == "ends"
     ]
     positions = [n for n, number in enumerate(entries) if number is not None and not number.is_exact]
+    if claim["scale"] == "stated":
+        scales = _entries(_read(claim["stated"]).body[0], _anew(run, claim), indices)
+        return max((_error_by_stated(run.box, claim, entries[n], scales, n) for n in positions), default=0.0)
     return max((_error(run.box, claim, entries, others, n) for n in positions), default=0.0)
+
+
+def _anew(run: Run, claim: Claim, **others: Number | None) -> Run:
+    """The arguments alone, some of them others."""
+    given = {argument["name"]: run.names[argument["name"]] for argument in claim["arguments"]}
+    return Run(run.box, {**given, **others}, run.waves)
 
 
 def _moved(run: Run, claim: Claim, end: str) -> Run:
     """The same with the argument that is bounded by another at an end of where it goes."""
     argument = next(a for a in claim["arguments"] if a.get("at_most"))
     at = run.box.constant(argument["low"]) if end == "low" else run.names[argument["at_most"]]
-    given = {name: value for name, value in run.names.items() if name in {a["name"] for a in claim["arguments"]}}
-    return Run(run.box, {**given, argument["name"]: at}, run.waves)
+    return _anew(run, claim, **{argument["name"]: at})
 
 
 def _entries(function: ast.FunctionDef, run: Run, indices: Sequence[Entry]) -> list[Number | None]:
@@ -381,6 +393,26 @@ def _error(
         bounds += _by_norm(box, number, [entries[position] for entries in others])
     else:
         bounds += _by_norm(box, number, [numbers[i] for i in claim["groups"][position]])
+    return _smallest(bounds, position)
+
+
+def _error_by_stated(box: Box, claim: Claim, number: Number, scales: Sequence[Number | None], position: int) -> float:
+    """Of one entry against a scale that is a formula of its own, or against two by their geometric mean."""
+    across = claim["shape"][-1] if claim["paired"] else 1
+    row, column = divmod(position, across)
+    first, second = (
+        (scales[row * (across + 1)], scales[column * (across + 1)]) if claim["paired"] else [scales[position]] * 2
+    )
+    if first is None or second is None:
+        raise Refused(f"the scale of entry {position} is zero")
+    bounds = [box.paired(number.error, first.exactly, second.exactly)]
+    if first is second:
+        bounds.append(box.share(number.error, first.exactly))
+    bounds.append((box.bounds(number.error)[1] - (first.low + second.low) / 2).exp().upper())
+    return _smallest(bounds, position)
+
+
+def _smallest(bounds: Sequence[Ball | None], position: int) -> float:
     finite = [float(bound.upper()) for bound in bounds if bound is not None and bound.is_finite()]
     if not finite:
         raise Refused(f"no bound of entry {position}")

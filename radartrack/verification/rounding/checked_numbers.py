@@ -108,6 +108,7 @@ class Box:
     carriers: set[int] = field(default_factory=set)
     waves: list[tuple[int, int]] = field(default_factory=list)
     known: dict[Any, Any] = field(default_factory=dict)
+    signs: dict[Any, tuple[int, Polynomial] | None] = field(default_factory=dict)  # a value's parts are the same again
 
     def ball(self, value: float) -> Ball:
         """A number as it is."""
@@ -244,6 +245,12 @@ class Box:
         """The sign of a sum and its size as a sum, where what is subtracted is part of what is there."""
         if len(value) > MOST_VALUE:
             return None
+        name, turn = _normal(value)
+        if (name, turn) not in self.signs:
+            self.signs[name, turn] = self._sign_found(value)
+        return self.signs[name, turn]
+
+    def _sign_found(self, value: Signed) -> tuple[int, Polynomial] | None:
         forms = list(self._forms(value))
         for narrow in NARROW:
             for form in forms:
@@ -587,7 +594,11 @@ class Box:
         if found is None:
             return sign, None, (low, high)
         ends = self.bounds(found[1])
-        return found[0] or sign, found[1], (_highest((low, ends[0])), _lowest((high, ends[1])))
+        low, high, sign = _highest((low, ends[0])), _lowest((high, ends[1])), found[0] or sign
+        looseness = max(((b - a) for a, b in (self.monomial(*part) for part in found[1].items())), key=_float)
+        if looseness > high - low + 0.1:
+            return sign, self.whole(value, sign, low, high)[1], (low, high)
+        return sign, found[1], (low, high)
 
     def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
         """The same of the parts as they came about."""
