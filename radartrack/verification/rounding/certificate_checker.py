@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
+from radartrack.verification.rounding.checked_helpers import KNOWN, helped
 from radartrack.verification.rounding.checked_numbers import (
     DOUBLE,
     FUNCTIONS,
@@ -36,12 +37,23 @@ PRECISIONS = {"double": DOUBLE, "single": SINGLE}
 
 @dataclass
 class Run:
-    """The arguments in one box, and what the statements made of them so far; None is zero."""
+    """The arguments in one box, and what the statements made of them so far; None is zero.
+
+    Attributes:
+        box: where the arguments lie.
+        names: what has a name.
+        waves: sines and cosines of arguments.
+        entries: of the result.
+        helpers: the functions that the module brings along.
+        below: what is taken for the outcome of a comparison that the box leaves open.
+    """
 
     box: Box
     names: dict[str, Number | None] = field(default_factory=dict)
     waves: dict[tuple[str, str], Number | None] = field(default_factory=dict)
     entries: dict[Entry, Number | None] = field(default_factory=dict)
+    helpers: Mapping[str, ast.FunctionDef] = field(default_factory=dict)
+    below: bool = False
 
 
 def confirmed(source: str, claim: Claim) -> float:
@@ -68,14 +80,29 @@ def confirmed(source: str, claim: Claim) -> float:
 
 def figure(source: str, claim: Claim, case: str, box: Mapping[str, tuple[float, float]]) -> float:
     """The largest error of an entry in one box."""
-    function = next((node for node in _read(source).body if getattr(node, "name", "") == claim["function"]), None)
-    if not isinstance(function, ast.FunctionDef):
+    functions = {node.name: node for node in _read(source).body if isinstance(node, ast.FunctionDef)}
+    if claim["function"] not in functions:
         raise Refused(f"there is no function {claim['function']}")
+    compares = "np.less(" in ast.unparse(functions[claim["function"]])
+    return max(_best(functions, claim, case, box, below=below) for below in ((False, True) if compares else (False,)))
+
+
+def _best(
+    functions: Mapping[str, ast.FunctionDef],
+    claim: Claim,
+    case: str,
+    ends: Mapping[str, tuple[float, float]],
+    *,
+    below: bool,
+) -> float:
+    """The smaller of the bounds of both ways of telling errors."""
     chosen, found = _chosen(case), math.inf
     reason = Refused("no bound")
     for in_parts in (True, False):
+        run = _start(claim, chosen, ends, in_parts=in_parts)
+        run.helpers, run.below = functions, below
         try:
-            found = min(found, _figure(function, claim, chosen, box, in_parts=in_parts))
+            found = min(found, _figure(functions[claim["function"]], claim, run))
         except Refused as error:
             reason = error
         if found < GOOD:
@@ -263,11 +290,26 @@ def _called(node: ast.Call, run: Run) -> Number | None:
     if name in {"sin", "cos"} and isinstance(node.args[0], ast.Name) and (name, node.args[0].id) in run.waves:
         return run.waves[name, node.args[0].id]
     values = [_followed(argument, run) for argument in node.args]
+    if name == "less":
+        return _compared(run, *values)
+    if name in KNOWN and name in run.helpers:
+        order = node.args[1].value if len(node.args) > 1 and isinstance(node.args[1], ast.Constant) else 0
+        return helped(run.box, run.helpers[name], values[0], int(order))
+    if name in {"sin", "cos"}:
+        return run.box.wave(values[0], is_sine=name == "sin")
     if name == "_ratio":
         return None if values[1] is None else run.box.divide(*values)
     if name in FUNCTIONS:
         return FUNCTIONS[name](run.box, *values)
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
+
+
+def _compared(run: Run, a: Number | None, b: Number | None) -> Number | None:
+    """1 where a < b, else zero; where the box leaves that open, both are tried."""
+    if a is None or b is None or a.sign <= 0 or b.sign <= 0:
+        raise Refused("a comparison of what may not be positive")
+    is_below = True if a.high < b.low else False if a.low > b.high else run.below
+    return run.box.constant(1) if is_below else None
 
 
 def _operation(node: ast.BinOp, run: Run) -> Number | None:
@@ -305,10 +347,7 @@ def _entry(place: ast.expr) -> Entry:
     return tuple(part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, int))
 
 
-def _figure(
-    function: ast.FunctionDef, claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, Any], *, in_parts: bool
-) -> float:
-    run = _start(claim, chosen, ends, in_parts=in_parts)
+def _figure(function: ast.FunctionDef, claim: Claim, run: Run) -> float:
     indices = _indices(tuple(claim["shape"]))
     entries = _entries(function, run, indices)
     others = [

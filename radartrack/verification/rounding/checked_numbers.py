@@ -35,7 +35,7 @@ class Refused(ValueError):
     """The certificate does not show what it claims."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Precision:
     """A binary format, and what is assumed of the elementary functions in it.
 
@@ -104,6 +104,7 @@ class Box:
     flint: Any
     precision: Precision = DOUBLE
     in_parts: bool = False  # whether errors are told by the terms of a difference, or by the difference as a whole
+    most_value: int = MOST_VALUE
     atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
     carriers: set[int] = field(default_factory=set)
     waves: list[tuple[int, int]] = field(default_factory=list)
@@ -243,7 +244,7 @@ class Box:
 
     def of_one_sign(self, value: Signed) -> tuple[int, Polynomial] | None:
         """The sign of a sum and its size as a sum, where what is subtracted is part of what is there."""
-        if len(value) > MOST_VALUE:
+        if len(value) > self.most_value:
             return None
         name, turn = _normal(value)
         if (name, turn) not in self.signs:
@@ -385,7 +386,7 @@ class Box:
         self, exactly: Polynomial | None, value: Signed | None, sign: int, low: Ball, high: Ball
     ) -> tuple[Polynomial, Signed]:
         """Both ways to say what a result is; where one is missing or too long, as a whole."""
-        if value is not None and len(value) > MOST_VALUE:
+        if value is not None and len(value) > self.most_value:
             value = None
         if exactly is not None and len(exactly) <= MOST_PARTS and value is not None:
             return exactly, value
@@ -491,7 +492,7 @@ class Box:
 
     def product(self, a: Signed, b: Signed) -> Signed | None:
         """The product of two sums with signs, unless it has too many terms."""
-        if len(a) * len(b) > 4 * MOST_VALUE:
+        if len(a) * len(b) > 4 * self.most_value:
             return None
         found: Signed = {}
         for (i, x), (j, y) in pairs_of(a.items(), b.items()):
@@ -660,6 +661,34 @@ class Box:
         key = self.atom(low, high)
         value = {key: self.rational(sign)} if sign else {_key(key, self.carrier(), self.carriers): self.rational(1)}
         return self.made(sign, {key: self.one}, None, relative, tiny, value, ends=(low, high))
+
+    def between(self, low: Ball, high: Ball, relative: Ball | None, error: Ball | None) -> Number:
+        """A value of which its ends are known, and an error: relative, and where there is none in units of rounding."""
+        size = _above(_largest([abs(low), abs(high)]).log())
+        if relative is not None and (low > 0 or high < 0):
+            least = _below(_lowest((abs(low), abs(high))).log())
+            return self._new(1 if low > 0 else -1, least, size, relative, float(least) / math.log(2) - 1e-3)
+        key, least = self.atom(self.ball(-math.inf), size), self.ball(-math.inf)
+        value = {_key(key, self.carrier(), self.carriers): self.rational(1)}
+        tiny = float(self.precision.normal - self.precision.bits)
+        spread: Polynomial = {(): error}
+        return self.made(0, {key: self.one}, spread, None, tiny, value, ends=(least, size), may_underflow=False)
+
+    def wave(self, a: Number | None, *, is_sine: bool) -> Number | None:
+        """Sine or cosine of a result: as far off as that, and never more than 1; a sine no more than what it is of."""
+        if a is None:
+            return None if is_sine else self.constant(1)
+        high = _lowest((a.high, self.ball(0))) if is_sine else self.ball(0)
+        own = self.ball(2.0 * self.precision.ulps["sin" if is_sine else "cos"])
+        key, least = self.atom(self.ball(-math.inf), high), self.ball(-math.inf)
+        value = {_key(key, self.carrier(), self.carriers): self.rational(1)}
+        error = plus(_scaled(a.error, 1 + self.unit * own), {key: own})
+        tiny = float(self.precision.normal - self.precision.bits)
+        return self.made(0, {key: self.one}, error, None, tiny, value, ends=(least, high), may_underflow=False)
+
+    def without_error(self, a: Number) -> Number:
+        """A value that is taken for exact."""
+        return replace(a, relative=self.ball(0), error=NOTHING)
 
     def direction(self, y: Number | None, x: Number | None) -> Number | None:
         """The angle of (x, y): half the sine of twice the angle, which is below the angle, is its condition."""
