@@ -32,6 +32,7 @@ Claim = Mapping[str, Any]
 
 SMALLEST, LARGEST_CORRELATION = 1e-20, 0.99
 GOOD = 16.0  # a bound that no second way of telling errors is tried for
+WAYS = ({"in_parts": True}, {"in_parts": False}, {"in_parts": True, "rounded_whole": True})  # of telling errors
 PRECISIONS = {"double": DOUBLE, "single": SINGLE}
 
 
@@ -64,7 +65,8 @@ def confirmed(source: str, claim: Claim) -> float:
         claim: with `function`, `arguments` (name, low, high, kind, and of whole numbers `whole` and `at_most`),
             `shape`, `scale`, `groups`, `correlated`, `precision`, and `trees`, of every case how its box is split.
             Where the scale is a formula of its own, `stated` is a function that computes it, written like the module's,
-            and `paired` whether that of every entry is the geometric mean of its row's and its column's.
+            and `paired` whether that of every entry is the geometric mean of its row's and its column's. With `sides`
+            the signs of an angle's cosine are cases of their own, as they are with correlations.
 
     Raises:
         Refused: the boxes do not cover the domain, or a statement cannot be followed in one of them.
@@ -95,11 +97,11 @@ def _best(
     *,
     below: bool,
 ) -> float:
-    """The smaller of the bounds of both ways of telling errors."""
+    """The smallest of the bounds that the ways of telling errors give."""
     chosen, found = _chosen(case), math.inf
     reason = Refused("no bound")
-    for in_parts in (True, False):
-        run = _start(claim, chosen, ends, in_parts=in_parts)
+    for way in WAYS:
+        run = _start(claim, chosen, ends, way)
         run.helpers, run.below = functions, below
         try:
             found = min(found, _figure(functions[claim["function"]], claim, run))
@@ -125,12 +127,12 @@ def cases_of(claim: Claim) -> list[str]:
     """All choices of signs and zeros that the domain of a claim has."""
     found = [""]
     for argument in claim["arguments"]:
-        choices = _choices(argument, correlated=claim["correlated"])
+        choices = _choices(argument, correlated=claim["correlated"], sides=claim.get("sides") or claim["correlated"])
         found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in choices]
     return found
 
 
-def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
+def _choices(argument: Mapping[str, Any], *, correlated: bool, sides: bool) -> list[str]:
     """Signs and zeros that the domain has; of an angle the signs of cosine and sine, and which of them is small."""
     kind, reach = argument["kind"], max(-argument["low"], argument["high"])
     if argument.get("at_most"):
@@ -142,9 +144,9 @@ def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
     if kind == "angle":
         cosine = "+" if reach <= math.pi / 2 else "±"
         octants = [cosine + "±s"] + ([cosine + "±c"] if reach > math.pi / 4 else [])
-        if correlated:
-            sides = {"+": "+", "±": "+-"}
-            octants = [c + s + o[2] for o in octants for c in sides[o[0]] for s in sides[o[1]]]
+        if sides:
+            of = {"+": "+", "±": "+-"}
+            octants = [c + s + o[2] for o in octants for c in of[o[0]] for s in (of[o[1]] if correlated else o[1])]
         return (["zero"] if argument["low"] <= 0 <= argument["high"] else []) + octants
     if kind == "signed":
         return ["zero", "±"] if -argument["low"] == argument["high"] else ["zero", "+", "-"]
@@ -189,10 +191,12 @@ def _ends(argument: Mapping[str, Any], choice: str, arguments: Sequence[Mapping[
     return math.log(low) - 1e-12, math.log(high) + 1e-12
 
 
-def _start(claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[float, float]], *, in_parts: bool) -> Run:
+def _start(
+    claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[float, float]], way: Mapping[str, bool]
+) -> Run:
     import flint  # noqa: PLC0415
 
-    box = Box(flint, PRECISIONS[claim["precision"]], in_parts)
+    box = Box(flint, PRECISIONS[claim["precision"]], **way)
     run = Run(box)
     for argument in claim["arguments"]:
         name, choice = argument["name"], chosen[argument["name"]]

@@ -95,6 +95,7 @@ def claim_of(
         "scale": _scale(quantity),
         "groups": _groups(quantity),
         "correlated": correlated,
+        "sides": quantity.scaled_by is not None,  # a map that a cosine divides
         "precision": precision,
         "trees": trees,
     } | (_stated(quantity) if _scale(quantity) == "stated" else {})
