@@ -33,6 +33,9 @@ class Model:
         source: where the map stands in print.
         parameters: symbols of the map that are known and carry no error, such as a baseline.
         scaled_by: a length over which code takes all others, for maps with high powers of lengths.
+        variances_vanish: whether a coordinate does not depend on a measured quantity, to first order, at some angle
+            between the axes. The last digits of the angle then decide its variance, and errors of covariances are
+            measured against the sum of all variances.
 
     Raises:
         TypeError: when an output is no expression.
@@ -50,6 +53,7 @@ class Model:
     correlations: Mapping[tuple[Variable, Variable], Variable] = field(default_factory=dict)
     parameters: tuple[Variable, ...] = ()
     scaled_by: Variable | None = None
+    variances_vanish: bool = False
 
     def __post_init__(self) -> None:
         self._require_words()

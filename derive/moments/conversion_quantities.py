@@ -69,6 +69,22 @@ class Conversion:
         """What an average over a prediction depends on."""
         return (*self.noisy, *self.model.prediction_symbols)
 
+    @cached_property
+    def sums_of_variances(self) -> Tensor[Expr]:
+        """For each variance those of all coordinates of its unit, to first order and of independent errors."""
+        model = self.model
+        slopes = taylor.jacobian(model.map, model.measured)
+
+        def total(unit: Unit) -> Expr:
+            alike = [a for a, other in enumerate(model.units) if other == unit]
+            squares = [sp.Add(*(slopes[a, k] ** 2 for a in alike)) for k in range(len(model.measured))]
+            lengths = general_form(Tensor((len(squares),), tuple(squares))).expanded().entries
+            return sp.Add(*(sigma**2 * of for sigma, of in zip(model.deviations, lengths, strict=True)))
+
+        sums = {unit: total(unit) for unit in dict.fromkeys(model.units)}
+        roots = [sp.sqrt(sums[unit]) for unit in model.units]
+        return Tensor.build((len(roots), len(roots)), lambda a, b: roots[a] * roots[b])
+
     def taylor(self, expansion: Callable[..., Tensor[Expr]]) -> Tensor[Expr]:
         """A moment of the Taylor polynomial."""
         return expansion(self.model.map, self.model.measured, self.model.covariance)
@@ -472,6 +488,7 @@ def _semidefinite(shared: Conversion, row: Row) -> Quantity:
 
 
 def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:
+    vanishes = shared.model.variances_vanish and row.axes is _square
     return Quantity(
         name=f"{shared.model.name}.{row.name}",
         meaning=row.meaning,
@@ -481,6 +498,8 @@ def _quantity(shared: Conversion, row: Row, derive: Derivation) -> Quantity:
         source=row.source if row.name != "map" else shared.model.source,
         word=row.word,
         derivation=lambda: derive(shared),
+        scale=(lambda: shared.sums_of_variances) if vanishes else None,
+        measured_against="the sum of the variances to first order of independent errors" if vanishes else "",
         model=shared.model,
         scaled_by=shared.model.scaled_by,
     )

@@ -21,5 +21,6 @@ MODEL = Model(
     correlations={(path, beta): correlation("rho", path, beta)},
     outputs={"x": r * cos(beta), "y": r * sin(beta)},
     units=(METRE, METRE),
+    variances_vanish=True,  # y is largest on the ellipse of a path at cos(beta) = baseline/path, and constant nearby
     source=cite("willis1991", "bistatic triangle"),
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from time import process_time
@@ -14,6 +15,7 @@ from radartrack.verification.rounding.domain_boxes import tree_of
 
 Ends = dict[str, tuple[float, float]]
 HOPELESS = 300.0  # of a logarithm: what a box without any bound counts
+IDLE = 3  # times that halving an argument gained nothing: then it is left alone
 
 
 @dataclass
@@ -25,6 +27,7 @@ class _Case:
     case: str
     splits: dict[str, int] = field(default_factory=dict)
     boxes: dict[str, tuple[float, Ends]] = field(default_factory=dict)
+    idle: Counter[str] = field(default_factory=Counter)
 
     def __post_init__(self) -> None:
         (whole,) = boxes_of(self.claim, self.case, ".")
@@ -44,12 +47,15 @@ class _Case:
     def halve(self) -> None:
         """Put two halves for the worst box."""
         path = self.worst
-        _, box = self.boxes.pop(path)
+        before, box = self.boxes.pop(path)
         tried = []
         for axis, (name, (low, high)) in enumerate(box.items()):
+            if self.idle[name] >= IDLE and not all(self.idle[other] >= IDLE for other in box):
+                continue
             middle = (low + high) / 2
             halves = [{**box, name: ends} for ends in ((low, middle), (middle, high))]
             bounds = [self._bound(half) for half in halves]
+            self.idle[name] += math.isfinite(before) and min(bounds) > 0.99 * before
             logs = sorted(min(math.log(max(bound, 1.0)), HOPELESS) for bound in bounds)
             tried.append(
                 (logs[1] + 0.5 * logs[0] - 1e-3 * min(high - low, 50.0), axis, list(zip(bounds, halves, strict=True)))

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
+from radartrack.verification.rounding.checked_helpers import KNOWN, helped
 from radartrack.verification.rounding.checked_numbers import (
     DOUBLE,
     FUNCTIONS,
@@ -31,17 +32,29 @@ Claim = Mapping[str, Any]
 
 SMALLEST, LARGEST_CORRELATION = 1e-20, 0.99
 GOOD = 16.0  # a bound that no second way of telling errors is tried for
+WAYS = ({"in_parts": True}, {"in_parts": False}, {"in_parts": True, "rounded_whole": True})  # of telling errors
 PRECISIONS = {"double": DOUBLE, "single": SINGLE}
 
 
 @dataclass
 class Run:
-    """The arguments in one box, and what the statements made of them so far; None is zero."""
+    """The arguments in one box, and what the statements made of them so far; None is zero.
+
+    Attributes:
+        box: where the arguments lie.
+        names: what has a name.
+        waves: sines and cosines of arguments.
+        entries: of the result.
+        helpers: the functions that the module brings along.
+        below: what is taken for the outcome of a comparison that the box leaves open.
+    """
 
     box: Box
     names: dict[str, Number | None] = field(default_factory=dict)
     waves: dict[tuple[str, str], Number | None] = field(default_factory=dict)
     entries: dict[Entry, Number | None] = field(default_factory=dict)
+    helpers: Mapping[str, ast.FunctionDef] = field(default_factory=dict)
+    below: bool = False
 
 
 def confirmed(source: str, claim: Claim) -> float:
@@ -51,6 +64,9 @@ def confirmed(source: str, claim: Claim) -> float:
         source: the text of the generated module.
         claim: with `function`, `arguments` (name, low, high, kind, and of whole numbers `whole` and `at_most`),
             `shape`, `scale`, `groups`, `correlated`, `precision`, and `trees`, of every case how its box is split.
+            Where the scale is a formula of its own, `stated` is a function that computes it, written like the module's,
+            and `paired` whether that of every entry is the geometric mean of its row's and its column's. With `sides`
+            the signs of an angle's cosine are cases of their own, as they are with correlations.
 
     Raises:
         Refused: the boxes do not cover the domain, or a statement cannot be followed in one of them.
@@ -66,14 +82,29 @@ def confirmed(source: str, claim: Claim) -> float:
 
 def figure(source: str, claim: Claim, case: str, box: Mapping[str, tuple[float, float]]) -> float:
     """The largest error of an entry in one box."""
-    function = next((node for node in _read(source).body if getattr(node, "name", "") == claim["function"]), None)
-    if not isinstance(function, ast.FunctionDef):
+    functions = {node.name: node for node in _read(source).body if isinstance(node, ast.FunctionDef)}
+    if claim["function"] not in functions:
         raise Refused(f"there is no function {claim['function']}")
+    compares = "np.less(" in ast.unparse(functions[claim["function"]])
+    return max(_best(functions, claim, case, box, below=below) for below in ((False, True) if compares else (False,)))
+
+
+def _best(
+    functions: Mapping[str, ast.FunctionDef],
+    claim: Claim,
+    case: str,
+    ends: Mapping[str, tuple[float, float]],
+    *,
+    below: bool,
+) -> float:
+    """The smallest of the bounds that the ways of telling errors give."""
     chosen, found = _chosen(case), math.inf
     reason = Refused("no bound")
-    for in_parts in (True, False):
+    for way in WAYS:
+        run = _start(claim, chosen, ends, way)
+        run.helpers, run.below = functions, below
         try:
-            found = min(found, _figure(function, claim, chosen, box, in_parts=in_parts))
+            found = min(found, _figure(functions[claim["function"]], claim, run))
         except Refused as error:
             reason = error
         if found < GOOD:
@@ -96,12 +127,12 @@ def cases_of(claim: Claim) -> list[str]:
     """All choices of signs and zeros that the domain of a claim has."""
     found = [""]
     for argument in claim["arguments"]:
-        choices = _choices(argument, correlated=claim["correlated"])
+        choices = _choices(argument, correlated=claim["correlated"], sides=claim.get("sides") or claim["correlated"])
         found = [f"{head} {argument['name']}:{choice}".strip() for head in found for choice in choices]
     return found
 
 
-def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
+def _choices(argument: Mapping[str, Any], *, correlated: bool, sides: bool) -> list[str]:
     """Signs and zeros that the domain has; of an angle the signs of cosine and sine, and which of them is small."""
     kind, reach = argument["kind"], max(-argument["low"], argument["high"])
     if argument.get("at_most"):
@@ -113,9 +144,9 @@ def _choices(argument: Mapping[str, Any], *, correlated: bool) -> list[str]:
     if kind == "angle":
         cosine = "+" if reach <= math.pi / 2 else "±"
         octants = [cosine + "±s"] + ([cosine + "±c"] if reach > math.pi / 4 else [])
-        if correlated:
-            sides = {"+": "+", "±": "+-"}
-            octants = [c + s + o[2] for o in octants for c in sides[o[0]] for s in sides[o[1]]]
+        if sides:
+            of = {"+": "+", "±": "+-"}
+            octants = [c + s + o[2] for o in octants for c in of[o[0]] for s in (of[o[1]] if correlated else o[1])]
         return (["zero"] if argument["low"] <= 0 <= argument["high"] else []) + octants
     if kind == "signed":
         return ["zero", "±"] if -argument["low"] == argument["high"] else ["zero", "+", "-"]
@@ -160,10 +191,12 @@ def _ends(argument: Mapping[str, Any], choice: str, arguments: Sequence[Mapping[
     return math.log(low) - 1e-12, math.log(high) + 1e-12
 
 
-def _start(claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[float, float]], *, in_parts: bool) -> Run:
+def _start(
+    claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[float, float]], way: Mapping[str, bool]
+) -> Run:
     import flint  # noqa: PLC0415
 
-    box = Box(flint, PRECISIONS[claim["precision"]], in_parts)
+    box = Box(flint, PRECISIONS[claim["precision"]], **way)
     run = Run(box)
     for argument in claim["arguments"]:
         name, choice = argument["name"], chosen[argument["name"]]
@@ -177,6 +210,8 @@ def _start(claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[flo
             run.waves["sin", name], run.waves["cos", name] = None, box.constant(1)
         elif argument["kind"] == "angle":
             _turn(run, name, choice, low, high)
+            reach = max(abs(argument["low"]), abs(argument["high"]))
+            run.names[name] = box.argument(0, box.ball(SMALLEST).log().lower(), box.ball(reach).log().upper())
         else:
             run.names[name] = box.argument({"+": 1, "-": -1, "±": 0}[choice], low, high)
     return run
@@ -259,11 +294,26 @@ def _called(node: ast.Call, run: Run) -> Number | None:
     if name in {"sin", "cos"} and isinstance(node.args[0], ast.Name) and (name, node.args[0].id) in run.waves:
         return run.waves[name, node.args[0].id]
     values = [_followed(argument, run) for argument in node.args]
+    if name == "less":
+        return _compared(run, *values)
+    if name in KNOWN and name in run.helpers:
+        order = node.args[1].value if len(node.args) > 1 and isinstance(node.args[1], ast.Constant) else 0
+        return helped(run.box, run.helpers[name], values[0], int(order))
+    if name in {"sin", "cos"}:
+        return run.box.wave(values[0], is_sine=name == "sin")
     if name == "_ratio":
         return None if values[1] is None else run.box.divide(*values)
     if name in FUNCTIONS:
         return FUNCTIONS[name](run.box, *values)
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
+
+
+def _compared(run: Run, a: Number | None, b: Number | None) -> Number | None:
+    """1 where a < b, else zero; where the box leaves that open, both are tried."""
+    if a is None or b is None or a.sign <= 0 or b.sign <= 0:
+        raise Refused("a comparison of what may not be positive")
+    is_below = True if a.high < b.low else False if a.low > b.high else run.below
+    return run.box.constant(1) if is_below else None
 
 
 def _operation(node: ast.BinOp, run: Run) -> Number | None:
@@ -301,25 +351,30 @@ def _entry(place: ast.expr) -> Entry:
     return tuple(part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, int))
 
 
-def _figure(
-    function: ast.FunctionDef, claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, Any], *, in_parts: bool
-) -> float:
-    run = _start(claim, chosen, ends, in_parts=in_parts)
+def _figure(function: ast.FunctionDef, claim: Claim, run: Run) -> float:
     indices = _indices(tuple(claim["shape"]))
     entries = _entries(function, run, indices)
     others = [
         _entries(function, _moved(run, claim, end), indices) for end in ("low", "high") if claim["scale"] == "ends"
     ]
     positions = [n for n, number in enumerate(entries) if number is not None and not number.is_exact]
+    if claim["scale"] == "stated":
+        scales = _entries(_read(claim["stated"]).body[0], _anew(run, claim), indices)
+        return max((_error_by_stated(run.box, claim, entries[n], scales, n) for n in positions), default=0.0)
     return max((_error(run.box, claim, entries, others, n) for n in positions), default=0.0)
+
+
+def _anew(run: Run, claim: Claim, **others: Number | None) -> Run:
+    """The arguments alone, some of them others."""
+    given = {argument["name"]: run.names[argument["name"]] for argument in claim["arguments"]}
+    return Run(run.box, {**given, **others}, run.waves)
 
 
 def _moved(run: Run, claim: Claim, end: str) -> Run:
     """The same with the argument that is bounded by another at an end of where it goes."""
     argument = next(a for a in claim["arguments"] if a.get("at_most"))
     at = run.box.constant(argument["low"]) if end == "low" else run.names[argument["at_most"]]
-    given = {name: value for name, value in run.names.items() if name in {a["name"] for a in claim["arguments"]}}
-    return Run(run.box, {**given, argument["name"]: at}, run.waves)
+    return _anew(run, claim, **{argument["name"]: at})
 
 
 def _entries(function: ast.FunctionDef, run: Run, indices: Sequence[Entry]) -> list[Number | None]:
@@ -381,6 +436,26 @@ def _error(
         bounds += _by_norm(box, number, [entries[position] for entries in others])
     else:
         bounds += _by_norm(box, number, [numbers[i] for i in claim["groups"][position]])
+    return _smallest(bounds, position)
+
+
+def _error_by_stated(box: Box, claim: Claim, number: Number, scales: Sequence[Number | None], position: int) -> float:
+    """Of one entry against a scale that is a formula of its own, or against two by their geometric mean."""
+    across = claim["shape"][-1] if claim["paired"] else 1
+    row, column = divmod(position, across)
+    first, second = (
+        (scales[row * (across + 1)], scales[column * (across + 1)]) if claim["paired"] else [scales[position]] * 2
+    )
+    if first is None or second is None:
+        raise Refused(f"the scale of entry {position} is zero")
+    bounds = [box.paired(number.error, first.exactly, second.exactly)]
+    if first is second:
+        bounds.append(box.share(number.error, first.exactly))
+    bounds.append((box.bounds(number.error)[1] - (first.low + second.low) / 2).exp().upper())
+    return _smallest(bounds, position)
+
+
+def _smallest(bounds: Sequence[Ball | None], position: int) -> float:
     finite = [float(bound.upper()) for bound in bounds if bound is not None and bound.is_finite()]
     if not finite:
         raise Refused(f"no bound of entry {position}")

@@ -12,10 +12,15 @@ from importlib import import_module
 from importlib.resources import files
 from inspect import getsource
 from pathlib import Path
+from textwrap import indent
 from typing import Any
 
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.stable_form import StableForm
+from radartrack.derive.language.tensor import indices
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.stable.quantity_form import scaled
+from radartrack.derive.writing.numpy_writer import body
 from radartrack.verification.error_in_ulp import peers
 from radartrack.verification.rounding.bisection import bisected
 from radartrack.verification.rounding.certificate_checker import PRECISIONS, cases_of, confirmed
@@ -90,9 +95,10 @@ def claim_of(
         "scale": _scale(quantity),
         "groups": _groups(quantity),
         "correlated": correlated,
+        "sides": quantity.scaled_by is not None,  # a map that a cosine divides
         "precision": precision,
         "trees": trees,
-    }
+    } | (_stated(quantity) if _scale(quantity) == "stated" else {})
 
 
 def confirmed_bound(quantity: Quantity, row: Row, source: str, kind: str = "double") -> float:
@@ -189,11 +195,22 @@ def write(rows: Mapping[str, Row], path: Path) -> None:
 def _scale(quantity: Quantity) -> str:
     """What errors are measured against, as the checker says it; where a scale is a sum, a part of it will do."""
     if quantity.scale is not None:
-        found = {ITSELF: "norm", WEIGHTS: "ends"}.get(quantity.measured_against)
-        if found is None:
-            raise Refused("its errors are measured against a scale of its own")
-        return found
+        return {ITSELF: "norm", WEIGHTS: "ends"}.get(quantity.measured_against, "stated")
     return "terms" if quantity.is_difference else "covariance" if quantity.is_covariance else "norm"
+
+
+@cache
+def _stated(quantity: Quantity) -> Row:
+    """A scale that is a formula of its own, as a function of the arguments; sizes are of what can be either sign."""
+    scale = quantity.scale() if quantity.scale else quantity.expression
+    form = StableForm({}, scale)
+    if quantity.scaled_by is not None:
+        form = scaled(form, quantity, quantity.scaled_by)
+    statements = body(quantity, form)
+    paired = quantity.is_covariance and all(
+        scale[m, n] ** 2 == scale[m, m] * scale[n, n] for m, n in indices(quantity.shape)
+    )
+    return {"stated": "def stated():\n" + indent(statements, "    ") + "\n", "paired": paired}
 
 
 def _groups(quantity: Quantity) -> list[list[int]]:

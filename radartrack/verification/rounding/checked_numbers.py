@@ -35,7 +35,7 @@ class Refused(ValueError):
     """The certificate does not show what it claims."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Precision:
     """A binary format, and what is assumed of the elementary functions in it.
 
@@ -104,10 +104,14 @@ class Box:
     flint: Any
     precision: Precision = DOUBLE
     in_parts: bool = False  # whether errors are told by the terms of a difference, or by the difference as a whole
+    rounded_whole: bool = False  # whether a difference of exact numbers, which is rounded once, is not taken apart
+    most_value: int = MOST_VALUE
     atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
     carriers: set[int] = field(default_factory=set)
     waves: list[tuple[int, int]] = field(default_factory=list)
+    shares: set[int] = field(default_factory=set)  # sizes that stand for what is not known of a part of a sum
     known: dict[Any, Any] = field(default_factory=dict)
+    signs: dict[Any, tuple[int, Polynomial] | None] = field(default_factory=dict)  # a value's parts are the same again
 
     def ball(self, value: float) -> Ball:
         """A number as it is."""
@@ -242,8 +246,14 @@ class Box:
 
     def of_one_sign(self, value: Signed) -> tuple[int, Polynomial] | None:
         """The sign of a sum and its size as a sum, where what is subtracted is part of what is there."""
-        if len(value) > MOST_VALUE:
+        if len(value) > self.most_value:
             return None
+        name, turn = _normal(value)
+        if (name, turn) not in self.signs:
+            self.signs[name, turn] = self._sign_found(value)
+        return self.signs[name, turn]
+
+    def _sign_found(self, value: Signed) -> tuple[int, Polynomial] | None:
         forms = list(self._forms(value))
         for narrow in NARROW:
             for form in forms:
@@ -337,7 +347,9 @@ class Box:
             if high < low * (1 + 1e-6):
                 found[key] = low.union(high)
             else:
-                found[product_of(key, self.atom(_below(low.log()), _above(high.log())))] = self.one
+                share = self.atom(_below(low.log()), _above(high.log()))
+                self.shares.add(share[0][0])
+                found[product_of(key, share)] = self.one
         return found
 
     def made(
@@ -378,7 +390,7 @@ class Box:
         self, exactly: Polynomial | None, value: Signed | None, sign: int, low: Ball, high: Ball
     ) -> tuple[Polynomial, Signed]:
         """Both ways to say what a result is; where one is missing or too long, as a whole."""
-        if value is not None and len(value) > MOST_VALUE:
+        if value is not None and len(value) > self.most_value:
             value = None
         if exactly is not None and len(exactly) <= MOST_PARTS and value is not None:
             return exactly, value
@@ -484,7 +496,7 @@ class Box:
 
     def product(self, a: Signed, b: Signed) -> Signed | None:
         """The product of two sums with signs, unless it has too many terms."""
-        if len(a) * len(b) > 4 * MOST_VALUE:
+        if len(a) * len(b) > 4 * self.most_value:
             return None
         found: Signed = {}
         for (i, x), (j, y) in pairs_of(a.items(), b.items()):
@@ -566,6 +578,9 @@ class Box:
                 size = exactly
             elif value and not self.in_parts:
                 exactly = size = self.whole(value, sign, *ends)[1]
+        if self.rounded_whole and is_of_exact and not sign and value and not self._exact_by_grid(grid, ends[1]):
+            value, size = self.whole(value, sign, *ends)
+            exactly = terms = size
         error = plus(_scaled(plus(a.error, b.error), 1 + u), size)
         if is_of_exact and self._exact_by_grid(grid, ends[1]):
             error, relative = NOTHING, self.ball(0)
@@ -583,11 +598,51 @@ class Box:
         for major, minor in ((a, b), (b, a)):
             if major.sign and minor.high < major.low:
                 low, sign = _below(major.low + (1 - (minor.high - major.low).exp()).log()), major.sign
+        if value and len(value) <= FEW:
+            ends = self._by_slopes(value)
+            if ends is not None and (ends[0] > 0 or ends[1] < 0):
+                sign, sizes = (1, ends) if ends[0] > 0 else (-1, (-ends[1], -ends[0]))
+                low, high = _highest((low, _below(sizes[0].log()))), _lowest((high, _above(sizes[1].log())))
         found = (self.of_one_sign(value) or self._remainder(a, b)) if value else None
         if found is None:
             return sign, None, (low, high)
         ends = self.bounds(found[1])
-        return found[0] or sign, found[1], (_highest((low, ends[0])), _lowest((high, ends[1])))
+        low, high, sign = _highest((low, ends[0])), _lowest((high, ends[1])), found[0] or sign
+        spreads = [self.atoms[n] for key in found[1] for n, _ in key if n in self.shares]
+        if any(b - a > high - low + 0.1 for a, b in spreads):
+            return sign, self.whole(value, sign, low, high)[1], (low, high)
+        return sign, found[1], (low, high)
+
+    def _by_slopes(self, value: Signed) -> tuple[Ball, Ball] | None:
+        """The ends of a sum: where it grows or falls with a size all over the box, that is at an end of its own."""
+        numbers = sorted({n for key in value for n, _ in key})
+        if any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
+            return None
+        whole = {n: (self.atoms[n][0], self.atoms[n][1]) for n in numbers}
+        slopes = {
+            n: self._sum_on({k: c * self.rational(dict(k).get(n, 0)) for k, c in value.items()}, whole) for n in numbers
+        }
+        ends = []
+        for side in (0, 1):
+            there = {n: self._end(whole[n], slopes[n], side) for n in numbers}
+            ends.append(self._sum_on(value, there))
+        return _below(ends[0]), _above(ends[1])
+
+    @staticmethod
+    def _end(ends: tuple[Ball, Ball], slope: Ball, side: int) -> tuple[Ball, Ball]:
+        if slope > 0:
+            return ends[side], ends[side]
+        return (ends[1 - side], ends[1 - side]) if slope < 0 else ends
+
+    def _sum_on(self, value: Signed, ends: dict[int, tuple[Ball, Ball]]) -> Ball:
+        total = self.ball(0)
+        for key, coefficient in value.items():
+            low, high = self.ball(0), self.ball(0)
+            for n, exponent in key:
+                first, last = ends[n] if exponent > 0 else ends[n][::-1]
+                low, high = low + first * exponent, high + last * exponent
+            total += self.flint.arb(coefficient) * low.exp().union(high.exp())
+        return total
 
     def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
         """The same of the parts as they came about."""
@@ -649,6 +704,34 @@ class Box:
         key = self.atom(low, high)
         value = {key: self.rational(sign)} if sign else {_key(key, self.carrier(), self.carriers): self.rational(1)}
         return self.made(sign, {key: self.one}, None, relative, tiny, value, ends=(low, high))
+
+    def between(self, low: Ball, high: Ball, relative: Ball | None, error: Ball | None) -> Number:
+        """A value of which its ends are known, and an error: relative, and where there is none in units of rounding."""
+        size = _above(_largest([abs(low), abs(high)]).log())
+        if relative is not None and (low > 0 or high < 0):
+            least = _below(_lowest((abs(low), abs(high))).log())
+            return self._new(1 if low > 0 else -1, least, size, relative, float(least) / math.log(2) - 1e-3)
+        key, least = self.atom(self.ball(-math.inf), size), self.ball(-math.inf)
+        value = {_key(key, self.carrier(), self.carriers): self.rational(1)}
+        tiny = float(self.precision.normal - self.precision.bits)
+        spread: Polynomial = {(): error}
+        return self.made(0, {key: self.one}, spread, None, tiny, value, ends=(least, size), may_underflow=False)
+
+    def wave(self, a: Number | None, *, is_sine: bool) -> Number | None:
+        """Sine or cosine of a result: as far off as that, and never more than 1; a sine no more than what it is of."""
+        if a is None:
+            return None if is_sine else self.constant(1)
+        high = _lowest((a.high, self.ball(0))) if is_sine else self.ball(0)
+        own = self.ball(2.0 * self.precision.ulps["sin" if is_sine else "cos"])
+        key, least = self.atom(self.ball(-math.inf), high), self.ball(-math.inf)
+        value = {_key(key, self.carrier(), self.carriers): self.rational(1)}
+        error = plus(_scaled(a.error, 1 + self.unit * own), {key: own})
+        tiny = float(self.precision.normal - self.precision.bits)
+        return self.made(0, {key: self.one}, error, None, tiny, value, ends=(least, high), may_underflow=False)
+
+    def without_error(self, a: Number) -> Number:
+        """A value that is taken for exact."""
+        return replace(a, relative=self.ball(0), error=NOTHING)
 
     def direction(self, y: Number | None, x: Number | None) -> Number | None:
         """The angle of (x, y): half the sine of twice the angle, which is below the angle, is its condition."""
