@@ -24,6 +24,7 @@ from radartrack.derive.writing.numpy_writer import body
 from radartrack.verification.error_in_ulp import peers
 from radartrack.verification.rounding.bisection import bisected
 from radartrack.verification.rounding.certificate_checker import PRECISIONS, cases_of, confirmed
+from radartrack.verification.rounding.checked_helpers import KNOWN
 from radartrack.verification.rounding.checked_numbers import Refused
 from radartrack.verification.rounding.domain_boxes import Argument
 from radartrack.verification.rounding.error_rules import NotAnalysed
@@ -67,10 +68,16 @@ def _source(module: str) -> str:
 
 
 def code_of(source: str, function: str) -> str:
-    """A digest of a function's statements, without its docstring."""
+    """A digest of a function's statements, and of the helpers that it calls, without docstrings."""
+    statements = _statements(source, function)
+    called = [helper for helper in KNOWN if any(f"{helper}(" in statement for statement in statements)]
+    statements += [statement for helper in called for statement in _statements(source, helper)]
+    return sha256("\n".join(statements).encode()).hexdigest()[:16]
+
+
+def _statements(source: str, function: str) -> list[str]:
     body = function_node(source, function).body
-    statements = [statement for statement in body if not isinstance(statement, ast.Expr)]
-    return sha256("\n".join(map(ast.unparse, statements)).encode()).hexdigest()[:16]
+    return [ast.unparse(statement) for statement in body if not isinstance(statement, ast.Expr)]
 
 
 def claim_of(

@@ -1,7 +1,7 @@
 """Errors of the functions that generated modules bring along, rests of series and a root, as they are written there.
 
-Their statements are followed, piece by piece of the argument, by the same rules as all others. What is known of them beside is
-which function they stand for: where its values lie, how steep it is, and what a series that ends leaves out.
+Their statements are followed, piece by piece of the argument, by the same rules as all others. What is known of them
+beside is which function they stand for: where its values lie, how steep it is, and what a series that ends leaves out.
 """
 
 from __future__ import annotations
@@ -142,8 +142,7 @@ def _cut(low: float, high: float) -> list[tuple[float, float]]:
 def _piece(text: str, order: int, sign: int, low: float, high: float, precision: Precision) -> Piece:
     import flint  # noqa: PLC0415
 
-    function = ast.parse(text).body[0]
-    assert isinstance(function, ast.FunctionDef)
+    (function,) = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef))
     known, turn = KNOWN[function.name], KNOWN[function.name].turn(order)
     powers, ends = known.powers(order), (flint.arb(low), flint.arb(high))
     ranges = [known.ends(*ends, order, power) for power in powers]
@@ -190,9 +189,9 @@ class _Follower:
     def result(self, function: ast.FunctionDef) -> Number:
         """What it returns."""
         *body, last = function.body
+        if not isinstance(last, ast.Return) or last.value is None:
+            raise Refused(f"{function.name} does not end in what it returns")
         self._statements(body)
-        assert isinstance(last, ast.Return)
-        assert last.value is not None
         found = self._newton(last.value) if "c" in self.names else self._number(last.value)
         if found is None:
             raise Refused(f"{function.name} is zero")
@@ -308,11 +307,9 @@ class _Follower:
 
     def _newton(self, node: ast.expr) -> Number:
         """A step from where a root was found: what is left of its error is a square, what counts is rounding."""
-        if ast.unparse(node) != NEWTON:
-            raise Refused("a step of Newton's that there is no rule for")
         box, c = self.box, self.names["c"]
-        assert isinstance(node, ast.BinOp)
-        assert isinstance(node.right, ast.BinOp)
+        if ast.unparse(node) != NEWTON or not isinstance(node, ast.BinOp) or not isinstance(node.right, ast.BinOp):
+            raise Refused("a step of Newton's that there is no rule for")
         off = box.small(c.relative) * c.high.exp()
         steep = 12 * c.high.exp() ** 2 - 3
         self.names["c"] = box.without_error(c)

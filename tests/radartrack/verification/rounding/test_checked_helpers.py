@@ -1,0 +1,93 @@
+"""Errors of rests of series, Stumpff's functions and a root: proved from their statements, and true of what they compute."""
+
+import ast
+from importlib import import_module
+from inspect import getsource
+from typing import Any
+
+import numpy as np
+import pytest
+
+flint = pytest.importorskip("flint")
+
+from radartrack.verification.rounding.checked_helpers import helped  # noqa: E402 - they need python-flint
+from radartrack.verification.rounding.checked_numbers import DOUBLE, SINGLE, Box, Number, Refused  # noqa: E402
+from radartrack.verification.rounding.exact_statements import _remainder, _stumpff, _third  # noqa: E402
+
+EXACT = {"_remainder": _remainder, "_stumpff": _stumpff, "_third": lambda x, _: _third(x)}
+CALLS = [
+    ("motion", "_stumpff", 1, 1e-6, 5.0), ("motion", "_stumpff", 3, 1e-6, 5.0), ("motion", "_stumpff", 6, 2.0, 5.0),
+    ("motion", "_remainder", 2, -1e3, -1e-6), ("motion", "_remainder", 5, -9.0, -3.0),
+    ("steady_state", "_third", 0, 0.02, 1e10),
+]  # fmt: skip
+
+
+def module(name: str) -> Any:
+    return import_module(f"radartrack.generated.{name}")
+
+
+def definition(text: str, name: str) -> ast.FunctionDef:
+    return next(node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name == name)
+
+
+def bound(text: str, name: str, order: int, ends: tuple[float, float], precision: Any = DOUBLE) -> Number:
+    box = Box(flint, precision)
+    low, high = sorted(map(abs, ends))
+    x = box.argument(1 if ends[0] > 0 else -1, *(flint.arb(end).log() for end in (low, high)))
+    return helped(box, definition(text, name), x, order)
+
+
+@pytest.mark.parametrize(("where", "name", "order", "low", "high"), CALLS)
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_no_helper_is_farther_off_than_is_proved(
+    where: str, name: str, order: int, low: float, high: float, dtype: type[np.floating[Any]]
+):
+    generator = np.random.default_rng(3)
+    sign = np.sign(low)
+    x = (sign * np.exp(generator.uniform(*sorted([np.log(abs(low)), np.log(abs(high))]), 300))).astype(dtype)
+    order_given = () if name == "_third" else (order,)
+    computed = getattr(module(where), name)(x, *order_given)
+    assert computed.dtype == dtype
+    unit = flint.arb(2) ** (-53 if dtype is np.float64 else -24)
+    proved = bound(getsource(module(where)), name, order, (low, high), DOUBLE if dtype is np.float64 else SINGLE)
+    with flint.ctx.workprec(300):
+        exact = [EXACT[name](flint.arb(float(at)), flint.arb(order)) for at in x]
+        off = [abs(flint.arb(float(c)) - e) / unit for c, e in zip(computed, exact, strict=True)]
+        if proved.relative is not None:
+            worst = max(float(o / abs(e)) for o, e in zip(off, exact, strict=True))
+            assert worst <= float(proved.relative.upper()) < 100
+        else:
+            assert max(map(float, off)) <= float(proved.error[()].upper()) < 10
+        assert all(proved.low < abs(e).log() + 1e-12 and abs(e).log() < proved.high + 1e-12 for e in exact)
+
+
+@pytest.mark.parametrize(
+    ("name", "order", "ends", "written", "spoilt"),
+    [
+        ("_stumpff", 3, (2.0, 5.0), "return np.where(is_small, series * term, closed)", "return np.where(is_small, closed, closed)"),
+        ("_remainder", 3, (-9.0, -1.0), "is_small = np.abs(x) < order", "is_small = np.abs(x) < np.gamma(order)"),
+    ],
+)  # fmt: skip
+def test_a_helper_that_is_written_in_another_way_is_followed_in_that_or_refused(
+    name: str, order: int, ends: tuple[float, float], written: str, spoilt: str
+):
+    text = getsource(module("motion"))
+    assert written in text
+    if "gamma" in spoilt:
+        text = text.replace("rest = 1.0 + small * rest / n", "rest = np.gamma(rest)")
+        with pytest.raises(Refused, match="no rule"):
+            bound(text, name, order, ends)
+        return
+    before, after = (bound(t, name, order, ends) for t in (text, text.replace(written, spoilt)))
+    assert after.relative > before.relative
+
+
+def test_a_root_without_its_last_step_is_refused():
+    text = getsource(module("steady_state"))
+    with pytest.raises(Refused, match="Newton"):
+        bound(text.replace("(12.0 * c**2 - 3.0)", "(12.0 * c**2 + 3.0)"), "_third", 0, (0.5, 4.0))
+
+
+def test_stumpffs_functions_are_not_known_beyond_a_turn():
+    with pytest.raises(Refused, match="turn"):
+        bound(getsource(module("motion")), "_stumpff", 2, (1.0, 7.0))
