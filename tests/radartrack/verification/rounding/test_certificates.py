@@ -18,7 +18,14 @@ from radartrack.verification.layers.rounding import Rounding
 from radartrack.verification.outcome import Verdict
 from radartrack.verification.rounding import checked_numbers, error_rules
 from radartrack.verification.rounding.certificate_checker import confirmed
-from radartrack.verification.rounding.certificates import code_of, confirmed_bound, kept, proved_bounds, source_of
+from radartrack.verification.rounding.certificates import (
+    claim_of,
+    code_of,
+    confirmed_bound,
+    kept,
+    proved_bounds,
+    source_of,
+)
 from radartrack.verification.rounding.checked_numbers import Refused
 from radartrack.verification.subject import generated
 
@@ -29,6 +36,8 @@ SHOWN = (
     "polar.covariance.linear", "polar.unbiased.estimate", "observe.polar.jacobian", "fusion.weights.two",
     "finite_sample.degree2.range_rate.covariance", "finite_sample.degree1.range.range_weights",
     "frames.ecef_from_geodetic.map", "observe.range_difference.jacobian", "ruv.covariance.second_order",
+    "motion.ctrv.map", "motion.singer.transition", "steady_state.alpha_beta_gamma.covariance",
+    "finite_sample.degree1.range.at_lag.range_weights",
 )  # fmt: skip
 SPLIT = "polar.covariance.averaged"
 
@@ -187,3 +196,43 @@ def test_a_sign_that_comes_of_an_argument_in_k_is_found(low: float):
 
 def test_the_assumptions_are_those_of_search_and_checker():
     assert checked_numbers.DOUBLE.ulps == error_rules.ULPS
+
+
+def stated(expression: str, *, paired: bool = False) -> dict[str, object]:
+    return {"scale": "stated", "stated": f"def stated():\n    result[...] = {expression}\n", "paired": paired}
+
+
+def test_an_error_is_measured_against_the_scale_that_is_stated():
+    text, trees = source("a - b * c"), {"a:+ b:+ c:+": "."}
+    against_terms = confirmed(text, claim("abc", "terms", trees))
+    assert confirmed(text, claim("abc", "norm", trees) | stated("a + b * c")) == pytest.approx(against_terms)
+    assert confirmed(text, claim("abc", "norm", trees) | stated("2.0 * (a + b * c)")) <= against_terms / 2 * (1 + 1e-9)
+    with pytest.raises(Refused, match="zero"):
+        confirmed(text, claim("abc", "norm", trees) | stated("a - a"))
+
+
+@pytest.mark.parametrize("name", ["bistatic.covariance.linear", "bistatic.covariance.truth.fourth_order"])
+def test_a_covariance_whose_variance_vanishes_is_measured_against_the_sum_of_variances(name: str):
+    said = claim_of(catalogue()[name], {})
+    assert said["scale"] == "stated"
+    assert said["paired"]
+    assert said["sides"]  # of a cosine that divides
+
+
+def test_both_outcomes_of_a_comparison_count_where_a_box_leaves_it_open():
+    text = source("np.less(a, b) * (a + a * b) + (1.0 - np.less(a, b)) * (a * b * a * b)")
+    one_way = [
+        confirmed(source(part), claim("ab", "norm", {"a:+ b:+": "."})) for part in ("a + a * b", "a * b * a * b")
+    ]
+    assert confirmed(text, claim("ab", "norm", {"a:+ b:+": "."})) >= max(one_way)
+
+
+@pytest.mark.parametrize("name", ["motion.ctrv.map", "motion.singer.transition", "steady_state.alpha_beta_gamma.gain"])
+def test_a_certificate_is_of_the_helpers_too(name: str):
+    quantity = catalogue()[name]
+    text = source_of(quantity)
+    spoilt = text.replace("order + 30", "order + 3").replace("12.0 * c**2 - 3.0)", "12.0 * c**2 - 2.0)")
+    assert text != spoilt
+    assert code_of(text, quantity.function) != code_of(spoilt, quantity.function)
+    with pytest.raises(Refused, match="other code"):
+        confirmed_bound(quantity, KEPT[name], spoilt)
