@@ -690,8 +690,8 @@ def singer_transition(*, T: npt.ArrayLike, alpha: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m/s, m/s^2] × [1/m, s/m, s^2/m].
 
-    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 22 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64);
+    in float32, with functions within 4 of its ulp, at most 25.9.
     """
     arguments = _floats(T, alpha)
     T, alpha = arguments
@@ -849,8 +849,8 @@ def turn_known_rate_transition(*, T: npt.ArrayLike, omega: npt.ArrayLike) -> Flo
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m/s, m, m/s] × [1/m, s/m, 1/m, s/m].
 
-    Accuracy: measured, not proved: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 28.3 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 65.2.
     """
     arguments = _floats(T, omega)
     T, omega = arguments
@@ -899,8 +899,8 @@ def turn_known_rate_process_noise_continuous(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m/s, m, m/s] × [m, m/s, m, m/s].
 
-    Accuracy: measured, not proved: at most 3 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 40 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64);
+    in float32, with functions within 4 of its ulp, at most 92.1.
     """
     arguments = _floats(T, omega, q)
     T, omega, q = arguments
@@ -949,8 +949,7 @@ def turn_known_rate_process_noise_piecewise(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m/s, m, m/s] × [m, m/s, m, m/s].
 
-    Accuracy: measured, not proved: at most 4 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 650 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
     """
     arguments = _floats(T, omega, sigma_w)
     T, omega, sigma_w = arguments
@@ -1015,8 +1014,8 @@ def turn_unknown_rate_map(
     Returns:
         Shape of the broadcast arguments + (5), unit [m, m/s, m, m/s, rad/s].
 
-    Accuracy: measured, not proved: at most 1.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 43 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, vx, y, vy, omega, T)
     x, vx, y, vy, omega, T = arguments
@@ -1062,8 +1061,8 @@ def turn_unknown_rate_jacobian(
     Returns:
         Shape of the broadcast arguments + (5, 5), unit [m, m/s, m, m/s, rad/s] × [1/m, s/m, 1/m, s/m, s/rad].
 
-    Accuracy: measured, not proved: at most 3 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 42 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, vx, y, vy, omega, T)
     x, vx, y, vy, omega, T = arguments
@@ -1143,8 +1142,8 @@ def turn_unknown_rate_hessian(
         Shape of the broadcast arguments + (5, 5, 5), unit [m, m/s, m, m/s, rad/s] × [1/m, s/m, 1/m, s/m,
         s/rad] × [1/m, s/m, 1/m, s/m, s/rad].
 
-    Accuracy: measured, not proved: at most 2 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 40 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, vx, y, vy, omega, T)
     x, vx, y, vy, omega, T = arguments
@@ -1335,8 +1334,8 @@ def ctrv_map(
     Returns:
         Shape of the broadcast arguments + (5), unit [m, m, m/s, rad, rad/s].
 
-    Accuracy: measured, not proved: at most 1 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 46 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, y, speed, heading, omega, T)
     x, y, speed, heading, omega, T = arguments
@@ -1385,8 +1384,8 @@ def ctrv_jacobian(
         Shape of the broadcast arguments + (5, 5), unit [m, m, m/s, rad, rad/s] × [1/m, 1/m, s/m, 1/rad,
         s/rad].
 
-    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 45 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, y, speed, heading, omega, T)
     x, y, speed, heading, omega, T = arguments
@@ -1471,8 +1470,8 @@ def ctrv_hessian(
         Shape of the broadcast arguments + (5, 5, 5), unit [m, m, m/s, rad, rad/s] × [1/m, 1/m, s/m, 1/rad,
         s/rad] × [1/m, 1/m, s/m, 1/rad, s/rad].
 
-    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 45 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, y, speed, heading, omega, T)
     x, y, speed, heading, omega, T = arguments
@@ -1683,8 +1682,8 @@ def turn_unknown_rate_process_noise_piecewise(
     Returns:
         Shape of the broadcast arguments + (5, 5), unit [m, m/s, m, m/s, rad/s] × [m, m/s, m, m/s, rad/s].
 
-    Accuracy: measured, not proved: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 138 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(T, vx, vy, omega, sigma_w, sigma_omega)
     T, vx, vy, omega, sigma_w, sigma_omega = arguments
@@ -1771,8 +1770,8 @@ def ctrv_process_noise_piecewise(
     Returns:
         Shape of the broadcast arguments + (5, 5), unit [m, m, m/s, rad, rad/s] × [m, m, m/s, rad, rad/s].
 
-    Accuracy: measured, not proved: at most 3 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against what its terms are at most at any rate.
+    Accuracy: at most 162 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(T, speed, heading, omega, sigma_w, sigma_omega)
     T, speed, heading, omega, sigma_w, sigma_omega = arguments

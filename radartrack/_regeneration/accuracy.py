@@ -12,7 +12,7 @@ from typing import Any
 from radartrack._regeneration.output_directory import package
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.language.quantity import Quantity
-from radartrack.derive.writing.numpy_writer import Function
+from radartrack.derive.writing.numpy_writer import Function, helpers
 from radartrack.verification.rounding.certificates import code_of, proved_bounds
 from radartrack.verification.rounding.certificates import kept as kept_certificates
 
@@ -136,9 +136,9 @@ def with_proofs(functions: Iterable[Function], record: Record) -> Record:
     found = dict(record)
     for function in functions:
         name, row = function.quantity.name, rows.get(function.quantity.name, {})
-        if known.get(name) is function.quantity and row.get("code") == code_of(
-            function.text(""), function.quantity.function
-        ):
+        text = function.text("")
+        code = code_of(helpers(text) + text, function.quantity.function)
+        if known.get(name) is function.quantity and row.get("code") == code:
             found[name] = replace(record[name], proved=_said(function.quantity, proved_bounds(row)))
     return found
 
