@@ -24,7 +24,7 @@ LANGUAGES = {"C99": ["-std=c99"], "C++17": ["-x", "c++", "-std=c++17"]}
 NUMBERS = count()
 needs_compiler = pytest.mark.skipif(compiler() is None, reason="there is no C compiler on this machine")
 DEFINED = re.compile(
-    r"^(?:static inline|RADARTRACK_INLINE) (?P<kind>void|double|float) (?P<name>radartrack_\w+)"
+    r"^(?:static inline|RADARTRACK_INLINE|RADARTRACK_BATCH) (?P<kind>void|double|float) (?P<name>radartrack_\w+)"
     r"\((?P<given>[^)]*)\)\n\{",
     re.MULTILINE,
 )

@@ -148,7 +148,7 @@ class CFunction:
         given = [f"const {real} *{name}" for name in self.arguments]
         filled = [f"{real} *RADARTRACK_RESTRICT {name}" for name in names]
         signature = _signature(
-            "static inline void", f"{self.name}{BATCH}{suffix}", [f"size_t {COUNT}", *given, *filled]
+            "RADARTRACK_BATCH void", f"{self.name}{BATCH}{suffix}", [f"size_t {COUNT}", *given, *filled]
         )
         place = f"{START} + {PLACE}" if self.angles else PLACE
         at = [f"{name}[{place}]" for name in self.arguments] + [f"{name}[{PLACE}]" for name in self._sines]

@@ -129,7 +129,7 @@ static inline {real} {prefix}far_angle{f}({real} x, {real} *y, {real} *y_low)
 
 MANY = """\
 /* of n angles; those that are far come last, one by one */
-static inline void {prefix}sin_and_cos_n{f}(
+RADARTRACK_BATCH void {prefix}sin_and_cos_n{f}(
     size_t n, const {real} *x, {real} *RADARTRACK_RESTRICT sine, {real} *RADARTRACK_RESTRICT cosine)
 {{
     size_t i;
