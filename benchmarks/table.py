@@ -39,7 +39,7 @@ ROWS = (
         for method in ("averaged", "unbiased")
         for row in (
             Row(f"`convert.polar`, {method}, 1e6 plots, NumPy alone", "a fused Numba loop, one thread",
-                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_fused[{method}]", "≤ 2.0"),
+                f"test_conversions.py::TestPolar::test_numpy[{method}]", f"TestPolar::test_fused[{method}]", "≤ 1.4"),
             Row(f"`convert.polar`, {method}, 1e6 plots, with `[fast]`", "the same loop",
                 f"test_conversions.py::TestPolar::test_fast[{method}]", f"TestPolar::test_fused[{method}]", "≤ 0.25"),
             Row(f"`convert.polar`, {method}, 1e6 plots, with `[fast]`, one core", "the same loop",
@@ -55,7 +55,7 @@ ROWS = (
         )
     ),
     Row("`convert.spherical`, unbiased, 1e6 plots, NumPy alone", "a fused Numba loop, one thread",
-        "TestSpherical::test_numpy", "TestSpherical::test_fused", "≤ 2.0"),
+        "TestSpherical::test_numpy", "TestSpherical::test_fused", "≤ 1.4"),
     Row("`convert.spherical`, unbiased, 1e6 plots, with `[fast]`", "the same loop",
         "TestSpherical::test_fast", "TestSpherical::test_fused", "≤ 0.25"),
     Row("`convert.spherical`, unbiased, 1e6 plots, with `[fast]`, one core", "the same loop",
@@ -98,7 +98,7 @@ ROWS = (
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, NumPy alone", "drawing the normals alone",
         "TestMonteCarlo::test_numpy", "TestMonteCarlo::test_normals", "–"),
     Row("Monte Carlo of `polar.covariance.truth`, 8e6 samples, one process, with `[fast]`", "the same",
-        "TestMonteCarlo::test_machine_code", "TestMonteCarlo::test_normals", "≤ 2.0"),
+        "TestMonteCarlo::test_machine_code", "TestMonteCarlo::test_normals", "≤ 1.2"),
     Row("deriving and writing `polar.*`", "`simplify` and `lambdify(cse=True)` of the same formulas",
         "TestRegenerate::test_radartrack", "TestRegenerate::test_plain_sympy", "≥ 5 times faster", faster=True),
     Row("`import radartrack` and all that it loads on use, a whole process", "`import numpy`",

@@ -15,7 +15,7 @@ from radartrack.derive.catalogue import catalogue
 from radartrack.derive.writing.c99 import c_elementary, c_header
 from radartrack.verification.compiled_c import compiler
 
-FLAGS = ("-std=c99", "-O3", "-march=native", "-shared", "-fPIC")
+FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC")  # what most build with
 POLAR = ("r", "azimuth", "range_std", "azimuth_std")
 TAKEN = "const double *r, const double *b, const double *sr, const double *sb, const double *c"
 Timed = Callable[..., Any]
