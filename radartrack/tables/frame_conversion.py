@@ -3,6 +3,7 @@
 import reprlib
 import sys
 from collections.abc import Mapping, Sequence
+from decimal import Decimal
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any, TypeVar
@@ -77,6 +78,8 @@ def _of_table(frame: Frame, chosen: PlotColumns) -> Frame:
         table = nw.from_native(frame)
     except TypeError:
         raise TypeError(f"frame must be {LIBRARIES}; got {reprlib.repr(type(frame).__name__)}") from None
+    except nw.exceptions.DuplicateError:
+        raise ValueError("the columns of the table must have different names; some have the same") from None
     if not isinstance(table, nw.DataFrame):
         how = "collect it first, or convert files with `radartrack convert`, which streams them"
         raise TypeError(
@@ -95,10 +98,31 @@ def _of_table(frame: Frame, chosen: PlotColumns) -> Frame:
 def _numbers(series: Any, nw: Any, argument: str) -> RealArray:
     """A column in float32 or float64, NaN where nothing is."""
     if not series.dtype.is_numeric():
-        raise TypeError(f"{argument} must be a column of real numbers; {series.name!r} holds {series.dtype}")
+        return _unpacked(series, nw, argument)
     dtype = np.float32 if series.dtype == nw.Float32 else np.float64
     wide = series.cast(nw.Float32 if dtype is np.float32 else nw.Float64)
     return np.asarray(wide.to_numpy(), dtype=dtype)
+
+
+def _unpacked(series: Any, nw: Any, argument: str) -> RealArray:
+    """Numbers that are kept as something else: as categories, in a sparse column, one object each; or no number at all.
+
+    Raises:
+        TypeError: there is something that is no real number.
+
+    """
+    if series.null_count() == len(series):  # it may have any type: none of its rows has told it
+        return np.full(len(series), np.nan)
+    values = series.to_numpy()
+    if series.dtype == nw.Object and all(value is None or _is_real(value) for value in values):
+        return np.array([np.nan if value is None else float(value) for value in values])
+    if series.dtype == nw.Boolean or values.dtype.kind not in "iuf" or series.dtype.is_temporal():
+        raise TypeError(f"{argument} must be a column of real numbers; {series.name!r} holds {series.dtype}")
+    return np.asarray(values, np.float64)
+
+
+def _is_real(value: object) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating, Decimal)) and not isinstance(value, bool)
 
 
 def _labelled(error: BadRows, index: Any) -> BadRows:

@@ -121,14 +121,20 @@ def _schema(given: Any, chosen: PlotColumns, pa: Any) -> Any:
         chosen.require_room(given.names)
     except ValueError as error:
         raise NoPlots(str(error)) from None
-    types = {name: given.field(column).type for name, column in chosen.needed.items()}
+    types = {name: _type_of_values(given.field(column).type, pa) for name, column in chosen.needed.items()}
     for name, kind in types.items():
-        if not (pa.types.is_integer(kind) or pa.types.is_floating(kind) or pa.types.is_decimal(kind)):
+        numeric = pa.types.is_integer(kind) or pa.types.is_floating(kind) or pa.types.is_decimal(kind)
+        if not (numeric or pa.types.is_null(kind)):
             raise NoPlots(f"{name} must be a column of real numbers; {chosen.needed[name]!r} holds {kind}")
     number = pa.float32() if all(kind == pa.float32() for kind in types.values()) else pa.float64()
     for name in chosen.outputs:
         given = given.append(pa.field(name, number))
     return given.append(pa.field(chosen.problem, pa.string())) if chosen.mark else given
+
+
+def _type_of_values(kind: Any, pa: Any) -> Any:
+    """That of what a dictionary has, as pandas writes categories."""
+    return kind.value_type if pa.types.is_dictionary(kind) else kind
 
 
 def _options(file: Any, chosen: PlotColumns) -> dict[str, Any]:
@@ -159,6 +165,8 @@ def _converted(batch: Any, chosen: PlotColumns, first: int, pa: Any) -> Columns:
 
 def _numbers(column: Any, pa: Any) -> RealArray:
     """A column in float32 or float64, NaN where nothing is."""
+    if pa.types.is_dictionary(column.type):
+        column = column.dictionary_decode()
     kind = column.type if column.type == pa.float32() else pa.float64()
     numbers: RealArray = column.cast(kind).to_numpy(zero_copy_only=False)
     return numbers

@@ -76,6 +76,8 @@ class PlotColumns:
             for name in given or {}:
                 one_of(f"an argument in {option}", name, arguments)
         read = {name: read_unit(name, unit, arguments[name].domain) for name, unit in (units or {}).items()}
+        if not isinstance(prefix, str):
+            raise TypeError(f"prefix must be a text; got {reprlib.repr(prefix)}")
         found: dict[str, str | float] = {name: name for name in arguments if name not in OPTIONAL}
         found |= {**OPTIONAL, **(columns or {})}
         if not any(isinstance(source, str) for source in found.values()):
@@ -131,6 +133,8 @@ class PlotColumns:
             ValueError: it has not, or has.
 
         """
+        if len({*present}) < len(present):
+            raise ValueError(f"the columns of the table must have different names; got {[*present]}")
         for name, column in self.needed.items():
             if column not in present:
                 hint = ": say which column it is" if column == name else ""

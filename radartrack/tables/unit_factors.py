@@ -42,15 +42,19 @@ def read_unit(name: str, unit: object, domain: Domain) -> Unit:
     pint = _pint()
     if len(unit) > LONGEST or not NAMED.fullmatch(unit.strip()):
         raise ValueError(f"the unit of {name} must be {allowed}; got {unit[:LONGEST]!r}")
+    quantity = pint.get_application_registry().Quantity
+    something_else = ValueError(f"the unit of {name} must be {allowed}; got {unit!r}, which is one of something else")
     try:
-        one = pint.get_application_registry().Quantity(1.0, unit.strip())
-        return Unit(unit.strip(), float(one.to(wanted).magnitude))
+        one, two = quantity(1.0, unit.strip()), quantity(2.0, unit.strip())
+        factor, twice = float(one.to(wanted).magnitude), float(two.to(wanted).magnitude)
     except pint.UndefinedUnitError:
         raise ValueError(f"the unit of {name} must be {allowed}; pint knows no unit {unit!r}") from None
-    except (pint.DimensionalityError, pint.OffsetUnitCalculusError):
-        raise ValueError(
-            f"the unit of {name} must be {allowed}; got {unit!r}, which is one of something else"
-        ) from None
+    except pint.errors.PintTypeError:
+        raise something_else from None
+    # A decibel is no multiple of one; and of what has no dimension only some are angles: a per cent is none.
+    if twice != 2 * factor or one.to_root_units().units != quantity(1.0, wanted).to_root_units().units:
+        raise something_else
+    return Unit(unit.strip(), factor)
 
 
 def _example(wanted: str) -> str:

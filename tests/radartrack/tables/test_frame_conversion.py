@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -206,3 +207,62 @@ def test_what_is_no_table_in_memory_is_refused() -> None:
         rt.tables.convert(pl.LazyFrame(plots()), "polar_doppler", COLUMNS, UNITS)
     with pytest.raises(TypeError, match=r"frame must be a table of pandas, polars, pyarrow .*; got 'dict'"):
         rt.tables.convert(plots(), "polar_doppler", COLUMNS, UNITS)
+
+
+SIMPLE = {"r": [1e3, 2e3, 1e3], "azimuth": [0.1, 0.2, 0.3], "range_std": [10.0] * 3, "azimuth_std": [0.01] * 3}
+PACKED = {
+    "pandas category": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Categorical(values)}),
+    "pandas objects": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Series(values, dtype=object)}),
+    "pandas sparse": lambda values: pd.DataFrame({**SIMPLE, "r": pd.arrays.SparseArray(values)}),
+    "pandas nullable": lambda values: pd.DataFrame({**SIMPLE, "r": pd.array(values, dtype="Float64")}),
+    "pyarrow dictionary": lambda values: pa.table({**SIMPLE, "r": pa.array(values).dictionary_encode()}),
+    "pyarrow decimal": lambda values: pa.table({**SIMPLE, "r": pa.array(map(Decimal, values))}),
+}
+
+
+@pytest.mark.parametrize("kind", PACKED)
+def test_numbers_are_numbers_however_a_library_keeps_them(kind: str):
+    expected = rt.convert.polar(**SIMPLE).mean
+    found = rt.tables.convert(PACKED[kind](SIMPLE["r"]))
+    np.testing.assert_array_equal(np.transpose([column(found, "x"), column(found, "y")]), expected)
+
+
+@pytest.mark.parametrize(
+    "empty",
+    [
+        pd.DataFrame(columns=[*SIMPLE]),
+        pl.DataFrame({name: [] for name in SIMPLE}),
+        pa.table({name: pa.nulls(0) for name in SIMPLE}),
+    ],
+    ids=["pandas", "polars", "pyarrow"],
+)
+def test_a_table_without_rows_is_converted_whatever_types_its_columns_have(empty: Any):
+    assert len(column(rt.tables.convert(empty), "x")) == 0
+
+
+@pytest.mark.parametrize("nothing", [pl.DataFrame({**SIMPLE, "r": [None] * 3}), pa.table({**SIMPLE, "r": pa.nulls(3)})])
+def test_a_column_without_a_value_is_missing_in_every_row(nothing: Any):
+    with pytest.raises(rt.tables.BadRows) as error:
+        rt.tables.convert(nothing)
+    assert error.value.reasons == ["r is missing"] * 3
+
+
+@pytest.mark.parametrize(
+    "values", [["a", "b", "a"], [True, False, True], [1 + 0j] * 3, [np.datetime64("2020-01-01")] * 3]
+)
+def test_what_is_no_number_is_refused_however_it_is_kept(values: list[Any]):
+    for packed in (pd.Series(values), pd.Series(values, dtype=object), pd.Categorical(values)):
+        with pytest.raises(TypeError, match="r must be a column of real numbers"):
+            rt.tables.convert(pd.DataFrame({**SIMPLE, "r": packed}))
+
+
+def test_two_columns_of_one_name_are_refused():
+    twice = pa.Table.from_arrays([pa.array([1.0])] * 2, names=["r", "r"])
+    with pytest.raises(ValueError, match="different names"):
+        rt.tables.convert(twice)
+
+
+@pytest.mark.parametrize("unit", ["dB", "percent", "ppm", "m", "degC"])
+def test_no_unit_of_something_else_is_an_angle(unit: str):
+    with pytest.raises(ValueError, match="unit of angle"):
+        rt.tables.convert(pd.DataFrame(SIMPLE), units={"azimuth": unit})

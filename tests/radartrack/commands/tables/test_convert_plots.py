@@ -260,3 +260,16 @@ def test_a_file_that_is_not_there_is_told_as_that_and_not_as_the_output(tmp_path
     said = "".join(letter for letter in result.output if letter.isalnum())  # in a box, which breaks lines anywhere
     assert "nosuchparquetdoesnotexist" in said
     assert "cannotbewritten" not in said
+
+
+def test_categories_and_columns_without_a_value_are_read_as_tables_are(tmp_path: Path) -> None:
+    given = table(6).set_column(1, "azimuth", pa.array([10.0, 20.0] * 3).dictionary_encode())
+    pq.write_table(given, tmp_path / "categories.parquet")
+    assert converted(tmp_path / "categories.parquet", "--out", tmp_path / "out.parquet").exit_code == 0
+    decoded = given.set_column(1, "azimuth", given["azimuth"].cast(pa.float64()))
+    found = pq.read_table(tmp_path / "out.parquet")
+    requires_same(found.set_column(1, "azimuth", decoded["azimuth"]), decoded)
+    pq.write_table(given.set_column(0, "r", pa.nulls(6)), tmp_path / "nothing.parquet")
+    result = converted(tmp_path / "nothing.parquet", "--out", tmp_path / "no.parquet")
+    assert result.exit_code != 0
+    assert "r is missing" in result.output
