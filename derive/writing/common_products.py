@@ -40,7 +40,7 @@ def with_common_products(
 
     def named(factor: Expr) -> Expr:
         """A factor over names, of which those of products are defined where they are first used."""
-        if factor not in pairs:
+        if not isinstance(factor, Symbol) or factor not in pairs:
             return rewritten(factor)
         if factor not in done:
             done[factor] = sp.Mul(*map(named, pairs[factor]))
@@ -95,7 +95,7 @@ def _take_out(factors: dict[Expr, list[Expr]], names: Iterator[Symbol]) -> dict[
 
 def _is_divisor(factor: Expr) -> bool:
     """Whether it is written as what a product is divided by."""
-    return isinstance(factor, sp.Pow) and bool(factor.exp.is_negative)
+    return isinstance(factor, sp.Pow) and isinstance(factor.exp, sp.Rational) and bool(factor.exp < 0)
 
 
 def _free_names(taken: set[str]) -> Iterator[Symbol]:

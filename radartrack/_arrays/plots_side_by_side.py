@@ -74,7 +74,7 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
 
     """
     functions = ModuleType("math")
-    vars(functions).update(vars(math) | elementary_functions())
+    vars(functions).update({**vars(math), **elementary_functions()})
     loop_inlined = _NJIT(**INLINED)(_with(loop, {"math": functions}))
     put_inlined = _NJIT(**INLINED)(_with(_put, {"COORDINATES": coordinates}))
     filling = _with(_fill, {"LOOP": loop_inlined, "PUT": put_inlined, "COORDINATES": coordinates})
@@ -124,7 +124,7 @@ def _with(function: Callable[..., Any], names: dict[str, Any]) -> FunctionType:
 
 def _digest(loop: Callable[..., None]) -> str:
     """Of all that is compiled: Numba itself looks at the file of one function only."""
-    texts = map(getsource, (loop, elementary, sys.modules[__name__]))
+    texts = [getsource(loop), getsource(elementary), getsource(sys.modules[__name__])]
     return sha256("".join([str(PLOTS), *texts]).encode()).hexdigest()[:16]
 
 
