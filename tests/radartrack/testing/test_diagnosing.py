@@ -180,12 +180,13 @@ def test_states_and_covariances_are_passed_whole(function: Function, name: str, 
         (own.of_many_plots, "plots: (r, beta)"),
         (own.of_an_object, "plot: a Plot of r, beta"),
         (own.of_a_mapping, "plot: a record of r, beta"),
-        (lambda *, azimuth, **more: own.to_xy(more["r"], azimuth), "azimuth: beta"),
+        (lambda *, azimuth, rng: own.to_xy(rng, azimuth), "azimuth: beta"),
         (lambda **plot: own.to_xy(plot["r"], plot["beta"]), "r: r"),
         (lambda r, az: dict(zip("xy", own.to_xy(r, az), strict=True)), "az: beta"),
         (lambda r, az: r * complex(math.cos(az), math.sin(az)), "az: beta"),
         (np.vectorize(own.to_xy), "argument 1: r"),
     ],
+    ids=["rows", "object", "mapping", "keywords", "any keywords", "to a mapping", "to a complex number", "vectorized"],
 )  # fmt: skip
 def test_plots_come_and_go_as_objects_rows_mappings_and_complex_numbers(function: Function, taken: str) -> None:
     found = diagnose(function, "polar.map")
@@ -240,6 +241,7 @@ def test_a_jacobian_column_by_column_and_a_deviation_for_a_variance_are_told() -
         (lambda az: az * float(np.float32(math.pi / 180)), "beta in degrees with pi/180 in single precision"),
         (lambda az: az - 0.01, "beta - 0.01 for beta"),
     ],
+    ids=["pi", "180/pi", "pi/180", "single", "offset"],
 )  # fmt: skip
 def test_constants_with_few_digits_and_offsets_are_named(angle: Callable[[float], float], words: str) -> None:
     found = diagnose(lambda r, az: own.to_xy(r, angle(az)), "polar.map")
