@@ -314,8 +314,8 @@ class Examination:
         def readings(close: float, *, single: bool) -> list[Reading]:
             tolerance = self._tolerance(close, expected)[known]
             found = arrangements.best(calls.values[known], expected.values[known], tolerance)
-            beside = {"single": single, "form": self._form, "first": calls.values}
-            return [Reading(wanted, bound, change, one, wrong, **beside) for wrong, one in found]
+            read = [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+            return [replace(one, form=self._form, first=calls.values) for one in read]
 
         found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
         yield from found
@@ -327,7 +327,7 @@ class Examination:
         """By how much a right value may be off; in a table no digits are seen beyond those that are written."""
         if self._table is None:
             return close * expected.scales
-        return np.maximum(close, WRITTEN * self._table.share) * expected.scales + self._table.least
+        return max(close, WRITTEN * self._table.share) * expected.scales + self._table.least
 
     def _epsilon(self, reading: Reading) -> float:
         """The unit of the precision in which errors are told."""
