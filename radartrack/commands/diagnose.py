@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -110,12 +111,23 @@ def _of_table(name: str, table: Path, given: dict[str, float], model: Path | Non
 
     wanted = _wanted(name, given, model)
     try:
-        function = tabulated(wanted, table.read_text(encoding="utf-8"))
+        function = tabulated(wanted, _text(table))
         taken = {f"argument {place + 1}": symbol.name for place, symbol in enumerate(wanted.symbols)}
         found = Examination(function, wanted, taken, AS_ASKED).diagnosis()
-    except (CannotDiagnose, UnicodeDecodeError) as error:
+    except CannotDiagnose as error:
         raise CannotRun(f"{table}: {error}") from None
     return {**found.record, "text": str(found)}
+
+
+def _text(table: Path) -> str:
+    """Of a file as other programs write it: in UTF-8, in UTF-16 as Excel's Unicode text, or in one byte a character."""
+    data = table.read_bytes()
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.decode("utf-16", errors="replace")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
 
 
 def _wanted(name: str, given: dict[str, float], model: Path | None) -> Any:

@@ -25,6 +25,7 @@ ORDERS = 120  # of the symbols in one vector
 CUSTOMARY: Mapping[str, float] = {"semi_major_axis": 6378137.0, "flattening": 1 / 298.257223563}
 
 Declared = Sequence[tuple[str, bool, bool]]  # name, whether it may be left out, whether it goes by name
+ANY_NAMES = ("**", False, True)  # of a function that takes whatever goes by name
 
 
 def declared(function: Callable[..., Any]) -> Declared | None:
@@ -42,7 +43,7 @@ def declared(function: Callable[..., Any]) -> Declared | None:
     if any(one.kind is kinds.VAR_POSITIONAL for one in parameters):
         return None
     if [one.kind for one in parameters] == [kinds.VAR_KEYWORD]:
-        return []
+        return [ANY_NAMES]
     return [
         (one.name, one.default is not kinds.empty, one.kind is kinds.KEYWORD_ONLY)
         for one in parameters
@@ -87,7 +88,7 @@ def _places(given: Declared | None, symbols: Sequence[Variable]) -> Declared:
     """The parameters; where they have no names, or all names are allowed, one for each symbol."""
     if given is None:
         return [(f"argument {n + 1}", False, False) for n, _ in enumerate(symbols)]
-    return given or [(symbol.name, False, True) for symbol in symbols]
+    return [(symbol.name, False, True) for symbol in symbols] if list(given) == [ANY_NAMES] else given
 
 
 def _in_other_forms(binding: Binding, function: Callable[..., Any], symbols: Sequence[Variable]) -> Iterator[Binding]:

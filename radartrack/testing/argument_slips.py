@@ -64,7 +64,7 @@ def argument_slip(
 
 def _wrong(expected: Expected, found: Array) -> list[int]:
     with np.errstate(all="ignore"):
-        right = np.abs(found - expected.values) <= ROUND * expected.scales
+        right = (np.abs(found - expected.values) <= ROUND * expected.scales) | ~np.isfinite(found)
     return [int(place) for place in np.flatnonzero(~right.all(axis=0))]
 
 

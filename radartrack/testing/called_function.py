@@ -26,6 +26,19 @@ class NotKnown(LookupError):
     """A function that is a table has no value there."""
 
 
+@dataclass(frozen=True)
+class Precision:
+    """How exact the values of a table are written.
+
+    Attributes:
+        share: half of the last digit, in units of a value of ordinary size.
+        least: half of the last decimal, where all values have as many; 0 where they have as many digits.
+    """
+
+    share: float
+    least: float
+
+
 class Form(Enum):
     """How arguments are handed over."""
 

@@ -6,6 +6,7 @@ import ctypes
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ import numpy.typing as npt
 
 Function = Callable[..., Any]
 
+CFFI = "_cffi_backend"
 ROOM = 1024  # numbers behind each pointer: a function that takes more than it is given reads and writes inside still
 UNWRITTEN = {np.dtype(np.float64): 0x7FF4DEADBEEF0001, np.dtype(np.float32): 0x7FA0BEEF}  # NaNs that no function makes
 NO_TYPES = "a function of ctypes must say what it takes and returns: argtypes = (c_double, …), restype = c_double"
@@ -98,7 +100,7 @@ def _declared(function: Function) -> _Declaration | None:
         if own.argtypes is None:
             raise NotCallable(NO_TYPES)
         return _Declaration(tuple(map(_of_ctypes, own.argtypes)), own.restype in {ctypes.c_double, ctypes.c_float})
-    if type(own).__module__ == "_cffi_backend":
+    if CFFI in {type(own).__module__, type(getattr(own, "__self__", None)).__module__}:
         return _of_cffi(own)
     return None
 
@@ -118,9 +120,8 @@ def _of_ctypes(kind: Any) -> _Place:
 
 
 def _of_cffi(function: Any) -> _Declaration | None:
-    import cffi  # type: ignore[import-untyped] # noqa: PLC0415 - the function is of it
-
-    ffi = cffi.FFI()
+    """Of a function that is opened, or of a library that is compiled."""
+    ffi = import_module(CFFI).FFI()  # that of the package does not know functions of compiled libraries
     kind = ffi.typeof(function)
     if kind.kind != "function":
         return None

@@ -19,7 +19,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.testing.argument_bindings import CUSTOMARY, bindings, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
 from radartrack.testing.argument_slips import argument_slip
-from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, called
+from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
 from radartrack.testing.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
 from radartrack.testing.function_conventions import (
@@ -46,6 +46,7 @@ SCREENING = 24
 CONFIRMING = 16
 DOMAIN = 120
 CLOSE, CLOSE_SINGLE = 1e-9, 2e-5  # of the scale of an entry, at points where nothing is lost
+WRITTEN = 1.05  # halves of the last digit by which a value that is written is off
 CLOSE_IN_TABLES = 1e-6  # what a form that cancels may lose in a table, whose points have no neighbours
 FAILING = 240  # ways to call it after which a function that raises at all of them is given up
 BESIDE = 100  # other ways that are tried where the names of the parameters say how it is called
@@ -165,6 +166,7 @@ class Examination:
         self._function, self._wanted, self._arguments, self._stated = function, wanted, arguments, stated
         self._form = form
         self._tried: dict[tuple[str, ...], tuple[Wanted, Expected]] = {}
+        self._table: Precision | None = getattr(function, "table", None)
         self._arranged: dict[tuple[Wanted, tuple[str, ...]], Arrangements] = {}
         self._troubles: dict[str, None] = {}
 
@@ -307,16 +309,29 @@ class Examination:
             return
         arrangements = self._arrangements(wanted, bound)
 
+        known = [place for place in range(expected.count) if place not in calls.unknown]
+
         def readings(close: float, *, single: bool) -> list[Reading]:
-            found = arrangements.best(calls.values, expected.values, close * expected.scales)
-            known = {"single": single, "form": self._form, "first": calls.values}
-            return [Reading(wanted, bound, change, one, wrong, **known) for wrong, one in found]
+            tolerance = self._tolerance(close, expected)[known]
+            found = arrangements.best(calls.values[known], expected.values[known], tolerance)
+            read = [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+            return [replace(one, form=self._form, first=calls.values) for one in read]
 
         found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
         yield from found
         if not calls.single and all(one.wrong for one in found):
             rough = [one for one in readings(CLOSE_SINGLE, single=True) if one.wrong == 0]
             yield from (one for one in rough if self._is_single(one, calls, expected))
+
+    def _tolerance(self, close: float, expected: Expected) -> Array:
+        """By how much a right value may be off; in a table no digits are seen beyond those that are written."""
+        if self._table is None:
+            return close * expected.scales
+        return max(close, WRITTEN * self._table.share) * expected.scales + self._table.least
+
+    def _epsilon(self, reading: Reading) -> float:
+        """The unit of the precision in which errors are told."""
+        return max(SINGLE if reading.single else DOUBLE, 0.0 if self._table is None else self._table.share)
 
     def _is_single(self, reading: Reading, calls: Calls, expected: Expected) -> bool:
         """Whether what it is off by jumps, as where it computes in single precision; other errors are smooth."""
@@ -409,7 +424,10 @@ class Examination:
     def _values(self, reading: Reading, expected: Expected) -> tuple[Calls, Array]:
         """What came back at some points, and that as the entries that are wanted."""
         calls = called(self._function, reading.binding, expected.points, reading.wanted.shape)
-        return calls, _unwrapped(reading.arrangement.undone(calls.values), expected, reading.arrangement.offsets)
+        found = _unwrapped(reading.arrangement.undone(calls.values), expected, reading.arrangement.offsets)
+        if self._table is not None and self._table.least:  # of what is less than half of the last decimal 0 is left
+            found = np.where(np.abs(found - expected.values) <= WRITTEN * self._table.least, expected.values, found)
+        return calls, found
 
     # What slip it has
 
@@ -448,11 +466,12 @@ class Examination:
             slips.append(replace(slip, entries=(index,)))
         return merged(slips)
 
-    @staticmethod
-    def _wrong(calls: Calls, found: Array, expected: Expected) -> list[int]:
-        tolerance = (CLOSE_SINGLE if calls.single else CLOSE) * expected.scales
+    def _wrong(self, calls: Calls, found: Array, expected: Expected) -> list[int]:
+        tolerance = self._tolerance(CLOSE_SINGLE if calls.single else CLOSE, expected)
         with np.errstate(all="ignore"):
-            right = (np.abs(found - expected.values) <= tolerance).all(axis=0)
+            near = np.abs(found - expected.values) <= tolerance
+        near[calls.unknown] = True
+        right = near.all(axis=0)
         return [int(place) for place in np.flatnonzero(~right)]
 
     @staticmethod
@@ -470,7 +489,7 @@ class Examination:
         expected = reading.wanted.ordinary(SCREENING) if reading.form else reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
         found = _excused(reading, expected, found)
-        epsilon = SINGLE if reading.single else DOUBLE
+        epsilon = self._epsilon(reading)
         undefined = list(_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
         wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
@@ -500,7 +519,7 @@ class Examination:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
         found = _excused(reading, expected, self._values(reading, expected)[1])
-        wrong = self._wrong_there(reading, expected, found, SINGLE if reading.single else DOUBLE)
+        wrong = self._wrong_there(reading, expected, found, self._epsilon(reading))
         return (expected, found, wrong) if wrong.any() else None
 
     def _at(self, reading: Reading, points: Points) -> Array:
@@ -513,9 +532,9 @@ class Examination:
         """The points at which it differs by more than rounding makes: in the derived formula, or in its own form."""
         rounding = is_rounding(expected, found, epsilon) | (expected.errors(found) * (DOUBLE / epsilon) <= allowed)
         wrong: npt.NDArray[np.bool_] = np.all(np.isfinite(found), axis=1) & ~np.all(rounding, axis=1)
-        if getattr(self._function, "is_table", False):  # of which nothing is known beside the points
+        if self._table is not None:  # of which nothing is known beside the points
             with np.errstate(all="ignore"):
-                near = np.abs(found - expected.values) <= CLOSE_IN_TABLES * expected.scales
+                near = np.abs(found - expected.values) <= self._tolerance(CLOSE_IN_TABLES, expected)
             return np.asarray(wrong & ~np.all(near, axis=1))
         for place in np.flatnonzero(wrong):
             point, entry = expected.point(int(place)), int(np.flatnonzero(~rounding[place])[0])
@@ -618,6 +637,9 @@ class Examination:
         said = [f"for {values}, as it takes no {' and no '.join(absent)}"] if absent else []
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
+        elif self._table is not None and self._table.share > CLOSE:
+            digits = round(-math.log10(self._table.share))
+            said.append(f"the values are written with {digits} digits, in units of whose last one errors are told")
         elif reading.single:
             said.append("it computes in single precision, in whose units errors are told")
         return tuple(said)

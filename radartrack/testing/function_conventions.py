@@ -167,9 +167,10 @@ class Arrangement:
 
     def undone(self, found: Array) -> Array:
         """The entries that are wanted, from what came back."""
-        values = (found[:, list(self.sources)] - self.offsets) / self.factors
-        turned = self.offsets != 0
-        values[:, turned] = np.angle(np.exp(1j * values[:, turned]))
+        with np.errstate(all="ignore"):
+            values = (found[:, list(self.sources)] - self.offsets) / self.factors
+            turned = self.offsets != 0
+            values[:, turned] = np.angle(np.exp(1j * values[:, turned]))
         return values
 
 
@@ -264,10 +265,10 @@ class Arrangements:
     def best(self, found: Array, expected: Array, tolerance: Array) -> Iterator[tuple[int, Arrangement]]:
         """How many different entries each arrangement leaves wrong; one for each of the units, the best order."""
         for words, factors, offsets, cost in self.units:
-            back = (found[:, np.newaxis, :] - offsets[:, np.newaxis]) / factors[:, np.newaxis]
-            if offsets.any():
-                back = np.where(offsets[:, np.newaxis] != 0, np.angle(np.exp(1j * back)), back)
             with np.errstate(all="ignore"):
+                back = (found[:, np.newaxis, :] - offsets[:, np.newaxis]) / factors[:, np.newaxis]
+                if offsets.any():
+                    back = np.where(offsets[:, np.newaxis] != 0, np.angle(np.exp(1j * back)), back)
                 away = back - expected[:, :, np.newaxis]
                 away[:, self._angles] = np.angle(np.exp(1j * away[:, self._angles]))
                 near = np.abs(away) <= tolerance[:, :, np.newaxis]

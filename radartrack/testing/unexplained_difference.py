@@ -77,4 +77,7 @@ def region(expected: Expected, wrong: npt.NDArray[np.bool_]) -> str:
                 return f"only where {symbol.name} is {values[wrong].max():.3g} or less"
             if values[wrong].min() > values[~wrong].max():
                 return f"only where {symbol.name} is {values[wrong].min():.3g} or more"
+            sizes = np.abs(values)
+            if sizes[wrong].max() < sizes[~wrong].min():
+                return f"only where |{symbol.name}| is {sizes[wrong].max():.3g} or less"
     return f"at {int(wrong.sum())} of {expected.count} points"

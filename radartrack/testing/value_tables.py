@@ -5,17 +5,20 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.testing.called_function import NotKnown
+from radartrack.testing.called_function import NotKnown, Precision
 from radartrack.testing.examination import CONFIRMING, DOMAIN, FEW, SCREENING, CannotDiagnose
 from radartrack.testing.function_conventions import argument_changes
 from radartrack.testing.wanted import Wanted
 
 CLOSE = 1e-9  # of an argument that another program has written again
+FEWEST = 0.5  # of the points, which a table must have
+WRITTEN = re.compile(r"[-+]?\d*(?:\.(?P<decimals>\d*))?(?:[eEdD](?P<power>[-+]?\d+))?")
 MOST = 50_000_000  # characters of a table
 
 Row = tuple[float, ...]
@@ -35,49 +38,106 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
 
     Args:
         wanted: for which the points were written.
-        text: comma-separated values: a line of names, then a line a point, in the order in which they were written.
-            The columns that are called as symbols are compared with the points; the others are the entries, row by
-            row.
+        text: a line of names, then a line a point, in the order in which they were written; separated by commas, by
+            semicolons (then numbers may have decimal commas) or tabulators. The columns that are called as symbols are
+            compared with the points, and where they are there, lines may be missing; the others are the entries, row
+            by row.
 
     Raises:
         CannotDiagnose: it is no such table.
     """
     if len(text) > MOST:
         raise CannotDiagnose(f"a table may have {MOST} characters, not {len(text)}")
-    names, *lines = [line for line in csv.reader(io.StringIO(text.removeprefix("\ufeff"))) if line] or [[]]
-    names = [name.strip() for name in names]
-    rows = list(_rows(wanted))
-    if len(lines) != len(rows):
-        raise CannotDiagnose(f"the table has {len(lines)} lines of values; {wanted.name} has {len(rows)} points")
+    names, lines = _columns(text)
     own = [symbol.name for symbol in wanted.symbols]
     entries = [place for place, name in enumerate(names) if name not in own]
-    if len(entries) != len(wanted.places):
+    if lines and len(entries) != len(wanted.places):
         raise CannotDiagnose(
             f"beside {', '.join(own)} the table has {len(entries)} columns; "
             f"{wanted.name} has {len(wanted.places)} entries"
         )
     given = {name: names.index(name) for name in own if name in names}
-    known: dict[Row, npt.NDArray[np.float64]] = {}
-    for number, (line, row) in enumerate(zip(lines, rows, strict=True), start=2):
-        if len(line) != len(names):
-            raise CannotDiagnose(
-                f"line {number} of the table has {len(line)} values; the first line has {len(names)} names"
-            )
-        values = [_number(cell, number) for cell in line]
-        for symbol, value in zip(own, row, strict=True):
-            if symbol in given and not math.isclose(values[given[symbol]], value, rel_tol=CLOSE, abs_tol=1e-300):
-                raise CannotDiagnose(
-                    f"line {number} of the table is at {symbol} = {values[given[symbol]]!r}; that point has {value!r}"
-                )
-        known[row] = np.array([values[place] for place in entries]).reshape(wanted.shape)
+    placed = list(_placed(list(_rows(wanted)), lines, own, given, wanted))
+    known = {
+        row: np.array([_number(line[place], number) for place in entries]).reshape(wanted.shape)
+        for row, line, number in placed
+    }
 
     def look_up(*arguments: float) -> npt.NDArray[np.float64]:
         if tuple(arguments) not in known:
             raise NotKnown
         return known[tuple(arguments)]
 
-    look_up.is_table = True  # type: ignore[attr-defined]
+    look_up.table = _precision([[line[place] for place in entries] for _, line, _ in placed])  # type: ignore[attr-defined]
     return look_up
+
+
+def _columns(text: str) -> tuple[list[str], list[list[str]]]:
+    """The names, and the lines under them, without columns that have no name, such as one of line numbers."""
+    text = text.removeprefix("\ufeff")
+    heading = text.partition("\n")[0]
+    separator = max((";", "\t", ","), key=heading.count)
+    rows = [line for line in csv.reader(io.StringIO(text), delimiter=separator) if any(cell.strip() for cell in line)]
+    names, *lines = rows or [[]]
+    for number, line in enumerate(lines, start=2):
+        if len(line) != len(names):
+            raise CannotDiagnose(
+                f"line {number} of the table has {len(line)} values; the first line has {len(names)} names"
+            )
+    kept = [place for place, name in enumerate(names) if name.strip()]
+    if separator != ",":
+        lines = [[cell.replace(",", ".") for cell in line] for line in lines]
+    return [names[place].strip() for place in kept], [[line[place].strip() for place in kept] for line in lines]
+
+
+def _placed(
+    rows: Sequence[Row], lines: Sequence[list[str]], own: Sequence[str], given: dict[str, int], wanted: Wanted
+) -> Iterator[tuple[Row, list[str], int]]:
+    """Each line with its point and its number; lines may be missing where the points are in the table."""
+    if len(lines) > len(rows) or len(lines) < (len(rows) if len(given) < len(own) else FEWEST * len(rows)):
+        raise CannotDiagnose(f"the table has {len(lines)} lines of values; {wanted.name} has {len(rows)} points")
+    left = iter(rows)
+    spare = len(rows) - len(lines)
+    for number, line in enumerate(lines, start=2):
+        row = next(left)
+        while spare and not _is_at(line, row, own, given):
+            row, spare = next(left), spare - 1
+        for symbol, value in zip(own, row, strict=True):
+            if symbol in given and not _is_written(line[given[symbol]], value, number):
+                raise CannotDiagnose(
+                    f"line {number} of the table is at {symbol} = {line[given[symbol]]}; that point has {value!r}"
+                )
+        yield row, line, number
+
+
+def _is_at(line: Sequence[str], row: Row, own: Sequence[str], given: dict[str, int]) -> bool:
+    return all(_is_written(line[given[symbol]], value, 0) for symbol, value in zip(own, row, strict=True))
+
+
+def _is_written(cell: str, value: float, number: int) -> bool:
+    """Whether a value is what a program has written, with the digits that it has."""
+    found = _number(cell, number)
+    return math.isclose(found, value, rel_tol=CLOSE, abs_tol=max(1e-300, 1.01 * _half_unit(cell)))
+
+
+def _half_unit(cell: str) -> float:
+    """Half a unit of the last digit that is written."""
+    match = WRITTEN.fullmatch(cell)
+    if match is None:
+        return 0.0
+    return 0.5 * 10.0 ** (int(match["power"] or 0) - len(match["decimals"] or ""))
+
+
+def _precision(cells: Sequence[Sequence[str]]) -> Precision:
+    """How exact the entries are written: in the lines of ordinary size, and where all have as many decimals."""
+    columns = list(zip(*cells[:SCREENING], strict=True))
+    shares = []
+    for column in columns:
+        sizes = [abs(_number(cell, 0)) for cell in column]
+        typical = float(np.median([size for size in sizes if math.isfinite(size) and size] or [1.0]))
+        shares.append(max(map(_half_unit, column)) / typical)
+    halves = {_half_unit(cell) for line in cells for cell in line if WRITTEN.fullmatch(cell)}
+    return Precision(max(shares, default=0.0), halves.pop() if len(halves) == 1 else 0.0)
 
 
 def _rows(wanted: Wanted) -> Iterator[Row]:

@@ -3,6 +3,7 @@
 import ctypes
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -252,3 +253,71 @@ def other_side_of_the_baseline(path: float, beta: float, baseline: float) -> Any
 def slope_with_a_doubled_term(S_xx: float, S_xy: float, S_yy: float) -> float:
     """A slip below a square."""
     return (S_yy - S_xx + math.sqrt((S_xx - 2 * S_yy) ** 2 + 4 * S_xy**2)) / (2 * S_xy)
+
+
+@dataclass
+class Plot:
+    """As code with types has it."""
+
+    rng: float
+    az: float
+
+
+def to_xy(r: float, az: float) -> Any:
+    return r * math.cos(az), r * math.sin(az)
+
+
+def of_many_plots(plots: Any) -> Any:
+    """Of an array of plots, and of nothing else."""
+    _, two = plots.shape
+    assert two == 2
+    return np.column_stack([plots[:, 0] * np.cos(plots[:, 1]), plots[:, 0] * np.sin(plots[:, 1])])
+
+
+def of_an_object(plot: Plot) -> Any:
+    return to_xy(plot.rng, plot.az)
+
+
+def of_a_mapping(plot: Any) -> Any:
+    return to_xy(plot["range"], plot["azimuth"])
+
+
+def intersection(P1: Any, P2: Any, w: float) -> Any:
+    return np.linalg.inv(w * np.linalg.inv(P1) + (1 - w) * np.linalg.inv(P2))
+
+
+def least_squares_of_scans(T: float, s: float, k: int = 7) -> Any:
+    design = np.array([[1, (j - k) * T] for j in range(1, k + 1)])
+    return s**2 * np.linalg.inv(design.T @ design)
+
+
+def on_wgs84(lat: float, lon: float, h: float, *, polar: float = (1 - 1 / 298.257223563) ** 2) -> Any:
+    """Geodetic coordinates on the ellipsoid that everybody has."""
+    normal = 6378137.0 / math.hypot(math.cos(lat), (1 - 1 / 298.257223563) * math.sin(lat))
+    across = (normal + h) * math.cos(lat)
+    return across * math.cos(lon), across * math.sin(lon), (normal * polar + h) * math.sin(lat)
+
+
+def on_wgs84_wrongly(lat: float, lon: float, h: float) -> Any:
+    return on_wgs84(lat, lon, h, polar=1.0)
+
+
+def correlations_of(covariance: Any, diagonal: Any = 1.0) -> Any:
+    deviations = np.sqrt(np.diagonal(covariance))
+    found = covariance / np.outer(deviations, deviations)
+    np.fill_diagonal(found, diagonal)
+    return found
+
+
+def weights_exchanged(s1: float, s2: float) -> Any:
+    return s1**2 / (s1**2 + s2**2), s2**2 / (s1**2 + s2**2)
+
+
+def of_a_time_constant(T: float, tau: float) -> Any:
+    fade = math.exp(-T / tau)
+    return [[1, T, tau * T - tau**2 * (1 - fade)], [0, 1, tau * (1 - fade)], [0, 0, fade]]
+
+
+def turning_in_another_order(x: Any, dt: float) -> Any:
+    found = turning([x[0], x[1], x[3], x[2], x[4]], dt)
+    return [found[0], found[1], found[3], found[2], found[4]]

@@ -96,6 +96,8 @@ def test_slips_of_public_code_are_named(function: Function, name: str, words: st
         (own.variances_first, "polar.covariance.linear", "the entries in the order of the diagonal, then the others"),
         (own.in_kilometres, "polar.map", "the result in kilometres"),
         (own.milliradians, "polar.covariance.linear", "sigma_beta in milliradians"),
+        (own.of_a_time_constant, "motion.singer.transition", "1/alpha in place of alpha"),
+        (own.turning_in_another_order, "motion.ctrv.map", "the entries in the order 0, 1, 3, 2, 4"),
         (own.bearing_in_degrees, "observe.bearing.map", "the result in degrees"),
         (own.bearing_of_compass, "observe.bearing.map", "from the other axis (pi/2 - beta) and the result in degrees"),
     ],
@@ -172,6 +174,98 @@ def test_states_and_covariances_are_passed_whole(function: Function, name: str, 
     assert not diagnose(own.of_a_matrix_wrongly, "polar.covariance.linear").agrees
 
 
+@pytest.mark.parametrize(
+    ("function", "taken"),
+    [
+        (own.of_many_plots, "plots: (r, beta)"),
+        (own.of_an_object, "plot: a Plot of r, beta"),
+        (own.of_a_mapping, "plot: a record of r, beta"),
+        (lambda *, azimuth, rng: own.to_xy(rng, azimuth), "azimuth: beta"),
+        (lambda **plot: own.to_xy(plot["r"], plot["beta"]), "r: r"),
+        (lambda r, az: dict(zip("xy", own.to_xy(r, az), strict=True)), "az: beta"),
+        (lambda r, az: r * complex(math.cos(az), math.sin(az)), "az: beta"),
+        (np.vectorize(own.to_xy), "argument 1: r"),
+    ],
+    ids=["rows", "object", "mapping", "keywords", "any keywords", "to a mapping", "to a complex number", "vectorized"],
+)  # fmt: skip
+def test_plots_come_and_go_as_objects_rows_mappings_and_complex_numbers(function: Function, taken: str) -> None:
+    found = diagnose(function, "polar.map")
+    assert found.agrees, str(found)
+    assert taken in found.arguments
+
+
+def test_two_matrices_whole_numbers_and_customary_constants_are_passed_as_code_takes_them() -> None:
+    assert_derived(own.intersection, "fusion.covariance_intersection.covariance")
+    assert_derived(own.least_squares_of_scans, "finite_sample.degree1.range.covariance", given={"k": 7})
+    found = diagnose(own.on_wgs84, "frames.ecef_from_geodetic.map")
+    assert found.agrees
+    assert "semi_major_axis = 6378137" in str(found)
+    assert (
+        "the factor (1 - flattening)**2 is missing"
+        in diagnose(own.on_wgs84_wrongly, "frames.ecef_from_geodetic.map").slip
+    )
+
+
+@pytest.mark.parametrize(
+    ("put", "words"),
+    [
+        (np.diagonal, "the diagonal of the result alone"),
+        (lambda c: np.sqrt(np.diagonal(c)), "deviations alone"),
+        (np.linalg.inv, "inverted"),
+        (np.linalg.cholesky, "the lower Cholesky factor"),
+        (lambda c: np.linalg.cholesky(c).T, "the upper Cholesky factor"),
+        (own.correlations_of, "as a correlation matrix"),
+        (lambda c: own.correlations_of(c, np.sqrt(np.diagonal(c))), "deviations on the diagonal"),
+    ],
+    ids=["diagonal", "deviations", "inverse", "lower", "upper", "correlations", "both"],
+)  # fmt: skip
+def test_what_else_is_returned_of_a_covariance_is_told(put: Callable[[Any], Any], words: str) -> None:
+    found = diagnose(lambda r, b, sr, sb: put(np.array(own.linear(r, b, sr, sb))), "polar.covariance.linear")
+    assert (found.verdict, words in found.convention) == ("convention", True), str(found)
+
+
+def test_a_jacobian_column_by_column_and_a_deviation_for_a_variance_are_told() -> None:
+    found = diagnose(lambda px, py, vx, vy: own.radar_jacobian(px, py, vx, vy).T, "observe.polar_doppler.jacobian")
+    assert found.convention == "the result transposed"
+    found = diagnose(lambda s1, s2: 1 / math.hypot(1 / s1, 1 / s2), "fusion.variance.two")
+    assert "the square root of the result" in found.convention
+    assert "in the order 1, 0" in diagnose(own.weights_exchanged, "fusion.weights.two").convention
+
+
+@pytest.mark.parametrize(
+    ("angle", "words"),
+    [
+        (lambda az: az * 3.14 / 180, "beta in degrees with 3.14 for pi"),
+        (lambda az: az / 57.3, "beta in degrees with 57.3 for 180/pi"),
+        (lambda az: az * 0.01745, "beta in degrees with 0.01745 for pi/180"),
+        (lambda az: az * float(np.float32(math.pi / 180)), "beta in degrees with pi/180 in single precision"),
+        (lambda az: az - 0.01, "beta - 0.01 for beta"),
+    ],
+    ids=["pi", "180/pi", "pi/180", "single", "offset"],
+)  # fmt: skip
+def test_constants_with_few_digits_and_offsets_are_named(angle: Callable[[float], float], words: str) -> None:
+    found = diagnose(lambda r, az: own.to_xy(r, angle(az)), "polar.map")
+    assert found.slip == f"entries [0] and [1]: {words}", str(found)
+
+
+def test_a_function_that_remembers_is_told_to_and_no_slip_is_made_of_it() -> None:
+    calls: list[float] = []
+
+    def counting(r: float, az: float) -> Any:
+        calls.append(r)
+        return r * math.cos(az) + (len(calls) > 10), r * math.sin(az)
+
+    found = diagnose(counting, "polar.map")
+    assert (found.verdict, found.slip) == ("differs", "")
+    assert "when it was called before" in str(found)
+
+
+def test_a_function_that_divides_by_what_may_vanish_loses_its_digits_near_there() -> None:
+    found = diagnose(own.turning, "motion.ctrv.map")
+    assert found.lost_digits is not None
+    assert found.lost_digits.digits >= 6
+
+
 def test_a_function_that_draws_is_told_to_be_no_function() -> None:
     generator = np.random.default_rng(3)
     found = diagnose(lambda r, beta: [r * math.cos(beta) + generator.normal(), r * math.sin(beta)], "polar.map")
@@ -206,7 +300,7 @@ def test_single_precision_inside_is_rounding_and_a_constant_of_few_digits_is_non
     found = diagnose(own.single_inside, "polar.map")
     assert found.agrees
     assert "it computes in single precision" in str(found)
-    assert diagnose(own.nearly_degrees, "polar.map", degrees=True).verdict == "differs"
+    assert diagnose(own.nearly_degrees, "polar.map", degrees=True).slip == "entries [0] and [1]: 3.14159 for pi"
 
 
 def test_where_a_function_is_wrong_in_a_half_plane_is_said() -> None:
@@ -259,8 +353,8 @@ def test_a_function_that_does_not_give_the_same_twice_is_told() -> None:
         (lambda *_: None, "it returns nothing"),
         (lambda *_: "xy", "it returns a str"),
         (lambda *_: [1j, 1j, 1j], "shape \\(3,\\)"),
-        (lambda self, r, az: [r, az], "the method of a class"),
-        (lambda r, az, t: [r, az], "give the others their values"),
+        (lambda self, r, az: [self, r, az], "the method of a class"),
+        (lambda r, az, t: [r, az, t], "give the others their values"),
         (lambda a, b, c, d: [a, b, c, d], "for it takes a, b, c, d"),
         (lambda r, _: {}[r], "KeyError"),
         (lambda: [1.0, 2.0], "cannot be called with r, beta"),

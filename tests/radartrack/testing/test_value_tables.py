@@ -49,6 +49,49 @@ def test_a_right_table_is_told_to_be_right_however_its_numbers_are_written(spell
     assert found.ulp < 64
 
 
+def of_excel(text: str) -> str:
+    return "\ufeff" + text.replace(",", ";").replace(".", ",")
+
+
+def numbered(text: str) -> str:
+    """As pandas writes a table, with the numbers of the lines."""
+    names, *lines = text.split("\r\n")
+    return "\r\n".join([f",{names}", *(f"{number},{line}" for number, line in enumerate(lines) if line)])
+
+
+def with_gaps(text: str) -> str:
+    """Without some lines, and without values in others."""
+    names, *lines = text.split("\r\n")
+    kept = [line for number, line in enumerate(lines) if number % 7 != 3]
+    kept[40] = kept[40].rpartition(",")[0] + ",NaN"
+    return "\r\n".join([names, *kept])
+
+
+@pytest.mark.parametrize(
+    ("change", "verdict"),
+    [
+        (of_excel, "agrees"),
+        (lambda text: text.replace(",", "\t"), "agrees"),
+        (numbered, "agrees"),
+        (with_gaps, "undefined"),
+        (lambda text: text.replace("\r\n", "\r\n\r\n"), "agrees"),
+    ],
+    ids=["Excel", "tabulators", "numbered", "gaps", "empty lines"],
+)
+def test_tables_are_read_as_other_programs_write_them(change: Callable[[str], str], verdict: str) -> None:
+    found = diagnosed(WANTED, change(filled(WANTED, right)))
+    assert found.verdict == verdict, str(found)
+    slip = diagnosed(WANTED, change(filled(WANTED, lambda r, beta: (r * math.cos(beta) ** 2, r * math.sin(beta)))))
+    assert slip.slip == "entry [0]: the power 1 is 2: cos(beta)**2 for cos(beta)"
+
+
+@pytest.mark.parametrize("spelled", [".7g", ".5f"])
+def test_of_few_digits_no_more_is_asked_than_they_hold(spelled: str) -> None:
+    found = diagnosed(WANTED, filled(WANTED, right, spelled))
+    assert found.agrees, str(found)
+    assert not diagnosed(WANTED, filled(WANTED, lambda r, beta: (r * math.cos(beta) * 1.001, r), spelled)).agrees
+
+
 def test_a_table_that_another_form_has_lost_digits_in_is_right() -> None:
     wanted = wanted_by("observe.spherical.map", {})
     text = filled(wanted, own.elevation_by_arcsine)
@@ -70,13 +113,14 @@ def test_degrees_and_slips_are_found_in_tables() -> None:
     ("change", "words"),
     [
         (lambda _: "", "lines of values"),
-        (lambda text: text.rsplit("\r\n", 2)[0], "lines of values"),
+        (lambda text: text[: len(text) // 3].rpartition("\r\n")[0], "lines of values"),
+        (lambda text: text + text.rpartition("\r\n")[0].rpartition("\r\n")[2] + "\r\n", "lines of values"),
         (lambda text: text.replace("entry 1", "beta"), "1 columns"),
         (lambda text: text.replace("\r\n", "x\r\n", 2), "is no number"),
         (lambda text: text.replace("\r\n", ",1\r\n").replace(",1", "", 1), "has 5 values"),
         (lambda text: "\r\n".join([text.split("\r\n")[0], *text.split("\r\n")[:0:-1]]), "that point has"),
     ],
-    ids=["empty", "short", "columns", "text", "cells", "order"],
+    ids=["empty", "short", "long", "columns", "text", "cells", "order"],
 )
 def test_what_is_no_table_of_the_points_is_refused_with_a_word(change: Callable[[str], str], words: str) -> None:
     with pytest.raises(CannotDiagnose, match=words):
