@@ -297,7 +297,7 @@ def update_with(
     except ValueError:  # of one block; the message is to count among all
         require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
         raise
-    return Belief(means.reshape(*tracks, -1), covariances.reshape(*tracks, *covariances.shape[1:]))
+    return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
 def run(
