@@ -423,6 +423,6 @@ def _measurement(
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
     [mean] = real_arrays({"mean": belief.mean}).values()
     if mean.ndim and H.shape[1:] != mean.shape[-1:]:  # a single number is refused beside the covariance
-        raise ValueError(f"matrix must have {mean.shape[-1]} columns, one a component of mean; got {H.shape[1]}")
+        raise ValueError(f"matrix must have {mean.shape[-1]} columns, one a component; got {H.shape[1]}")
     values, R = measured_values(arrays, len(H))
     return values, H, R

@@ -92,7 +92,12 @@ def test_each_argument_is_checked_and_named(name: str) -> None:
         for bad in spoilt(argument, value):
             with pytest.raises((TypeError, ValueError)) as caught:
                 function(**arguments | {argument: bad})
-            words = {argument, SYNONYMS.get(argument, argument), "covariance"}  # whose shape follows from the mean
+            words = {
+                argument,
+                SYNONYMS.get(argument, argument),
+                "covariance",
+                "matrix",
+            }  # whose shapes follow from the mean
             assert any(word in str(caught.value) for word in words), (argument, bad, str(caught.value))
 
 
