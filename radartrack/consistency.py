@@ -199,8 +199,10 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
     arrays = real_arrays({"mean": mean, "covariance": covariance, "truth": truth})
     for name in ("mean", "truth"):
         require_finite(name, arrays[name])
-    both = {name: arrays[name] for name in ("mean", "truth")}
-    broadcast_shape(both)
+    shapes = arrays["mean"].shape, arrays["truth"].shape
+    if not shapes[0] or shapes[0][-1:] != shapes[1][-1:]:
+        raise ValueError(f"mean and truth must both have shape (..., n); got {shapes[0]} and {shapes[1]}")
+    broadcast_shape({name: arrays[name] for name in ("mean", "truth")})
     return _normalised(arrays["mean"] - arrays["truth"], arrays["covariance"])
 
 

@@ -210,7 +210,7 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
             none, R is not positive definite, or the result overflows.
 
     """
-    values, H, R = _measurement(measured, matrix, noise, np.shape(belief.mean)[-1:])
+    values, H, R = _measurement(measured, matrix, noise, belief)
     tracks, mean, covariance = tracks_last(belief, common(values.shape[:-1], R.shape[:-2]))
     flat = np.broadcast_to(values, (*tracks, len(H))).reshape(-1, len(H))
     with np.errstate(over="ignore", invalid="ignore"):
@@ -297,7 +297,7 @@ def update_with(
     except ValueError:  # of one block; the message is to count among all
         require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
         raise
-    return Belief(means.reshape(*tracks, -1), covariances.reshape(*tracks, *covariances.shape[1:]))
+    return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
 def run(
@@ -329,7 +329,7 @@ def run(
 
     """
     second = whole_number("order", order, 1, 2) == 2
-    values, H, R = _measurement(measured, matrix, noise, np.shape(start.mean)[-1:])
+    values, H, R = _measurement(measured, matrix, noise, start)
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
     *others, scans = common(values.shape[:-1], R.shape[:-2])
@@ -415,13 +415,14 @@ def _stacked(covariances: list[RealArray], size: int) -> RealArray:
 
 
 def _measurement(
-    measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, size: tuple[int, ...]
+    measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, belief: Belief
 ) -> tuple[RealArray, RealArray, RealArray]:
     arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
     H = arrays["matrix"]
     if H.ndim != 2 or not H.size or not np.isfinite(H).all():
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
-    if H.shape[1:] != size:
-        raise ValueError(f"matrix must have {size[0]} columns, one a component; got {H.shape[1]}")
+    [mean] = real_arrays({"mean": belief.mean}).values()
+    if mean.ndim and H.shape[1:] != mean.shape[-1:]:  # a single number is refused beside the covariance
+        raise ValueError(f"matrix must have {mean.shape[-1]} columns, one a component; got {H.shape[1]}")
     values, R = measured_values(arrays, len(H))
     return values, H, R

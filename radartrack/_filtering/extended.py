@@ -65,7 +65,7 @@ def curvature_of(hessian: RealArray, covariance: RealArray) -> tuple[RealArray, 
     curvature = np.ascontiguousarray(np.moveaxis(hessian, 0, -1))
     turned = combination(np.moveaxis(curvature, 2, 0)[:, :, :, np.newaxis], covariance)
     size, tracks = len(turned), turned.shape[-1]
-    flat, across = (part.reshape(size, -1, tracks) for part in (turned, turned.swapaxes(1, 2)))
+    flat, across = (part.reshape(size, turned.shape[1] ** 2, tracks) for part in (turned, turned.swapaxes(1, 2)))
     spread = np.empty((size, size, tracks), turned.dtype)
     for i in range(size):
         for j in range(i + 1):

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from radartrack._arrays.validation import (
+    broadcast_shape,
     real_arrays,
     require_covariance,
     require_finite,
@@ -71,7 +72,12 @@ def recursion(motion: Motion, first: Filtered, second: Filtered, start: ArrayLik
     require_finite("start", cross)
     if min(one.ndim, other.ndim) < 3:
         raise ValueError("covariance must have shape (..., scans, n, n); got one matrix: steady_cross_covariance")
-    shape = np.broadcast_shapes(one.shape, other.shape)
+    shape = broadcast_shape({"first.covariance": one, "second.covariance": other})
+    if cross.ndim:
+        require_trailing_shape("start", cross, shape[-2:])
+        broadcast_shape({"start": cross, "covariance": np.empty((*shape[:-3], *shape[-2:]))})
+    elif cross:
+        raise ValueError(f"start must be 0 or have shape (..., {shape[-1]}, {shape[-1]}); got {cross}")
     one, other = np.broadcast_to(one, shape), np.broadcast_to(other, shape)
     cross = np.broadcast_to(cross, (*shape[:-3], *shape[-2:]))
     found = np.empty(shape)
@@ -89,6 +95,7 @@ def steady(motion: Motion, first: Filtered, second: Filtered) -> Floats:
         ValueError: it does not come to an end.
     """
     one, other = first.reductions("first"), second.reductions("second")
+    broadcast_shape({"first.covariance": one, "second.covariance": other})
     F, Q = checked_motion(motion, one.shape[-1])
     total = one @ Q @ np.swapaxes(other, -1, -2)
     one, other = one @ F, other @ F

@@ -132,7 +132,9 @@ class Sight:
             farther = away._replace(largest=2 * away.largest, largest_single=2 * away.largest_single)
             [word] = self.site
             place = "the transmitter" if word == "baseline" else "the other receiver"
-            require_within(f"{name}'s distance from {place}", np.maximum.reduce(offsets), farther)
+            require_within(
+                f"{name}'s distance from {place}", np.stack(np.broadcast_arrays(*offsets)).max(axis=0), farther
+            )
 
 
 def off_pole(values: RealArray, site: RealArray | None = None) -> RealArray:

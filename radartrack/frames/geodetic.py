@@ -97,7 +97,7 @@ def ecef_from_geodetic(
     """
     where = _read_geodetic(latitude, longitude, height)
     position = _position(where, ellipsoid)
-    dtype = _type(latitude, longitude, height, covariance)
+    dtype = _type(latitude=latitude, longitude=longitude, height=height, covariance=covariance)
     if covariance is None:
         return position.astype(dtype, copy=False)
     errors = _read_covariance(covariance, position)
@@ -142,7 +142,7 @@ def geodetic_from_ecef(
     found = np.empty((3, len(flat)))
     fill(lambda some, *places: _located(some, places, ellipsoid), [flat], list(found), BLOCK)
     where = Geodetic(*(part.reshape(values.shape[:-1])[()] for part in found))
-    dtype = _type(position, covariance)
+    dtype = _type(position=position, covariance=covariance)
     typed = Geodetic(*(np.asarray(part, dtype)[()] for part in where))
     if covariance is None:
         return typed
@@ -161,7 +161,7 @@ def ecef_jacobian(
     Arguments and errors are those of `ecef_from_geodetic`.
     """
     where = _read_geodetic(latitude, longitude, height)
-    dtype = _type(latitude, longitude, height)
+    dtype = _type(latitude=latitude, longitude=longitude, height=height)
     return _formula("ecef_from_geodetic_jacobian", where, ellipsoid).astype(dtype, copy=False)
 
 
@@ -174,7 +174,7 @@ def geodetic_jacobian(
     without bound.
     """
     where = _read_geodetic(latitude, longitude, height)
-    dtype = _type(latitude, longitude, height)
+    dtype = _type(latitude=latitude, longitude=longitude, height=height)
     return _formula("geodetic_from_ecef_jacobian", where, ellipsoid).astype(dtype, copy=False)
 
 
@@ -232,8 +232,8 @@ def _through(jacobian: RealArray, covariance: RealArray, dtype: "np.dtype[np.flo
     return np.asarray(0.5 * (moved + np.swapaxes(moved, -1, -2)), dtype)
 
 
-def _type(*given: ArrayLike | None) -> "np.dtype[np.floating]":
+def _type(**given: ArrayLike | None) -> "np.dtype[np.floating]":
     """Float32 where every array given is."""
-    named = {str(place): value for place, value in enumerate(given) if value is not None}
-    single = all(array.dtype == SINGLE for array in real_arrays(named).values())
+    arrays = real_arrays({name: value for name, value in given.items() if value is not None})
+    single = all(array.dtype == SINGLE for array in arrays.values())
     return np.dtype(np.float32) if single else np.dtype(np.float64)

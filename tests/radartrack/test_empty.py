@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from radartrack import FiniteSampleFilter, convert, observe, validity
+from radartrack import FiniteSampleFilter, convert, kalman, observe, validity
 from radartrack._arrays.patterns import distinct
 from tests.radartrack.plots import COORDINATES, METHODS, PLOTS, PREDICTED_DEVIATIONS, SENSORS
 
@@ -96,3 +96,23 @@ def test_a_kalman_filter_that_starts_at_the_last_scan_or_before_it(
 def test_patterns_of_no_rows_or_flags(rows: int, flags: int) -> None:
     first, which = distinct(np.zeros((rows, flags), dtype=bool))
     assert (len(first), which.tolist()) == (min(rows, 1), [0] * rows)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("tracks", [(0,), (3, 0)])
+def test_no_track_is_updated_and_run_with_any_sensor(tracks: tuple[int, ...], order: Any) -> None:
+    belief = kalman.Belief(np.zeros((*tracks, 5)), np.eye(5))
+    motion = kalman.nonlinear_motion("turn.unknown_rate", 1.0, std=1.0, turn_std=0.1, grouped="derivative")
+    noise = np.eye(2)
+    found = kalman.update_with("polar", belief, np.zeros((*tracks, 2)), noise, order)
+    ran = kalman.run_with("polar", belief, motion, np.zeros((*tracks, 4, 2)), noise, order)
+    assert [part.shape for part in (*found, *ran)] == [
+        (*tracks, 5), (*tracks, 5, 5), (*tracks, 4, 5), (*tracks, 4, 5, 5)
+    ]  # fmt: skip
+
+
+def test_no_scan_of_a_sensor_leaves_no_belief() -> None:
+    motion = kalman.motion("constant_velocity", 1.0, axes=2, std=1.0, grouped="derivative")
+    start = kalman.Belief(np.full((3, 4), 1e3), np.eye(4))
+    ran = kalman.run_with("polar", start, motion, np.zeros((3, 0, 2)), np.eye(2))
+    assert [part.shape for part in ran] == [(3, 0, 4), (3, 0, 4, 4)]

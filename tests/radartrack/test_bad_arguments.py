@@ -1,0 +1,111 @@
+"""Functions of tracks refuse what is no number, not finite, or of another shape, and name the argument."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+
+import numpy as np
+import pytest
+
+from radartrack import consistency, frames, fusion, initiate, kalman, observe
+from radartrack._observation.sights import SIGHTS
+from tests.radartrack.plots import Floats
+
+SITES = {"baseline": np.float64(500.0), "receiver": np.array([100.0, 200.0, 30.0])}
+SYNONYMS = {"F": "transition", "Q": "process_noise"}
+SAME = np.stack([100.0 * np.eye(2)] * 2)
+STRAIGHT = kalman.motion("constant_velocity", 1.0, std=1.0)
+PLOT = {"r": 5e3, "azimuth": 0.7, "range_std": 30.0, "azimuth_std": 0.05}
+MEANS_MISSING = {"measured"}  # where NaN stands for
+
+Arguments = dict[str, Any]
+Function = Callable[..., Any]
+
+
+def believing(function: Function) -> Function:
+    return lambda mean, covariance, **others: function(kalman.Belief(mean, covariance), **others)
+
+
+def of_sensors() -> Iterator[tuple[str, Function, Arguments]]:
+    for name, sight in SIGHTS.items():
+        mean, errors = np.full(len(sight.state), 1e3), 100.0 * np.eye(len(sight.state))
+        site = {key: SITES[key] for key in sight.site}
+        see: Function = getattr(observe, name)
+        yield f"observe.{name}", see, {"state": mean, **site}
+        yield f"project {name}", partial(observe.project, name), {"mean": mean, "covariance": errors, **site}
+        plot = {"measured": see(mean, **site).measurement, "noise": np.eye(len(sight.outputs))}
+        update = believing(lambda belief, name=name, **others: kalman.update_with(name, belief, **others))
+        yield f"update_with {name}", update, {"mean": mean, "covariance": errors, **plot, **site}
+
+
+def of_filters() -> Iterator[tuple[str, Function, Arguments]]:
+    start = {"mean": np.zeros(2), "covariance": np.eye(2)}
+    seen = {"measured": np.ones((3, 1)), "matrix": np.eye(1, 2), "noise": np.eye(1)}
+    moves = {"F": STRAIGHT.transition, "Q": STRAIGHT.process_noise}
+    yield "predict", believing(lambda belief, F, Q: kalman.predict(belief, kalman.Motion(F, Q))), start | moves
+    yield "update", believing(kalman.update), start | seen | {"measured": np.ones(1)}
+    yield "run", believing(partial(kalman.run, motion=STRAIGHT)), start | seen
+    yield (
+        "one_plot",
+        lambda velocity_std, **plot: initiate.one_plot("polar", plot, velocity_std),
+        PLOT | {"velocity_std": 9.0},
+    )
+    yield "two_plots", lambda period, **plot: initiate.two_plots("polar", plot, PLOT, period), PLOT | {"period": 9.0}
+
+
+def of_fusion() -> Iterator[tuple[str, Function, Arguments]]:
+    pair = {"mean": np.zeros((2, 2)), "covariance": SAME}
+    yield "fuse", fusion.fuse, pair
+    yield "fuse_correlated", fusion.fuse_correlated, pair | {"cross_covariance": np.eye(2)}
+    yield "covariance_intersection", fusion.covariance_intersection, pair
+    filtered = fusion.Filtered(np.stack([np.eye(2)] * 3), np.eye(1, 2), np.eye(1))
+    yield "cross_covariances", partial(fusion.cross_covariances, STRAIGHT, filtered, filtered), {"start": np.eye(2)}
+    yield "nees", consistency.nees, {"mean": np.zeros(2), "covariance": np.eye(2), "truth": np.ones(2)}
+    yield "gate", consistency.gate, {"components": 2.0, "probability": 0.9, "runs": 3.0}
+    yield "band", consistency.band, {"components": 2.0, "probability": 0.9, "runs": 3.0}
+    place = {"latitude": 0.1, "longitude": 0.2, "height": 10.0}
+    yield "ecef", frames.ecef_from_geodetic, place | {"covariance": 1e-6 * np.eye(3)}
+    yield "geodetic", frames.geodetic_from_ecef, {"position": np.array([6.4e6, 1e5, 1e5]), "covariance": np.eye(3)}
+    yield "antenna", frames.antenna, place | {"azimuth": 0.1, "tilt": 0.1, "roll": 0.1, "velocity": np.zeros(3)}
+    yield "Frame.to", partial(frames.enu(0.1, 0.2).to, frames.ECEF), {"mean": np.zeros(6), "covariance": np.eye(6)}
+
+
+CALLS = {name: call for name, *call in (*of_sensors(), *of_filters(), *of_fusion())}
+
+
+def spoilt(name: str, value: Any) -> Iterator[Any]:
+    yield from ("text", object(), [[1.0, 2.0], [3.0]], np.asarray(value) + 1j, np.asarray(value) > 0)
+    first = np.zeros(np.shape(value))
+    first.flat[0] = 1
+    yield np.where(first, np.inf, value)
+    if name not in MEANS_MISSING:
+        yield np.where(first, np.nan, value)
+    if np.ndim(value):
+        yield from (1.0, np.asarray(value)[..., :-1], np.concatenate([value, value], axis=-1))
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_each_argument_is_checked_and_named(name: str) -> None:
+    function, arguments = CALLS[name]
+    function(**arguments)
+    for argument, value in arguments.items():
+        for bad in spoilt(argument, value):
+            with pytest.raises((TypeError, ValueError)) as caught:
+                function(**arguments | {argument: bad})
+            words = {
+                argument,
+                SYNONYMS.get(argument, argument),
+                "covariance",
+                "matrix",
+            }  # whose shapes follow from the mean
+            assert any(word in str(caught.value) for word in words), (argument, bad, str(caught.value))
+
+
+@pytest.mark.parametrize("name", [name for name in CALLS if name.startswith("project bistatic")])
+def test_many_baselines_are_projected_each_as_alone(name: str) -> None:
+    function, arguments = CALLS[name]
+    baselines: Floats = np.array([[300.0, 500.0], [700.0, 900.0]])
+    found = function(**arguments | {"baseline": baselines})
+    alone = function(**arguments | {"baseline": baselines[1, 0]})
+    np.testing.assert_array_equal(found.mean[1, 0], alone.mean)
+    np.testing.assert_array_equal(found.covariance[1, 0], alone.covariance)
