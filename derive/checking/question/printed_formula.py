@@ -126,7 +126,7 @@ def conditions_for(reference: Reference, given: Mapping[str, str], names: Names 
             unit, and where `resolved` raises it.
     """
     symbols = {symbol.name: symbol for symbol in reference.symbols}
-    known = names or Names(symbols)
+    known = names.besides(symbols) if names else Names(symbols)
     conditions: dict[Variable, Expr] = {}
     trees: dict[Variable, Tree] = {}
     for name, value in given.items():

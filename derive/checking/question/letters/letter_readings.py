@@ -249,7 +249,7 @@ class Typed:
         return dependents(part.quantity for part in self.reference.parts)
 
     @cached_property
-    def _functions(self) -> dict[Symbol, Expr]:
+    def _functions(self) -> dict[Variable, Expr]:
         return {one.variable: one.value for one in self._dependents}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
