@@ -126,6 +126,11 @@ class Names(Mapping[str, Expression]):
         """The same names and more."""
         return Names(self.symbols, self.let, self._world, {**self._known, **more}, self.fixed) if more else self
 
+    def besides(self, more: Mapping[str, Variable]) -> Names:
+        """The same names, and symbols more where these have none."""
+        known = {name: symbol for name, symbol in more.items() if name not in self}
+        return Names({**self.symbols, **known}, self.let, self._world, self._known, self.fixed)
+
     def with_symbols(self, more: Mapping[str, Variable]) -> Names:
         """The same names and symbols more; what was worked out without them is worked out again."""
         return Names({**self.symbols, **more}, self.let, self._world) if more else self

@@ -18,7 +18,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import alike, m
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, symbols_for
-from radartrack.derive.checking.question.printed_shape import is_transposed, reshaped, trimmed
+from radartrack.derive.checking.question.printed_shape import is_transposed, reshaped, spoken, trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text
@@ -126,7 +126,7 @@ def conditions_for(reference: Reference, given: Mapping[str, str], names: Names 
             unit, and where `resolved` raises it.
     """
     symbols = {symbol.name: symbol for symbol in reference.symbols}
-    known = names or Names(symbols)
+    known = names.besides(symbols) if names else Names(symbols)
     conditions: dict[Variable, Expr] = {}
     trees: dict[Variable, Tree] = {}
     for name, value in given.items():
@@ -176,7 +176,7 @@ def printed(tree: Tree, names: Names, expected: Index, *, row_by_row: bool = Fal
     remarks = (f"read transposed: it has shape {list(entries.shape)}, the quantity {list(expected)}",) if turned else ()
     entries = reshaped(entries, expected, row_by_row=row_by_row)
     if entries.shape != expected:
-        raise FormulaError(f"the formula is {_spoken(entries.shape)}, the quantity is {_spoken(expected)}")
+        raise FormulaError(f"the formula is {spoken(entries.shape)}, the quantity is {spoken(expected)}")
     parts = frozenset(opened) - frozenset(names)
     return Printed(tree, entries, entries.map(opened.read), opened, parts, remarks=remarks)
 
@@ -236,7 +236,3 @@ def _check_unit(symbol: Variable, tree: Tree, known: Names) -> None:
     own = Dimension.of(symbol.unit)
     if not found.free and not found.agrees(own):
         raise FormulaError(f"given {symbol}: {to_text(tree)} has {found}, {symbol} has {own}; both need one unit")
-
-
-def _spoken(one: Index) -> str:
-    return f"an array of shape {list(one)}" if one else "a scalar"

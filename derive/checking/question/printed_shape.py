@@ -38,6 +38,11 @@ def reshaped(entries: Tensor[Entry], expected: Index, *, row_by_row: bool = Fals
     return Tensor(expected, entries.entries) if ours == theirs or filled else entries
 
 
+def spoken(shape: Index) -> str:
+    """A shape in words."""
+    return f"an array of shape {list(shape)}" if shape else "a scalar"
+
+
 def is_transposed(shape: Index, expected: Index) -> bool:
     """Whether a matrix has as many rows as the other has columns, and other numbers of both."""
     return len(expected) == 2 and 1 not in expected and shape == expected[::-1] != expected
@@ -60,7 +65,7 @@ def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:
     if min(surplus) < 0 or not any(surplus):
         return None
     for out_rows, out_columns in _choices(tree, surplus):
-        return _without(tree, out_rows, out_columns), _spoken(out_rows, out_columns)
+        return _without(tree, out_rows, out_columns), _left_out(out_rows, out_columns)
     return None
 
 
@@ -89,7 +94,7 @@ def _is_zero(tree: Tree) -> bool:
     return isinstance(tree, Number) and not tree.value
 
 
-def _spoken(rows: Sequence[int], columns: Sequence[int]) -> str:
+def _left_out(rows: Sequence[int], columns: Sequence[int]) -> str:
     named = ((rows, "row"), (columns, "column"))
     parts = [f"{kind}{'s' if len(out) > 1 else ''} {', '.join(map(str, out))}" for out, kind in named if out]
     return f"without {' and '.join(parts)}, which {'are' if len(rows) + len(columns) > 1 else 'is'} zero"

@@ -334,7 +334,8 @@ def _small(found: Iterable[Candidate], tree: Tree) -> list[Candidate]:
     size_of = Fold[int](lambda _, below: 1 + sum(below))
     size = size_of(tree)
     most = size + max(size, 1 if isinstance(tree, Number) else SMALL)
-    return sorted((one for one in found if size_of(one.tree) <= most), key=lambda candidate: candidate.cost)
+    small = [one for one in found if tree == Number("0") or size_of(one.tree) <= most]  # a zero lacks its terms
+    return sorted(small, key=lambda candidate: candidate.cost)
 
 
 def _rounded(values: Values | None) -> Values | None:

@@ -32,10 +32,11 @@ from radartrack.derive.formula.tree import (
     walk,
 )
 
-SECONDS = 3.0
+SECONDS = 3.0  # of one core
 ENOUGH = 2
 MOST = 2_000  # edits
 LIKELY = 1.4  # the cost of the least likely slip
+processor_time: Callable[[], float] = getattr(time, "thread_time", time.perf_counter)  # browsers do not count it
 
 
 def edits_that(
@@ -49,10 +50,10 @@ def edits_that(
         kinds: the symbols that may stand for others, and what makes them alike.
         seconds: how long this may take.
     """
-    until = time.monotonic() + seconds
+    until = processor_time() + seconds
     found: list[Candidate] = []
     for candidate in sorted(single_edits(tree, kinds), key=lambda one: one.cost)[:MOST]:
-        if time.monotonic() > until or len(found) >= ENOUGH:
+        if processor_time() > until or len(found) >= ENOUGH:
             break
         if found and candidate.cost > found[0].cost:
             break
@@ -71,12 +72,12 @@ def single_edits(
         kinds: the symbols that may stand for others, and what makes them alike.
         arrays: the names that stand for arrays, and their shapes.
     """
-    yield from _edits_of_numbers(tree, kinds)
     shape = shapes(defaultdict(tuple, arrays))
     for path, node in walk(tree):
         with suppress(FormulaError):  # of what is wrong around a slip: arrays that do not fit each other
             for edit in matrix_slips(node, arrays, shape):
                 yield Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
+    yield from _edits_of_numbers(tree, kinds)
 
 
 def _edits_of_numbers(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Candidate]:

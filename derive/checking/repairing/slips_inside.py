@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,7 +13,7 @@ from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.printed_formula import Printed, printed
 from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
 from radartrack.derive.checking.repairing.edit_search import Candidate
-from radartrack.derive.checking.repairing.reworked_edits import ENOUGH, MOST, SECONDS, single_edits
+from radartrack.derive.checking.repairing.reworked_edits import ENOUGH, MOST, SECONDS, processor_time, single_edits
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
@@ -72,11 +71,11 @@ class Repair:
 
     def slips(self) -> list[Slip]:
         """The likeliest single slips of which each explains every entry."""
-        until = time.monotonic() + SECONDS
+        until = processor_time() + SECONDS
         found: list[Slip] = []
         told: list[object] = []  # what is the same in other words is told once
         for where, one in sorted(self._candidates(), key=lambda pair: pair[1].cost)[:MOST]:
-            if time.monotonic() > until or len(found) >= ENOUGH or (found and one.cost > found[0].cost):
+            if processor_time() > until or len(found) >= ENOUGH or (found and one.cost > found[0].cost):
                 break
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):
                 text = to_text(one.tree)

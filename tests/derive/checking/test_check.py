@@ -102,6 +102,17 @@ def test_a_missing_term_is_named_and_a_zero_that_stood_for_it_is_gone() -> None:
     assert whole.formula == "(-r**2*sigma_beta**2/2 + sigma_r**2/2)*sin(2*beta)"
 
 
+@pytest.mark.parametrize(
+    ("name", "printed"),
+    [("motion.ctrv.jacobian[0,2]", "1"), ("observe.spherical.jacobian[0,0]", "1"), ("polar.hessian[0,0,1]", "2")],
+)
+def test_a_number_alone_is_not_corrected_by_all_of_the_derived_formula(name: str, printed: str) -> None:
+    verdict = check(name, printed)
+    assert verdict.verdict in {Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS}
+    assert verdict.suggestions == ()
+    assert verdict.derived
+
+
 def test_the_whole_derived_formula_is_no_edit_of_the_printed_one() -> None:
     verdict = check("polar.bias.averaged[0]", "-r*sigma_beta**2/2*cos(beta)", given=INDEPENDENT)
     assert _edits(verdict) == ["this is polar.bias.second_order[0], not polar.bias.averaged[0]"]

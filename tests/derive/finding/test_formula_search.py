@@ -179,7 +179,6 @@ def test_a_slip_is_near_and_never_found(slip: str) -> None:
             "y*(vx*y - vy*x)/(x**2 + y**2)**(3/2)",
         ),
         ("R*cos(theta)*exp(s_theta^2)", "polar.unbiased.estimate[0]", "r*cos(beta)*exp(sigma_beta**2/2)"),
-        ("sin(T*omega)*omega", "motion.turn.known_rate.transition[0,1]", "sin(T*omega)/omega"),
     ],
 )
 def test_a_slip_is_undone_and_never_found(slip: str, quantity: str, right: str) -> None:

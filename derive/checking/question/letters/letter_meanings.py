@@ -104,7 +104,8 @@ _STRONG = {
     "intensity": "q q_c qc psd q_tilde qtilde",
     "count": "k",
     "index": "j",
-    "turn_rate": "omega Omega turn_rate turnrate yaw_rate yawrate",
+    "turn_rate": "omega Omega turn_rate turnrate yaw_rate yawrate yawd yaw_dot yawdot psi_dot psidot psid dpsi "
+    "heading_rate theta_dot thetadot course_rate",
     "heading": "heading course hdg yaw",
     "speed": "speed",
     "path": "path bistatic_range total_range",

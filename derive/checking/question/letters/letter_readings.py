@@ -28,7 +28,7 @@ from radartrack.derive.checking.question.letters.assignments import (
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
 from radartrack.derive.checking.question.names import WORD
-from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
+from radartrack.derive.checking.question.printed_shape import reshaped, spoken, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close
@@ -249,7 +249,7 @@ class Typed:
         return dependents(part.quantity for part in self.reference.parts)
 
     @cached_property
-    def _functions(self) -> dict[Symbol, Expr]:
+    def _functions(self) -> dict[Variable, Expr]:
         return {one.variable: one.value for one in self._dependents}
 
     def _judged(self, assignments: Iterator[Letters]) -> list[Reading]:
@@ -379,13 +379,18 @@ def as_typed(
 def unreadable(
     read: Callable[[Sequence[str], Mapping[str, Shape]], Tree], reference: Reference, let: Mapping[str, str]
 ) -> FormulaError | None:
-    """Why a formula cannot be read whatever its letters mean; None where it can."""
+    """Why a formula cannot be read whatever its letters mean, or has another shape; None where it can."""
     own = [symbol.name for symbol in reference.symbols]
     try:
-        read([*own, *let], _Definitions(let, own).shapes)
+        known = _Definitions(let, own)
+        tree, _ = trimmed(read([*own, *let], known.shapes), reference.shape)
+        entries = written_out(tree, known.arrays)
     except FormulaError as error:
         return error
-    return None
+    found = reference.shape if entries is None else reshaped(entries, reference.shape, row_by_row=True).shape
+    if found == reference.shape:
+        return None
+    return FormulaError(f"the formula is {spoken(found)}, the quantity is {spoken(reference.shape)}")
 
 
 class _Definitions:
@@ -446,7 +451,8 @@ class _Definitions:
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:
     """What to say where several readings explain a formula equally well, which none of them makes right."""
-    if not any(one.fits for one in readings):
+    kinds = {tuple(letter.dimension for letter in one.letters.values()) for one in readings}
+    if len(kinds) > 1 and not any(one.fits for one in readings):
         names = ", ".join(readings[0].letters)
         verb = "is" if len(readings[0].letters) == 1 else "are"
         return FormulaError(
