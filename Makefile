@@ -94,8 +94,12 @@ TESTS_OF_mutants := tests/derive/checking
 SIZE_OF_mutants := 100
 TESTS_OF_strangers := tests/derive/checking/test_strangers.py
 SIZE_OF_strangers := 1000
+# A number without its digits is nothing.
+digits_off = $(if $(2),$(call digits_off,$(subst $(firstword $(2)),,$(1)),$(wordlist 2,10,$(2))),$(1))
+is_number = $(if $(1),$(if $(call digits_off,$(1),0 1 2 3 4 5 6 7 8 9),,$(filter-out 0%,$(1))))
 campaign-%: $(VENV)/.group-test
 	$(if $(TESTS_OF_$*),,$(error there is no campaign of $*))
+	$(if $(call is_number,$(or $(SIZE),$(SIZE_OF_$*))),,$(error SIZE must be a whole number from 1; got "$(SIZE)"))
 	RADARTRACK_$(shell echo $* | tr a-z A-Z)=$(or $(SIZE),$(SIZE_OF_$*)) \
 		$(BIN)/python -m pytest -n auto --dist worksteal -q --override-ini faulthandler_timeout=0 $(TESTS_OF_$*)
 

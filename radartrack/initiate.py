@@ -79,7 +79,8 @@ def one_plot(
     for moment in ("estimate", "covariance"):
         formula: Callable[..., RealArray] = getattr(formulas, f"one_plot_{model.module}_{moment}")
         found.append(formula(**values))
-    return Belief(*_oriented(model, azimuth_from, *found))
+    mean, covariance = _oriented(model, azimuth_from, *found)
+    return Belief(mean, cast(covariance, covariance.dtype))
 
 
 def two_plots(

@@ -35,6 +35,7 @@ from radartrack.derive.symbolic import Expr
 
 Expression: TypeAlias = "Expr | tuple[Expression, ...]"
 LARGEST_MATRIX_POWER = 12
+NO_NUMBER = "this is not a real number, whatever the symbols are"
 _CONSTANTS: Mapping[str, Expr] = MappingProxyType({"pi": sp.pi, "e": sp.exp(1), "inf": sp.oo})
 
 _FUNCTIONS: Mapping[str, Callable[..., Expr]] = MappingProxyType(
@@ -99,7 +100,7 @@ class Reader:
         self._bound = {name: sp.Symbol(name, real=True) for name in bound_names(tree) - self._symbols.keys()}
         expression = self._expression(tree)
         if not is_real(expression):
-            raise FormulaError("this is not a real number, whatever the symbols are", span=self._unreal(tree).span)
+            raise FormulaError(NO_NUMBER, span=self._unreal(tree).span)
         return expression
 
     def _unreal(self, tree: Tree) -> Tree:
@@ -116,7 +117,7 @@ class Reader:
             case Product():
                 return _multiplied(below)
             case Quotient(_, denominator):
-                return _multiplied([below[0], 1 / _scalar(denominator, below[1])])
+                return _multiplied([below[0], _valued(tree, 1 / _scalar(denominator, below[1]))])
             case Negation():
                 return _multiplied([sp.Integer(-1), *below])
             case Number() | Constant() | Name():
@@ -131,7 +132,7 @@ class Reader:
     def _power_or_call(self, tree: Power | Call, below: Sequence[Expression]) -> Expression:
         if isinstance(tree, Power) and isinstance(below[0], tuple):
             return self._power_of_matrix(tree, below[0], below[1])
-        return _applied(tree, [_scalar(*pair) for pair in zip(children(tree), below, strict=True)])
+        return _valued(tree, _applied(tree, [_scalar(*pair) for pair in zip(children(tree), below, strict=True)]))
 
     def _verb(self, tree: Call, below: Sequence[Expression]) -> Expression:
         if tree.function == "transpose":
@@ -184,6 +185,13 @@ def _applied(tree: Power | Call, operands: Sequence[Expr]) -> Expr:
             return operands[0] ** operands[1]
         case Call(function):
             return _FUNCTIONS[function](*operands)
+
+
+def _valued(tree: Tree, expression: Expr) -> Expr:
+    """What a part is worth; one without a value may be lost in what stands around it: 1/(1/(r - r)) is not 0."""
+    if expression in {sp.zoo, sp.nan}:
+        raise FormulaError(NO_NUMBER, span=tree.span)
+    return expression
 
 
 def _scalar(tree: Tree, expression: Expression) -> Expr:

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 
 ModelFile = Annotated[
     Path | None,
-    typer.Option("--model", help="Models of your own: TOML with [[model]], or a Python file that defines MODEL."),
+    typer.Option(
+        "--model", help="Models of your own: TOML with tables named model, or a Python file that defines MODEL."
+    ),
 ]
 PYTHON = ".py"
 

@@ -123,8 +123,8 @@ def _decidable(question: Question, derived: Tree) -> str:
 
 
 def _all(question: Question, point: dict[str, float]) -> dict[str, float]:
-    """The point with a value for the symbols that fell out of both formulas."""
-    return {symbol.name: (symbol.low + symbol.high) / 2 for symbol in question.reference.symbols} | point
+    """The point with a value for the symbols that fell out of both formulas; not the middle, which is often 0."""
+    return {symbol.name: 0.4 * symbol.low + 0.6 * symbol.high for symbol in question.reference.symbols} | point
 
 
 def _no_counterexample(question: Question, derived: Tree, finding: Finding) -> str:

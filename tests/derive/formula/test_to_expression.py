@@ -174,6 +174,13 @@ def test_what_is_infinite_or_imaginary_is_refused(formula: str):
         to_expression(read_text(formula, ["t"]), SYMBOLS)
 
 
+@pytest.mark.parametrize("around", ["1/{}", "t + 1/{}", "exp(-{}**2)", "tanh{}", "{}**0", "{}**(-2)"])
+@pytest.mark.parametrize("part", ["1/(t - t)", "(0*t)**(-1)", "csc(t - t)", "cot(t - t)", "atan2(0*t, t - t)"])
+def test_what_stands_around_it_does_not_hide_that_a_part_has_no_value(around: str, part: str):
+    with pytest.raises(FormulaError, match="this is not a real number"):
+        to_expression(read_text(around.format(f"({part})"), ["t"]), SYMBOLS)
+
+
 @pytest.mark.parametrize(
     ("formula", "fault"),
     [

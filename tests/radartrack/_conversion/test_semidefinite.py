@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radartrack import initiate
 from radartrack._arrays import machine_code
 from radartrack._conversion import semidefinite, sensors
 from radartrack.convert import Converted, Method
@@ -146,6 +147,24 @@ def assert_covariances(matrices: Floats) -> None:
 )
 def test_the_oracle_knows_covariances(matrix: list[list[float]], expected: bool) -> None:
     assert is_semidefinite(np.array(matrix), TOLERANCE * 2.0**-52) == expected
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("sensor", SENSORS)
+@given(seed=SEEDS, period=st.sampled_from([1e-6, 1.0, 1e9]), velocity_std=st.sampled_from([1e-3, 100.0, 1e6]))
+@share(0.05)
+def test_first_states_of_tracks_have_covariances_or_are_refused(
+    sensor: Any, dtype: Any, seed: int, period: float, velocity_std: float
+) -> None:
+    first, second = (drawn(sensor, 8, dtype, seed + number) for number in range(2))
+    assert_covariances(initiate.one_plot(sensor, first, dtype(velocity_std)).covariance)
+    for place in range(8):
+        plots = ({name: values[place] for name, values in plot.items()} for plot in (first, second))
+        try:
+            found = initiate.two_plots(sensor, *plots, period)
+        except ValueError:  # a velocity beyond its domain, or what overflows
+            continue
+        assert_covariances(found.covariance[np.newaxis])
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
