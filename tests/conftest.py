@@ -37,5 +37,14 @@ def pytest_collection_finish() -> None:
     gc.freeze()
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _shared_derivations(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Workers share a folder beside their own ones."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        from tests.shared_derivations import share  # noqa: PLC0415 - it loads SymPy
+
+        share(tmp_path_factory.getbasetemp().parent / "derivations")
+
+
 def pytest_report_header() -> str:
     return f"hypothesis profile: {profile_name(os.environ)}, {settings().max_examples} examples"

@@ -1,6 +1,7 @@
 """Covariances of a conversion, averaged over a prediction, and computed again with care where rounding asks for it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import islice
 
 import numpy as np
 
@@ -11,13 +12,27 @@ from radartrack._conversion.sensors import Sensor
 from radartrack._conversion.way import Way
 from radartrack.generated import conversions
 
+TOGETHER = 1024  # plots times parts; calls cost more than numbers up to there
+
 
 def decorrelated(sensor: Sensor, measured: Mapping[str, RealArray], prediction: Predicted) -> RealArray:
-    """The average of the covariance over a prediction, by quadrature over its parts."""
-    word = "decorrelated_covariance"
-    parts = ((weight, sensor.evaluate(word, {**measured, **part})) for weight, part in prediction.parts())
-    weight, first = next(parts)
-    return sum((weight * covariance for weight, covariance in parts), start=weight * first)
+    """The average of the covariance over a prediction, by quadrature over its parts; many at once of few plots."""
+    plots = np.broadcast(*measured.values(), *prediction.symbols().values())
+    parts = prediction.parts()
+    averaged: RealArray | int = 0
+    while some := list(islice(parts, max(1, TOGETHER // max(1, plots.size)))):
+        weights, symbols = zip(*some, strict=True)
+        values = {name: _stacked([part[name] for part in symbols], plots.ndim) for name in symbols[0]}
+        covariances = sensor.evaluate("decorrelated_covariance", {**measured, **values})
+        for weight, covariance in zip(weights, covariances, strict=True):
+            averaged = averaged + weight * covariance
+    return np.asarray(averaged)
+
+
+def _stacked(arrays: Sequence[RealArray], axes: int) -> RealArray:
+    """The same symbol of several parts along a new first axis, before the axes of plots."""
+    first = arrays[0]
+    return np.stack(arrays).reshape(len(arrays), *(1,) * (axes - first.ndim), *first.shape)
 
 
 def make_sound(
