@@ -74,6 +74,7 @@ from sympy import (
 )
 from sympy import Float as _Float
 from sympy import factor as _factor
+from sympy.core import random
 from sympy.core.numbers import Exp1, ImaginaryUnit, NumberSymbol
 from sympy.polys.rings import PolyElement, PolyRing
 from sympy.printing.str import StrPrinter
@@ -255,7 +256,12 @@ class below(Function):
 
 @lru_cache(maxsize=1 << 12)
 def factor(expression: Expr) -> Expr:
-    """The product of factors over the rationals; many quantities share their parts, and finding them takes long."""
+    """The product of factors over the rationals; many quantities share their parts, and finding them takes long.
+
+    SymPy draws the points at which it looks for factors. With bad ones a long sum takes minutes instead of a second, so
+    they are the same in every process.
+    """
+    random.seed(0)
     return _factor(expression)
 
 

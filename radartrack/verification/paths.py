@@ -26,7 +26,7 @@ from radartrack.verification.outcome import FUNCTION, Function
 from radartrack.verification.subject import generated
 
 Array = npt.NDArray[np.float64]
-Fill = Callable[..., None]
+Fill = Callable[..., object]
 ARRAYS, ONE_PLOT, MACHINE_CODE = "arrays", "one plot", "machine code"
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sympy.core import random
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation import balls
@@ -97,3 +98,16 @@ def test_what_is_written_without_digits_lost_is_the_same_function(order: int, at
     for kind in (sp.stumpff, sp.remainder):
         call = x * kind(2 * x, sp.Integer(order)) + 1
         assert abs(evaluate(sp.unguarded(call), {x: at}) - evaluate(call, {x: at})) < mpmath.mpf(10) ** -45
+
+
+def test_factors_are_looked_for_in_the_same_way_in_every_process():
+    a, b, c = (sp.Symbol(name, real=True) for name in "abc")
+    product = sp.expand((a**2 + 3 * b * c - 5) * (b**3 - a * c + 7) * (c**2 * a + b - 2))
+    drawn = []
+    for seed in (1, 2, 3):
+        random.seed(seed)
+        sp.factor.__wrapped__(product)
+        drawn.append(random.rng.getstate())
+    random.seed(0)
+    assert random.rng.getstate() != drawn[0]  # it draws
+    assert drawn[0] == drawn[1] == drawn[2]

@@ -70,7 +70,7 @@ def of_fusion() -> Iterator[tuple[str, Function, Arguments]]:
     yield "Frame.to", partial(frames.enu(0.1, 0.2).to, frames.ECEF), {"mean": np.zeros(6), "covariance": np.eye(6)}
 
 
-CALLS = {name: call for name, *call in (*of_sensors(), *of_filters(), *of_fusion())}
+CALLS = {name: (function, arguments) for name, function, arguments in (*of_sensors(), *of_filters(), *of_fusion())}
 
 
 def spoilt(name: str, value: Any) -> Iterator[Any]:

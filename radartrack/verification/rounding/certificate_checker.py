@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from radartrack.verification.rounding.checked_helpers import KNOWN, helped
 from radartrack.verification.rounding.checked_numbers import (
@@ -32,8 +32,17 @@ Claim = Mapping[str, Any]
 
 SMALLEST, LARGEST_CORRELATION = 1e-20, 0.99
 GOOD = 16.0  # a bound that no second way of telling errors is tried for
-WAYS = ({"in_parts": True}, {"in_parts": False}, {"in_parts": True, "rounded_whole": True})  # of telling errors
 PRECISIONS = {"double": DOUBLE, "single": SINGLE}
+
+
+class Way(NamedTuple):
+    """Of telling errors; `Box` says what each is."""
+
+    in_parts: bool
+    rounded_whole: bool = False
+
+
+WAYS = (Way(in_parts=True), Way(in_parts=False), Way(in_parts=True, rounded_whole=True))
 
 
 @dataclass
@@ -191,12 +200,10 @@ def _ends(argument: Mapping[str, Any], choice: str, arguments: Sequence[Mapping[
     return math.log(low) - 1e-12, math.log(high) + 1e-12
 
 
-def _start(
-    claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[float, float]], way: Mapping[str, bool]
-) -> Run:
+def _start(claim: Claim, chosen: Mapping[str, str], ends: Mapping[str, tuple[float, float]], way: Way) -> Run:
     import flint  # noqa: PLC0415
 
-    box = Box(flint, PRECISIONS[claim["precision"]], **way)
+    box = Box(flint, PRECISIONS[claim["precision"]], *way)
     run = Run(box)
     for argument in claim["arguments"]:
         name, choice = argument["name"], chosen[argument["name"]]
@@ -298,7 +305,9 @@ def _called(node: ast.Call, run: Run) -> Number | None:
         return _compared(run, *values)
     if name in KNOWN and name in run.helpers:
         order = node.args[1].value if len(node.args) > 1 and isinstance(node.args[1], ast.Constant) else 0
-        return helped(run.box, run.helpers[name], values[0], int(order))
+        if not isinstance(order, int):
+            raise Refused(f"{name} is asked for what is no whole number")
+        return helped(run.box, run.helpers[name], values[0], order)
     if name in {"sin", "cos"}:
         return run.box.wave(values[0], is_sine=name == "sin")
     if name == "_ratio":
@@ -359,8 +368,10 @@ def _figure(function: ast.FunctionDef, claim: Claim, run: Run) -> float:
     ]
     positions = [n for n, number in enumerate(entries) if number is not None and not number.is_exact]
     if claim["scale"] == "stated":
-        scales = _entries(_read(claim["stated"]).body[0], _anew(run, claim), indices)
-        return max((_error_by_stated(run.box, claim, entries[n], scales, n) for n in positions), default=0.0)
+        (stated,) = (node for node in _read(claim["stated"]).body if isinstance(node, ast.FunctionDef))
+        scales = _entries(stated, _anew(run, claim), indices)
+        wrong = ((n, number) for n, number in enumerate(entries) if number is not None and not number.is_exact)
+        return max((_error_by_stated(run.box, claim, number, scales, n) for n, number in wrong), default=0.0)
     return max((_error(run.box, claim, entries, others, n) for n in positions), default=0.0)
 
 

@@ -19,7 +19,12 @@ from radartrack.verification.rounding.checked_numbers import FUNCTIONS, Ball, Bo
 TINY, LITTLE, STEP = 2.0**-30, 2.0**-2, 2.0**0.125  # pieces: squares underflow, all that is little, then in this ratio
 NEWTON = "c - ((4.0 * c ** 2 - 3.0) * c - x) / (12.0 * c ** 2 - 3.0)"  # the step that the rule of a root is of
 LEAST, OVERLAP = 2.0**-200, 1e-5  # of an argument: its least size, and what pieces share
-WHOLE = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Mod: operator.mod}
+WHOLE: dict[type[ast.operator], Callable[[int, int], int]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Mod: operator.mod,
+}
 Followed = Number | int | bool | None
 
 
@@ -97,9 +102,17 @@ def helped(box: Box, function: ast.FunctionDef, x: Number | None, order: int) ->
         return box.between(*ranges[powers.index(0)], None, error)
     first = min(range(len(ranges)), key=lambda n: _upper(abs(ranges[n][1] / ranges[n][0]).log().__abs__()))
     rest = box.between(*ranges[first], relative, error)
-    for _ in range(powers[first] if x is not None else 0):
-        rest = box.multiply(rest, box.magnitude(box.without_error(x)), 0.0)
+    if x is None:
+        return rest
+    for _ in range(powers[first]):
+        rest = _not_zero(box.multiply(rest, box.magnitude(box.without_error(x)), 0.0))
     return rest
+
+
+def _not_zero(number: Number | None) -> Number:
+    if number is None:
+        raise Refused("a helper is zero")
+    return number
 
 
 def _beside(box: Box, x: Number) -> Ball:
@@ -147,11 +160,13 @@ def _piece(text: str, order: int, sign: int, low: float, high: float, precision:
     powers, ends = known.powers(order), (flint.arb(low), flint.arb(high))
     ranges = [known.ends(*ends, order, power) for power in powers]
     lost = known.left_out(ends[1], order) / flint.arb(2.0**-precision.bits)
-    errors, relatives = [], []
+    errors: list[Any] = []
+    relatives: list[Any] = []
     for is_below in [True] * (low < turn) + [False] * (high >= turn):
         box = Box(flint, precision, most_value=1)
         there = [min(end, turn) if is_below else max(end, turn) for end in (low, high)]
-        x = box.argument(sign, *(flint.arb(end).log() for end in there)) if sign else None
+        lowest, highest = (flint.arb(end).log() for end in there)
+        x = box.argument(sign, lowest, highest) if sign else None
         found = _Follower(box, order, x, is_below=is_below).result(function)
         left = lost if is_below else 0 * lost
         least = min(abs(ranges[0][0]), abs(ranges[0][1])) if ranges[0][0] * ranges[0][1] > 0 else None
@@ -241,7 +256,8 @@ class _Follower:
             case ast.Constant(value=float() as number):
                 return self.box.constant(number)
             case ast.Name(id=name) if name in self.names:
-                return self.names[name]
+                known: Followed = self.names[name]
+                return known
             case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int() as number)):
                 return -number
             case ast.Compare():
@@ -256,7 +272,7 @@ class _Follower:
         box = self.box
         if isinstance(a, int) and isinstance(b, int):
             return WHOLE[type(sign)](a, b)
-        if isinstance(sign, ast.Pow) and b == 2:
+        if isinstance(sign, ast.Pow) and b == 2 and not isinstance(a, int):
             return box.squared(a)
         a, b = (box.constant(one) if isinstance(one, int) else one for one in (a, b))
         match sign:

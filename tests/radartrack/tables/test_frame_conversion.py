@@ -222,7 +222,7 @@ PACKED = {
 
 @pytest.mark.parametrize("kind", PACKED)
 def test_numbers_are_numbers_however_a_library_keeps_them(kind: str):
-    expected = rt.convert.polar(**SIMPLE).mean
+    expected = rt.convert.polar(SIMPLE["r"], SIMPLE["azimuth"], SIMPLE["range_std"], SIMPLE["azimuth_std"]).mean
     found = rt.tables.convert(PACKED[kind](SIMPLE["r"]))
     np.testing.assert_array_equal(np.transpose([column(found, "x"), column(found, "y")]), expected)
 
