@@ -159,9 +159,9 @@ def test_first_states_of_tracks_have_covariances_or_are_refused(
     first, second = (drawn(sensor, 8, dtype, seed + number) for number in range(2))
     assert_covariances(initiate.one_plot(sensor, first, dtype(velocity_std)).covariance)
     for place in range(8):
-        plots = ({name: values[place] for name, values in plot.items()} for plot in (first, second))
+        earlier, later = ({name: values[place] for name, values in plot.items()} for plot in (first, second))
         try:
-            found = initiate.two_plots(sensor, *plots, period)
+            found = initiate.two_plots(sensor, earlier, later, period)
         except ValueError:  # a velocity beyond its domain, or what overflows
             continue
         assert_covariances(found.covariance[np.newaxis])

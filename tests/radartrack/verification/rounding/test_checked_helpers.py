@@ -14,7 +14,7 @@ from radartrack.verification.rounding.checked_helpers import helped  # noqa: E40
 from radartrack.verification.rounding.checked_numbers import DOUBLE, SINGLE, Box, Number, Refused  # noqa: E402
 from radartrack.verification.rounding.exact_statements import _remainder, _stumpff, _third  # noqa: E402
 
-EXACT = {"_remainder": _remainder, "_stumpff": _stumpff, "_third": lambda x, _: _third(x)}
+EXACT: dict[str, Any] = {"_remainder": _remainder, "_stumpff": _stumpff, "_third": lambda x, _: _third(x)}
 CALLS = [
     ("motion", "_stumpff", 1, 1e-6, 5.0), ("motion", "_stumpff", 3, 1e-6, 5.0), ("motion", "_stumpff", 6, 2.0, 5.0),
     ("motion", "_remainder", 2, -1e3, -1e-6), ("motion", "_remainder", 5, -9.0, -3.0),
