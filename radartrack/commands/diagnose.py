@@ -104,9 +104,10 @@ def _of_function(
 
 
 def _of_table(name: str, table: Path, given: dict[str, float], model: Path | None) -> dict[str, Any]:
-    from radartrack.testing.examination import CannotDiagnose, Examination
+    from radartrack.testing.examination import Examination
     from radartrack.testing.function_conventions import AS_ASKED
     from radartrack.testing.function_process import CannotRun
+    from radartrack.testing.reading import CannotDiagnose
     from radartrack.testing.value_tables import tabulated
 
     wanted = _wanted(name, given, model)

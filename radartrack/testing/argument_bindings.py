@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from radartrack.derive.checking.comparing.order_of_difference import is_deviation
+from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.testing.argument_names import meanings
 from radartrack.testing.called_function import Binding, Form, Parameter
@@ -292,3 +293,17 @@ def _parameter(place: tuple[str, bool, bool], symbol: str) -> Parameter:
 
 def _unless(found: list[str], taken: set[Any]) -> list[str]:
     return [name for name in found if name not in taken]
+
+
+def correlated_pairs(quantity: Quantity) -> dict[str, tuple[str, str]]:
+    """The correlations of its errors, each with the deviations that it joins: those of the same plot or track."""
+    if quantity.model is None:
+        deviations = [symbol.name for symbol in quantity.symbols if is_deviation(symbol)]
+        alike = {
+            symbol.name: [name for name in deviations if name.endswith(symbol.name.removeprefix("rho_"))]
+            for symbol in quantity.symbols
+            if symbol.is_correlation
+        }
+        return {name: (pair[0], pair[1]) for name, pair in alike.items() if len(pair) == 2}
+    sigma = dict(zip(quantity.model.measured, quantity.model.deviations, strict=False))
+    return {rho.name: (sigma[a].name, sigma[b].name) for (a, b), rho in quantity.model.correlations.items()}

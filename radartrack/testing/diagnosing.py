@@ -9,7 +9,7 @@ from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.language.model import Model
 from radartrack.testing.argument_bindings import declared
 from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
-from radartrack.testing.examination import CannotDiagnose, examined
+from radartrack.testing.examination import examined
 from radartrack.testing.function_conventions import (
     AS_ASKED,
     angles_of,
@@ -17,6 +17,7 @@ from radartrack.testing.function_conventions import (
     deviations_of,
     in_degrees,
 )
+from radartrack.testing.reading import CannotDiagnose
 from radartrack.testing.wanted import wanted_by
 
 __all__ = ["CannotDiagnose", "assert_derived", "diagnose"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from difflib import SequenceMatcher
 from functools import cached_property
 from itertools import combinations
@@ -14,18 +14,16 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
-from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_bindings import CUSTOMARY, bindings, declared
+from radartrack.testing.argument_bindings import CUSTOMARY, bindings, correlated_pairs, declared
 from radartrack.testing.argument_names import is_degrees, is_variance
 from radartrack.testing.argument_slips import argument_slip
 from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
 from radartrack.testing.compiled_function import NotCallable, as_called
-from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip, Worst
+from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip
 from radartrack.testing.function_conventions import (
     AS_ASKED,
     ArgumentChange,
-    Arrangement,
     Arrangements,
     angles_of,
     argument_changes,
@@ -36,7 +34,9 @@ from radartrack.testing.function_conventions import (
 )
 from radartrack.testing.function_slips import SlipSearch, merged
 from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
+from radartrack.testing.reading import CannotDiagnose, Reading
 from radartrack.testing.returned_forms import returned_forms
+from radartrack.testing.returned_values import SHOWN, excused, unwrapped, where_indefinite, where_undefined, worst_point
 from radartrack.testing.unexplained_difference import described, region
 from radartrack.testing.wanted import Expected, Wanted
 from radartrack.verification.domain_points import Points
@@ -54,60 +54,11 @@ PLAIN = 2.0  # the cost of a slip in one of several entries that is likelier tha
 RIVALS = 6  # quantities of the same model in other symbols that the function may be
 WAYS = 3  # to call it that are tried with other conventions: names such as theta and phi leave a choice
 READINGS = 2  # beside the best in which slips are looked for
-SHOWN = 4
 MANY = 40  # wrong entries beyond which no two are taken for exchanged
-EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
-INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 MOST_LOST = 1000.0  # ulp that any way to write a formula may lose
-TURNED = 2.0**-50  # radians that an angle loses when it is turned
 
 
 MORE = ", and give the others their values: functools.partial, or a lambda"
-
-
-class CannotDiagnose(ValueError):
-    """A function cannot be called, or what it returns cannot be compared."""
-
-
-@dataclass(frozen=True)
-class Reading:
-    """One way to see a function as the quantity.
-
-    Attributes:
-        wanted: what it is compared with, another quantity too.
-        binding: how it is called.
-        change: in which convention of arguments, beyond what was asked for.
-        arrangement: in which order and units of results.
-        wrong: how many different entries are wrong then.
-        other: whether it is compared with another quantity.
-        single: whether it returns single precision, or computes in it.
-        form: what of the quantity it returns, where that is not the quantity itself.
-        first: what came back when it was read.
-    """
-
-    wanted: Wanted
-    binding: Binding
-    change: ArgumentChange
-    arrangement: Arrangement
-    wrong: int
-    other: bool = False
-    single: bool = False
-    form: str = ""
-    first: Array | None = field(default=None, compare=False)
-
-    @property
-    def cost(self) -> float:
-        """What is left to explain."""
-        conventions = self.change.cost + self.arrangement.cost + self.other
-        return self.wrong + conventions if self.wrong else 0.5 * conventions
-
-    @property
-    def words(self) -> str:
-        """The convention; empty as asked for."""
-        said = " and ".join(filter(None, (self.form, self.change.words, self.arrangement.words)))
-        if not self.other:
-            return said
-        return f"this is {self.wanted.name}" + (f" with {said}" if said else "")
 
 
 def examined(
@@ -424,7 +375,7 @@ class Examination:
     def _values(self, reading: Reading, expected: Expected) -> tuple[Calls, Array]:
         """What came back at some points, and that as the entries that are wanted."""
         calls = called(self._function, reading.binding, expected.points, reading.wanted.shape)
-        found = _unwrapped(reading.arrangement.undone(calls.values), expected, reading.arrangement.offsets)
+        found = unwrapped(reading.arrangement.undone(calls.values), expected, reading.arrangement.offsets)
         if self._table is not None and self._table.least:  # of what is less than half of the last decimal 0 is left
             found = np.where(np.abs(found - expected.values) <= WRITTEN * self._table.least, expected.values, found)
         return calls, found
@@ -488,9 +439,9 @@ class Examination:
         # Of what another form has lost nothing is known beyond ordinary points.
         expected = reading.wanted.ordinary(SCREENING) if reading.form else reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
-        found = _excused(reading, expected, found)
+        found = excused(reading, expected, found)
         epsilon = self._epsilon(reading)
-        undefined = list(_undefined(calls, found, expected))
+        undefined = list(where_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
         wrong = self._wrong_there(reading, expected, found, epsilon, allowed=MOST_LOST)
         coarse = None if reading.form else self._right_when_coarse(reading)
@@ -501,8 +452,8 @@ class Examination:
         errors *= DOUBLE / epsilon
         changing = list(self._changing(reading))
         undefined += changing
-        worst = _worst(expected, found, errors) if errors.size else None
-        indefinite = _indefinite(reading.wanted, expected, found)
+        worst = worst_point(expected, found, errors) if errors.size else None
+        indefinite = where_indefinite(reading.wanted, expected, found)
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=plain and not undefined,
@@ -518,7 +469,7 @@ class Examination:
     def _right_when_coarse(self, reading: Reading) -> tuple[Expected, Array, npt.NDArray[np.bool_]] | None:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
-        found = _excused(reading, expected, self._values(reading, expected)[1])
+        found = excused(reading, expected, self._values(reading, expected)[1])
         wrong = self._wrong_there(reading, expected, found, self._epsilon(reading))
         return (expected, found, wrong) if wrong.any() else None
 
@@ -578,7 +529,7 @@ class Examination:
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=False,
-            worst=_worst(expected, found, errors),
+            worst=worst_point(expected, found, errors),
             convention=reading.words,
             differences=(*self._changing(reading), f"it is right at ordinary points, and wrong {where}"),
             undefined=tuple(undefined),
@@ -596,7 +547,7 @@ class Examination:
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=False,
-            worst=_worst(expected, found, errors),
+            worst=worst_point(expected, found, errors),
             convention=reading.words,
             slip="; ".join(map(str, slips)),
             slips=slips,
@@ -623,10 +574,10 @@ class Examination:
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=False,
-            worst=_worst(expected, found, errors),
+            worst=worst_point(expected, found, errors),
             convention=reading.words,
             differences=changing or tuple(words) or ("it differs",),
-            undefined=tuple(_undefined(calls, found, expected)),
+            undefined=tuple(where_undefined(calls, found, expected)),
             remarks=self._remarks(reading, calls),
             arguments=_said(reading.binding),
         )
@@ -647,108 +598,6 @@ class Examination:
 
 def _cost(slips: Sequence[Slip]) -> float:
     return sum(slip.cost for slip in slips)
-
-
-def _unwrapped(found: Array, expected: Expected, offsets: Array | None = None) -> Array:
-    """Angles that come back, moved by whole turns to the exact ones; a turned one is as exact as the turn, no more."""
-    found = found.copy()
-    for column, place in enumerate(expected.wanted.places):
-        if is_direction(expected.wanted, place):
-            exact = expected.values[:, column]
-            with np.errstate(all="ignore"):
-                turns = np.nan_to_num(np.round((found[:, column] - exact) / (2 * np.pi)), posinf=0.0, neginf=0.0)
-            moved = found[:, column] - 2 * np.pi * turns
-            turned = (turns != 0) | (offsets is not None and offsets[column] != 0)
-            same = turned & (np.abs(moved - exact) <= TURNED)
-            found[:, column] = np.where(same, exact, np.where(turns, moved, found[:, column]))
-    return found
-
-
-def _excused(reading: Reading, expected: Expected, found: Array) -> Array:
-    """What a function has, without what rounding of arguments in its convention makes: it cannot know better."""
-    changed = [symbol for symbol in reading.wanted.symbols if symbol.name in reading.binding.changes]
-    found = found.copy()
-    finite = np.where(np.isfinite(found), found, 0.0)
-    for place in np.flatnonzero((expected.errors(finite) > EXCUSED).any(axis=1)) if changed else ():
-        exact, point, slack = expected.values[place], expected.point(int(place)), np.zeros(found.shape[1])
-        for symbol in changed:
-            step = TURNED * (max(abs(point[symbol.name]), symbol.is_angle))
-            moved = reading.wanted.at(
-                {name: np.array([value]) for name, value in point.items()}
-                | {symbol.name: np.array([point[symbol.name] + step])}
-            )
-            slack += np.abs(moved.values[0] - exact) if moved.count else 0.0
-        difference = found[place] - exact
-        found[place] = exact + np.sign(difference) * np.maximum(np.abs(difference) - slack, 0.0)
-    return found
-
-
-def _worst(expected: Expected, found: Array, errors: Array) -> Worst:
-    place, entry = np.unravel_index(int(errors.argmax()), errors.shape)
-    index = expected.wanted.places[int(entry)] if expected.wanted.shape else ()
-    return Worst(
-        index,
-        expected.point(int(place)),
-        float(found[place, entry]),
-        float(expected.values[place, entry]),
-    )
-
-
-def _undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[str]:
-    """Where there is no real number, one line for each kind."""
-    kinds: dict[str, list[int]] = {}
-    for place, words in calls.raised.items():
-        kinds.setdefault(words, []).append(place)
-    for place, words in calls.wrong.items():
-        kinds.setdefault(words, []).append(place)
-    if calls.complex:
-        kinds["it is complex"] = calls.complex
-    quiet = set(range(expected.count)) - {place for places in kinds.values() for place in places} - set(calls.unknown)
-    for place in sorted(quiet):
-        if not np.isfinite(found[place]).all():
-            kinds.setdefault("it is infinite" if np.isinf(found[place]).any() else "it is undefined", []).append(place)
-    for words, places in list(kinds.items())[:SHOWN]:
-        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(places[0]).items())
-        there = np.isin(np.arange(expected.count), places)
-        yield f"{words} {region(expected, there) if len(places) > 1 else 'at one point'}, such as {at}"
-
-
-def _indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[str]:
-    """Where what should be a covariance is none."""
-    if not wanted.quantity.is_covariance or len(wanted.shape) != 2:
-        return
-    scale = np.sqrt(np.abs(np.diagonal(expected.values.reshape(-1, *wanted.shape), axis1=1, axis2=2)))
-    with np.errstate(all="ignore"):
-        matrices = found.reshape(-1, *wanted.shape) / (scale[:, :, np.newaxis] * scale[:, np.newaxis, :])
-    usable = np.isfinite(matrices).all(axis=(1, 2))
-    lowest = np.array(
-        [np.linalg.eigvalsh(one).min() if fine else 0.0 for one, fine in zip(matrices, usable, strict=True)]
-    )
-    places = np.flatnonzero(lowest < INDEFINITE)
-    if len(places):
-        place = max(places, key=lambda one: sum(_size(expected, int(one))))
-        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(int(place)).items())
-        yield f"indefinite, which no covariance is, at {len(places)} of {expected.count} points, such as {at}"
-
-
-def _size(expected: Expected, place: int) -> Iterator[float]:
-    """The scales of the deviations at a point: the larger they are, the less of an edge it is."""
-    for name in deviations_of(expected.wanted.symbols):
-        yield float(np.log10(max(expected.points[name][place], 1e-300)))
-
-
-def correlated_pairs(quantity: Quantity) -> dict[str, tuple[str, str]]:
-    """The correlations of its errors, each with the deviations that it joins: those of the same plot or track."""
-    if quantity.model is None:
-        deviations = [symbol.name for symbol in quantity.symbols if is_deviation(symbol)]
-        alike = {
-            symbol.name: [name for name in deviations if name.endswith(symbol.name.removeprefix("rho_"))]
-            for symbol in quantity.symbols
-            if symbol.is_correlation
-        }
-        return {name: (pair[0], pair[1]) for name, pair in alike.items() if len(pair) == 2}
-    sigma = dict(zip(quantity.model.measured, quantity.model.deviations, strict=False))
-    return {rho.name: (sigma[a].name, sigma[b].name) for (a, b), rho in quantity.model.correlations.items()}
 
 
 def _names(quantity: Quantity) -> set[str]:

@@ -12,8 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.testing.called_function import NotKnown, Precision
-from radartrack.testing.examination import CONFIRMING, DOMAIN, FEW, SCREENING, CannotDiagnose
+from radartrack.testing.examination import CONFIRMING, DOMAIN, FEW, SCREENING
 from radartrack.testing.function_conventions import argument_changes
+from radartrack.testing.reading import CannotDiagnose
 from radartrack.testing.wanted import Wanted
 
 CLOSE = 1e-9  # of an argument that another program has written again
