@@ -40,6 +40,14 @@ from radartrack._fusion import common_process
 from radartrack._fusion.best_share import CRITERIA, Criterion, pencil_of
 from radartrack._fusion.common_process import Filtered
 from radartrack._fusion.registration import Plots, estimated
+from radartrack._fusion.whitened_least_squares import (
+    applied,
+    factorised,
+    least_squares,
+    of_most_accurate,
+    squares,
+    whitener,
+)
 from radartrack.generated import fusion as formulas
 from radartrack.generated import spherical
 from radartrack.line import COORDINATE, TIME, WEIGHT
@@ -71,9 +79,6 @@ STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 SHARE = Domain("", 1.0, 1.0, "a weight is a share of the whole")
 POSITIVE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow, and a deviation weighs", smallest=1e-30)
-SYMMETRY = 1e-9
-DOUBT = 1e-3  # of its deviation may be rounding in a parameter,
-DIGITS = 1e-9  # or of what is measured
 
 
 class Fused(NamedTuple):
@@ -270,10 +275,10 @@ def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
     size = points.shape[-1]
     require_trailing_shape("covariance", errors, (points.shape[-2], size, size))
     shape = broadcast_shape({"mean": points[..., 0], "covariance": errors[..., 0, 0]})
-    white = _whitener("covariance", errors)
-    origin = _of_most_accurate(np.broadcast_to(points, (*shape, size)), white)
-    estimate = _least_squares(np.eye(size), white, points - origin)
-    return Fused(estimate.value + origin[..., 0, :], _squares(estimate.root))
+    white = whitener("covariance", errors)
+    origin = of_most_accurate(np.broadcast_to(points, (*shape, size)), white)
+    estimate = least_squares(np.eye(size), white, points - origin)
+    return Fused(estimate.value + origin[..., 0, :], squares(estimate.root))
 
 
 def fuse_correlated(mean: ArrayLike, covariance: ArrayLike, cross_covariance: ArrayLike) -> Fused:
@@ -305,12 +310,12 @@ def fuse_correlated(mean: ArrayLike, covariance: ArrayLike, cross_covariance: Ar
     joint = np.empty((*shape, 2 * size, 2 * size))
     joint[..., :size, :size], joint[..., size:, size:] = errors[..., 0, :, :], errors[..., 1, :, :]
     joint[..., :size, size:], joint[..., size:, :size] = cross, np.swapaxes(cross, -1, -2)
-    white = _whitener("covariance with cross_covariance", joint).matrix
+    white = whitener("covariance with cross_covariance", joint).matrix
     first = np.broadcast_to(points[..., 0, :], (*shape, size))
     differences = np.concatenate([np.zeros((*shape, size)), points[..., 1, :] - first], axis=-1)
     rows = white @ np.concatenate([np.eye(size)] * 2)
-    estimate = _factorised(rows[..., np.newaxis, :, :], _applied(white, differences)[..., np.newaxis, :])
-    return Fused(estimate.value + first, _squares(estimate.root))
+    estimate = factorised(rows[..., np.newaxis, :, :], applied(white, differences)[..., np.newaxis, :])
+    return Fused(estimate.value + first, squares(estimate.root))
 
 
 def covariance_intersection(
@@ -357,9 +362,9 @@ def covariance_intersection(
     except np.linalg.LinAlgError:
         raise ValueError("covariance must be positive definite; got a matrix that is not") from None
     share = arrays["weight"] if weight is not None else pencil.best_share(chosen)
-    across = _applied(pencil.inverse, points[..., 1, :] - points[..., 0, :])
+    across = applied(pencil.inverse, points[..., 1, :] - points[..., 0, :])
     moved = (1 - share)[..., np.newaxis] / pencil.mixed(share) * across
-    fused = np.broadcast_to(points[..., 0, :] + _applied(pencil.axes, moved), (*shape, size))
+    fused = np.broadcast_to(points[..., 0, :] + applied(pencil.axes, moved), (*shape, size))
     found = np.broadcast_to(pencil.intersected(share), (*shape, size, size))
     return Intersection(fused.copy(), found.copy(), np.broadcast_to(share, shape).copy())
 
@@ -561,13 +566,13 @@ def fuse_plots(t: ArrayLike, position: ArrayLike, covariance: ArrayLike) -> Moti
     scale = np.abs(times - times[..., :1]).max(axis=-1, keepdims=True)
     if not np.all(scale > 0):
         raise ValueError("t must hold at least two different times for each track; got a track without")
-    white = _whitener("covariance", errors)
-    origin, start = (_of_most_accurate(values, white) for values in (points, np.stack([times] * 2, axis=-1)))
+    white = whitener("covariance", errors)
+    origin, start = (of_most_accurate(values, white) for values in (points, np.stack([times] * 2, axis=-1)))
     design = _design((times[..., np.newaxis] - start) / scale[..., np.newaxis])
-    estimate = _least_squares(design, white, points - origin)
+    estimate = least_squares(design, white, points - origin)
     with np.errstate(over="ignore", invalid="ignore"):
         change = _change(middle - start[..., 0, :], scale)
-        state, covariance = _applied(change, estimate.value), _squares(change @ estimate.root)
+        state, covariance = applied(change, estimate.value), squares(change @ estimate.root)
     if not (np.all(np.isfinite(state)) and np.all(np.isfinite(covariance))):
         raise ValueError("t must differ by more: the velocity of a track or its variance is not finite")
     return Motion(middle[..., 0], state[..., :2] + origin[..., 0, :], state[..., 2:], covariance)
@@ -602,108 +607,6 @@ def _plots_of_radar(number: int, t: ArrayLike, x: ArrayLike, first_layer: FirstL
     own = line.fit(times, values, method="reweighted").weights
     mean: Floats = own.mean(axis=-1, keepdims=True)
     return times, values, own / mean
-
-
-class _Whitener(NamedTuple):
-    """What turns errors into uncorrelated ones of variance one.
-
-    Attributes:
-        matrix: the inverses of the Cholesky factors, shape (..., n, d, d).
-        doubt: how far rounding may have changed what they give, as a share, shape (..., n).
-    """
-
-    matrix: Floats
-    doubt: Floats
-
-
-class _Estimate(NamedTuple):
-    """Parameters, shape (..., p), and a root of the covariance of their errors, shape (..., p, p)."""
-
-    value: Floats
-    root: Floats
-
-
-def _whitener(name: str, covariance: Floats) -> _Whitener:
-    variances = np.diagonal(covariance, axis1=-2, axis2=-1)
-    indefinite = ValueError(f"{name} must be positive definite; got a matrix that is not")
-    if not np.all(variances > 0):
-        raise indefinite
-    scale = np.sqrt(variances)
-    with np.errstate(over="ignore"):
-        correlations = covariance / scale[..., :, np.newaxis] / scale[..., np.newaxis, :]
-    if not np.all(np.abs(correlations) < 1 + SYMMETRY):
-        raise indefinite
-    if not np.all(np.abs(correlations - np.swapaxes(correlations, -1, -2)) <= SYMMETRY):
-        raise ValueError(f"{name} must be symmetric; got a matrix that is not")
-    try:
-        factor = np.linalg.cholesky(correlations).astype(np.float64, copy=False)
-    except np.linalg.LinAlgError:
-        raise indefinite from None
-    inverse = _inverse(factor)
-    doubt = np.finfo(np.float64).eps * np.abs(inverse).max(axis=(-2, -1)) ** 2
-    return _Whitener(inverse / scale[..., np.newaxis, :], doubt)
-
-
-def _inverse(factor: Floats) -> Floats:
-    inverse = np.linalg.solve(factor, np.broadcast_to(np.eye(factor.shape[-1]), factor.shape))
-    return inverse.astype(np.float64, copy=False)
-
-
-def _applied(matrices: Floats, values: Floats) -> Floats:
-    applied: Floats = (matrices @ values[..., np.newaxis])[..., 0]
-    return applied
-
-
-def _of_most_accurate(values: Floats, white: _Whitener) -> Floats:
-    """For each coordinate the value that the most accurate measurement of it has, shape (..., 1, d).
-
-    Counted from there no rounding error gets the weight of an accurate measurement.
-    """
-    accuracy = np.broadcast_to(np.abs(white.matrix).max(axis=-2), values.shape)
-    return np.take_along_axis(values, np.argmax(accuracy, axis=-2)[..., np.newaxis, :], axis=-2)
-
-
-def _least_squares(design: Floats, white: _Whitener, observed: Floats) -> _Estimate:
-    """Parameters from observations, shape (..., n, d), of which each has a design, shape (..., n, d, p).
-
-    What the estimate leaves is fitted once more: its rounding then goes with the residuals. Another fit must add
-    nothing.
-
-    Raises:
-        ValueError: double precision cannot tell the parameters.
-    """
-    rows = np.broadcast_to(white.matrix @ design, (*observed.shape, design.shape[-1]))
-    first = _factorised(rows, _applied(white.matrix, observed))
-    second = _factorised(rows, left := _left(first.value, design, white, observed))
-    value, deviations = first.value + second.value, np.abs(first.root).max(axis=-1)
-    again = _factorised(rows, _left(value, design, white, observed))
-    doubt = (np.abs(left).max(axis=-1) * white.doubt).max(axis=-1)[..., np.newaxis] * deviations
-    size = np.concatenate([np.abs(observed).max(axis=-2)] * (design.shape[-1] // observed.shape[-1]), axis=-1)
-    if not np.all(np.maximum(doubt, np.abs(again.value)) <= DOUBT * deviations + DIGITS * size):
-        raise ValueError("covariance must be less unequal for measurements that differ by so many deviations")
-    return _Estimate(value, first.root)
-
-
-def _left(value: Floats, design: Floats, white: _Whitener, observed: Floats) -> Floats:
-    """What parameters leave of the observations, in deviations."""
-    return _applied(white.matrix, observed - _applied(design, value[..., np.newaxis, :]))
-
-
-def _factorised(rows: Floats, observed: Floats) -> _Estimate:
-    """Parameters from white observations, shape (..., n, d), by an orthogonal factorisation of their rows."""
-    *tracks, count, size, parameters = rows.shape
-    rows = rows.reshape(*tracks, count * size, parameters)
-    scale = np.abs(rows).max(axis=-2, keepdims=True)
-    both = np.concatenate([rows / scale, observed.reshape(*tracks, count * size, 1)], axis=-1)
-    factor = np.asarray(np.linalg.qr(both, mode="r"), np.float64)[..., :parameters, :]
-    root = _inverse(factor[..., :parameters]) / np.swapaxes(scale, -1, -2)
-    return _Estimate(_applied(root, factor[..., parameters]), root)
-
-
-def _squares(root: Floats) -> Floats:
-    """The products of the rows of each matrix, symmetric to the last bit."""
-    squares: Floats = (root[..., :, np.newaxis, :] * root[..., np.newaxis, :, :]).sum(axis=-1)
-    return squares
 
 
 def _design(elapsed: Floats) -> Floats:
