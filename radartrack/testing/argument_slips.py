@@ -9,7 +9,7 @@ import numpy as np
 
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.testing.called_function import Array
+from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import Slip
 from radartrack.testing.function_conventions import HALF_TURN
 from radartrack.testing.wanted import Expected

@@ -7,7 +7,7 @@ from typing import Any
 
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.language.model import Model
-from radartrack.testing.argument_bindings import declared
+from radartrack.testing.calling.argument_bindings import declared
 from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
 from radartrack.testing.examination import examined
 from radartrack.testing.function_conventions import (

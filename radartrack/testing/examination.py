@@ -15,11 +15,11 @@ import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_bindings import CUSTOMARY, bindings, correlated_pairs, declared
-from radartrack.testing.argument_names import is_degrees, is_variance
 from radartrack.testing.argument_slips import argument_slip
-from radartrack.testing.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
-from radartrack.testing.compiled_function import NotCallable, as_called
+from radartrack.testing.calling.argument_bindings import CUSTOMARY, bindings, correlated_pairs, declared
+from radartrack.testing.calling.argument_names import is_degrees, is_variance
+from radartrack.testing.calling.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
+from radartrack.testing.calling.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip
 from radartrack.testing.function_conventions import (
     AS_ASKED,

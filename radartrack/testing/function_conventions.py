@@ -15,7 +15,7 @@ from radartrack.derive.checking.comparing.order_of_difference import is_deviatio
 from radartrack.derive.language.tensor import Index, indices
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.units import METRE, METRE_PER_SECOND, RADIAN, SECOND
-from radartrack.testing.called_function import Array, Change
+from radartrack.testing.calling.called_function import Array, Change
 from radartrack.testing.wanted import Wanted
 
 LONGEST = 4  # rows whose orders are all tried

@@ -26,7 +26,7 @@ from radartrack.derive.formula.tree import Negation, Number, Power, Product, Quo
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
-from radartrack.testing.called_function import Array
+from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import Slip
 from radartrack.testing.wanted import Expected
 

@@ -19,7 +19,7 @@ from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.units import ONE
-from radartrack.testing.called_function import Array
+from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import LostDigits
 from radartrack.testing.function_conventions import deviations_of
 from radartrack.testing.wanted import Expected

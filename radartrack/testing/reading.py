@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from radartrack.testing.called_function import Array, Binding
+from radartrack.testing.calling.called_function import Array, Binding
 from radartrack.testing.function_conventions import ArgumentChange, Arrangement
 from radartrack.testing.wanted import Wanted
 

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from radartrack.derive import symbolic as sp
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.symbolic import Expr
-from radartrack.testing.called_function import Array, as_array
+from radartrack.testing.calling.called_function import Array, as_array
 from radartrack.testing.wanted import Wanted
 
 Undone = Callable[[Array], Array]

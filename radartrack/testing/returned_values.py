@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from radartrack.testing.called_function import Array, Calls
+from radartrack.testing.calling.called_function import Array, Calls
 from radartrack.testing.diagnosis import Worst
 from radartrack.testing.function_conventions import deviations_of, is_direction
 from radartrack.testing.reading import Reading

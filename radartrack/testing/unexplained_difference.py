@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive.language.variable import Variable
-from radartrack.testing.called_function import Array
+from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import place as at_place
 from radartrack.testing.function_conventions import deviations_of
 from radartrack.testing.wanted import Expected, Wanted

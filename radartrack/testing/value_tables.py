@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from radartrack.testing.called_function import NotKnown, Precision
+from radartrack.testing.calling.called_function import NotKnown, Precision
 from radartrack.testing.examination import CONFIRMING, DOMAIN, FEW, SCREENING
 from radartrack.testing.function_conventions import argument_changes
 from radartrack.testing.reading import CannotDiagnose

@@ -14,6 +14,7 @@ from radartrack.derive.reading.any_letters import read_loosely
 
 LETTERS = "abcdfghklmnopqrs"
 VALUES = {letter: Random(letter).uniform(-2, 2) for letter in LETTERS}
+FOUR = "[[a, b, c, d], [b, a, c, d], [c, d, a, b], [d, c, a, a]]"
 A, B, V = "[[a, b], [c, d]]", "[[f, g, h], [k, l, m]]", "[p, q]"
 ARRAYS = {
     A: np.array([VALUES[letter] for letter in "abcd"]).reshape(2, 2),
@@ -59,7 +60,7 @@ def test_names_that_stand_for_arrays_are_put_in() -> None:
     assert written_out(array_of(found)) == found
 
 
-@pytest.mark.parametrize("formula", ["sum(j*a, j, 1, 3)", f"inv({A})", "diff(a^2, a)", f"{A}^(1/2)"])
+@pytest.mark.parametrize("formula", ["sum(j*a, j, 1, 3)", f"inv({FOUR})", "diff(a^2, a)", f"{A}^(1/2)"])
 def test_what_has_to_be_worked_out_is_left(formula: str) -> None:
     assert written_out(read_loosely(formula)) is None
 

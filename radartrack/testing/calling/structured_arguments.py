@@ -10,8 +10,8 @@ from functools import partial
 from typing import Any, get_type_hints
 
 from radartrack.derive.language.variable import Variable
-from radartrack.testing.argument_names import meanings
-from radartrack.testing.called_function import Made, Parameter
+from radartrack.testing.calling.argument_names import meanings
+from radartrack.testing.calling.called_function import Made, Parameter
 
 OWN = {"builtins", "collections", "collections.abc", "numpy", "typing"}  # modules whose types are no records
 

@@ -12,9 +12,9 @@ from typing import Any
 from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
-from radartrack.testing.argument_names import meanings
-from radartrack.testing.called_function import Binding, Form, Parameter
-from radartrack.testing.structured_arguments import structured
+from radartrack.testing.calling.argument_names import meanings
+from radartrack.testing.calling.called_function import Binding, Form, Parameter
+from radartrack.testing.calling.structured_arguments import structured
 
 MOST = 800  # ways to call a function that are tried
 TELLING = 2  # parameters with telling names that leave one other no choice
