@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.printed import say_the_same
+
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
 EXAMPLE = re.compile(r"^```python\n(?P<code>.*?)^```\n(?:\n```text\n(?P<output>.*?)^```$)?", re.MULTILINE | re.DOTALL)
@@ -40,7 +42,7 @@ def test_examples_run_and_print_what_is_written(document: Path, tmp_path: Path) 
         pytest.importorskip(library, reason=f"{document.name} shows what is done with {library}")
     for example, printed in zip(examples, run([e["code"] for e in examples], tmp_path), strict=False):
         if example["output"] is not None:
-            assert printed == example["output"]
+            assert say_the_same(printed, example["output"]), printed
 
 
 @pytest.mark.parametrize(("command", "output"), CONSOLE, ids=lambda text: text[:40])

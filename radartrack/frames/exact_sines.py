@@ -1,4 +1,4 @@
-"""Sines and cosines with half as many digits again, for lengths of the Earth's size to a nanometre."""
+"""Sines, cosines and directions with half as many digits again, for lengths of the Earth's size to a nanometre."""
 
 import math
 
@@ -29,6 +29,17 @@ def sine_and_cosine(angle: RealArray) -> tuple[Pair, Pair]:
     cosine = sum_of(head.high, head.low - squared.low / 2 + square * square * _polynomial(COSINE, square))
     odd, back = quarters % 2 == 1, quarters % 4 >= 2
     return _chosen(odd, cosine, sine, back), _chosen(odd, sine, cosine, odd != back)
+
+
+def direction(y: RealArray, x: RealArray) -> RealArray:
+    """The angle of a vector, to its last rounding; libraries' own arc tangents are off by up to four."""
+    angle = np.arctan2(y, x)
+    sine, cosine = sine_and_cosine(angle)
+    longer = np.maximum(np.abs(x), np.abs(y))
+    exponent = np.frexp(longer)[1]  # of vectors of every length alike, no product underflows
+    y, x = np.ldexp(y, -exponent), np.ldexp(x, -exponent)
+    aside = (cosine * y - sine * x).rounded()
+    return np.asarray(angle + np.divide(aside, np.hypot(x, y), out=np.zeros_like(angle), where=longer > 0))
 
 
 def _polynomial(coefficients: list[float], x: RealArray) -> RealArray:

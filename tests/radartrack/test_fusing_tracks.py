@@ -181,7 +181,7 @@ def test_the_cross_covariance_is_that_of_simulated_filters_also_with_plots_missi
         measured = np.stack([scan[j] for scan in plots], axis=1)
         if j:
             measured[:, ~seen] = np.nan
-        first = generator.multivariate_normal(np.zeros(2), start, runs)
+        first = generator.multivariate_normal(np.zeros(2), start, runs, method="cholesky")
         track = kalman.run(kalman.Belief(first, start), moves, measured, H, [[std**2]])
         errors.append(track.mean[:, -1] - truths[-1])
         filters.append(fusion.Filtered(track.covariance[0], H, [[std**2]], seen if j else True))

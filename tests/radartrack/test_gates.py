@@ -66,8 +66,10 @@ def test_normalised_squares_are_those_of_dense_algebra(seed: int, size: int) -> 
 def test_the_nees_of_a_kalman_filter_lies_in_its_band() -> None:
     generator = np.random.default_rng(3)
     runs, moves, start = 2000, kalman.constant_velocity(2.0, 0.5), np.diag([100.0, 25.0])
-    truth = generator.multivariate_normal(np.zeros(2), start, runs)
-    truth = truth @ moves.transition.T + generator.multivariate_normal(np.zeros(2), moves.process_noise, runs)
+    truth = generator.multivariate_normal(np.zeros(2), start, runs, method="cholesky")
+    truth = truth @ moves.transition.T + generator.multivariate_normal(
+        np.zeros(2), moves.process_noise, runs, method="cholesky"
+    )
     plots = truth[:, :1] + 8.0 * generator.standard_normal((runs, 1))
     belief = kalman.update(
         kalman.predict(kalman.Belief(np.zeros((runs, 2)), start), moves), plots, [[1.0, 0.0]], [[64.0]]

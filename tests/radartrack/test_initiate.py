@@ -189,7 +189,7 @@ TRIALS = 20_000
 def simulated(sensor: str, states: Floats, seed: int) -> Plot:
     names = {"polar_doppler": ("r", "azimuth", "range_rate")}.get(sensor, ("r", "azimuth", "elevation", "range_rate"))
     errors = np.random.default_rng(seed).multivariate_normal(
-        np.zeros(len(names)), noise_covariance(sensor, NOISE[sensor]), len(states)
+        np.zeros(len(names)), noise_covariance(sensor, NOISE[sensor]), len(states), method="cholesky"
     )
     truth = getattr(observe, sensor)(states).measurement
     return {name: truth[:, k] + errors[:, k] for k, name in enumerate(names)} | NOISE[sensor]

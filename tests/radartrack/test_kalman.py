@@ -87,11 +87,13 @@ def test_normalised_errors_of_a_simulated_motion_are_chi_square() -> None:
     motion = kalman.constant_velocity(5.0, 2.0)
     noise = np.diag([30.0**2, 4.0**2])
     start = np.diag([100.0**2, 20.0**2])
-    truth = generator.multivariate_normal(np.zeros(2), start, tracks)
+    truth = generator.multivariate_normal(np.zeros(2), start, tracks, method="cholesky")
     measured = np.empty((tracks, scans, 2))
     for scan in range(scans):
-        truth = truth @ motion.transition.T + generator.multivariate_normal(np.zeros(2), motion.process_noise, tracks)
-        measured[:, scan] = truth + generator.multivariate_normal(np.zeros(2), noise, tracks)
+        truth = truth @ motion.transition.T + generator.multivariate_normal(
+            np.zeros(2), motion.process_noise, tracks, method="cholesky"
+        )
+        measured[:, scan] = truth + generator.multivariate_normal(np.zeros(2), noise, tracks, method="cholesky")
     found = kalman.run(Belief(np.zeros((tracks, 2)), start), motion, measured, np.eye(2), noise)
     error = found.mean[:, -1] - truth
     squares = np.einsum("ni,ij,nj->n", error, np.linalg.inv(found.covariance[0, -1]), error)

@@ -79,7 +79,7 @@ def test_a_prediction_is_that_of_the_books_for_each_of_many_tracks(name: str, or
 def test_the_second_order_tells_where_a_turning_target_will_be() -> None:
     generator = np.random.default_rng(1)
     belief = Belief(STATES["ctrv"], np.diag([5.0, 5.0, 4.0, 0.2, 0.05]) ** 2)
-    draws = generator.multivariate_normal(belief.mean, belief.covariance, 4000)
+    draws = generator.multivariate_normal(belief.mean, belief.covariance, 4000, method="cholesky")
     accelerations = generator.standard_normal((4000, 2)) * [3.0, 0.01]
     later = pushed("ctrv", draws, accelerations, 2.0, 40)
     ratios = []

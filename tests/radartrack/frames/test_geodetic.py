@@ -141,7 +141,9 @@ def test_a_covariance_follows_to_first_order_and_back():
 def test_the_spread_of_scattered_positions_is_what_the_covariance_says():
     generator = np.random.default_rng(5)
     point = np.array([-3e6, 4e6, -3.9e6])
-    scattered = frames.geodetic_from_ecef(point + generator.multivariate_normal(np.zeros(3), COVARIANCE, 20_000))
+    scattered = frames.geodetic_from_ecef(
+        point + generator.multivariate_normal(np.zeros(3), COVARIANCE, 20_000, method="cholesky")
+    )
     told = frames.geodetic_from_ecef(point, COVARIANCE)
     spread = np.cov(np.stack(scattered))
     scale = np.sqrt(np.diagonal(told.covariance))
