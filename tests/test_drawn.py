@@ -8,9 +8,9 @@ import pytest
 
 pytest.importorskip("matplotlib", reason="pictures are drawn with it")
 
-from matplotlib.figure import Figure  # noqa: E402 - after it is known to be there
+from matplotlib.figure import Figure
 
-from tests.drawn import show_the_same  # noqa: E402 - as above
+from tests.drawn import show_the_same
 
 
 def curve(raised: float = 0.0, width: float = 6.0) -> str:
