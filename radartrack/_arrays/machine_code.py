@@ -95,7 +95,7 @@ def attempted(attempt: Callable[[], Compiled], failure: str) -> Compiled | None:
     try:
         with _at_numba:
             return attempt()
-    except Exception as error:  # noqa: BLE001 - another package, or its files, may be broken in any way
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - another package, or its files, may be broken in any way
         import logging  # noqa: PLC0415 - seldom needed
 
         logging.getLogger(__name__).info("%s: %s: %s", failure, type(error).__name__, error)

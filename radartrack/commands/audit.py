@@ -30,7 +30,7 @@ def audit(
     json_out: Annotated[Path | None, typer.Option("--json", help="Write the verdicts here as JSON.")] = None,
     html_out: Annotated[Path | None, typer.Option("--html", help="Write a page with typeset formulas here.")] = None,
     timeout: Annotated[
-        float, typer.Option(help="Seconds after which a claim is given up.", min=0.1, callback=seconds)
+        float, typer.Option(help="Seconds of computing after which a claim is given up.", min=0.1, callback=seconds)
     ] = 20.0,
     model: ModelFile = None,
 ) -> None:

@@ -30,7 +30,7 @@ def check(
         list[str] | None, typer.Option(help="The paper's own name: D_beta=sigma_beta**2. May be repeated.")
     ] = None,
     timeout: Annotated[
-        float, typer.Option(help="Seconds after which the check is given up.", min=0.1, callback=seconds)
+        float, typer.Option(help="Seconds of computing after which the check is given up.", min=0.1, callback=seconds)
     ] = 20.0,
     model: ModelFile = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the verdict as JSON.")] = False,

@@ -165,6 +165,7 @@ def test_machine_code_that_cannot_be_kept_or_read_is_compiled_again(failure: Exc
 
 
 BROKEN_PACKAGES = {
+    "exit": "import sys; sys.exit('no processor that is known')",
     "version": "raise ImportError('Numba needs NumPy 2.4 or less. Got NumPy 9.9.')",
     "system": "raise SystemError('initialization of _internal failed')",
     "lacking": "",

@@ -16,6 +16,7 @@ from types import TracebackType
 from typing import Any, Self, TextIO, cast
 
 from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.processor_time import processor_time
 
 COMMAND = (sys.executable, "-P", "-m", "radartrack.derive.checking.papers.worker")
 APART: dict[str, Any]  # from a terminal's Ctrl-C, which the parent answers
@@ -25,6 +26,7 @@ else:
     APART = {"process_group": 0}
 START = 60.0  # seconds that a child may take to load what it needs
 EXPLANATION = 10.0  # seconds, of those that are left, for what is said beside a verdict that is known
+PATIENCE = 8.0  # times as long is waited at most where other work keeps a child from computing
 
 UNFINISHED = "what else is said beside a verdict was not found in time"
 DONE = {"done": True}  # what a child writes last
@@ -46,7 +48,7 @@ class Decider:
     """A child process that is started when it is needed, and again after it was ended.
 
     Args:
-        timeout: seconds for one claim; infinite for no limit.
+        timeout: seconds of work for one claim; infinite for no limit.
         typeset: whether records hold the formulas as MathML too.
 
     Raises:
@@ -199,16 +201,29 @@ class _Child:
         try:
             self._ready = self._ready or bool(self._answers.get(timeout=START))
             self._send(request | {"world": self._declared(files)})
-            until = time.monotonic() + timeout
-            while line := self._answers.get(timeout=_left(until)):
+            limit = _Limit(self._process.pid, timeout)
+            while line := self._next(limit):
                 answer = json.loads(line)
                 if answer == DONE:
                     return Answer(known, complete=True)
-                until = min(until, time.monotonic() + EXPLANATION) if not known else until
+                limit = limit if known else _Limit(self._process.pid, min(limit.left, EXPLANATION))
                 known = dict(answer)
         except (OSError, queue.Empty):
             pass
         return Answer(known, complete=False)
+
+    def _next(self, limit: _Limit) -> str:
+        """The next line, empty at the end.
+
+        Raises:
+            queue.Empty: none was written in time.
+        """
+        while True:
+            try:
+                return self._answers.get(timeout=min(limit.left, threading.TIMEOUT_MAX))
+            except queue.Empty:
+                if not limit.left:
+                    raise
 
     def _declared(self, files: Files) -> int:
         """The number by which the child knows what these files declare."""
@@ -238,6 +253,17 @@ class _Child:
         self._answers.put("")
 
 
-def _left(until: float) -> float:
-    """Seconds that are left, as many as may be waited for."""
-    return min(max(until - time.monotonic(), 0.0), threading.TIMEOUT_MAX)
+class _Limit:
+    """Seconds for which a child may compute; where the system tells what it computed, others' work is not its own."""
+
+    def __init__(self, child: int, seconds: float) -> None:
+        self._child, self._seconds = child, seconds
+        self._start, self._computed = time.monotonic(), processor_time(child)
+
+    @property
+    def left(self) -> float:
+        """Seconds that are left, at least."""
+        waited = time.monotonic() - self._start
+        computed = processor_time(self._child)
+        spent = waited if computed is None or self._computed is None else computed - self._computed
+        return max(min(self._seconds - spent, PATIENCE * self._seconds - waited), 0.0)

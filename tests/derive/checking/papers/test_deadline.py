@@ -62,6 +62,19 @@ def test_the_time_limit_is_kept_and_the_next_claim_is_decided_all_the_same(monke
         assert decider.decide(RIGHT)["verdict"] == "equal"
 
 
+def test_time_in_which_others_compute_is_not_a_childs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(deadline, "processor_time", lambda _: 0.0)
+    monkeypatch.setattr(deadline, "PATIENCE", math.inf)
+    known = {**undecided(RIGHT, "not equal"), "verdict": "differs"}
+    late = _child(known, deadline.DONE, ends=True).replace("readline(); ", "readline(); time.sleep(0.5); ")
+    assert _decided_by(late, monkeypatch, timeout=0.1)["verdict"] == "differs"
+
+
+def test_a_child_that_never_computes_is_ended_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(deadline, "processor_time", lambda _: 0.0)
+    assert _decided_by(_child(ends=False), monkeypatch, timeout=0.1)["reason"] == "cannot decide in 0.1 s"
+
+
 @pytest.mark.parametrize("ends", [False, True])
 @pytest.mark.parametrize("told", [1, 2])
 def test_a_verdict_that_is_known_is_told_though_the_child_hangs_or_dies_over_the_rest(
