@@ -79,6 +79,7 @@ STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
 COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 SHARE = Domain("", 1.0, 1.0, "a weight is a share of the whole")
 POSITIVE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow, and a deviation weighs", smallest=1e-30)
+WEIGHING = ANGLE_STD._replace(reason="an azimuth weighs, by one over its variance", smallest=1e-30)
 
 
 class Fused(NamedTuple):
@@ -456,11 +457,9 @@ def registration(
     values = real_arrays(
         {"r": r, "azimuth": azimuth, "range_std": range_std, "azimuth_std": azimuth_std, "sites": sites}
     )
-    domains = {"r": RANGE, "azimuth": ANGLE, "range_std": POSITIVE, "azimuth_std": ANGLE_STD, "sites": COORDINATE}
+    domains = {"r": RANGE, "azimuth": ANGLE, "range_std": POSITIVE, "azimuth_std": WEIGHING, "sites": COORDINATE}
     for name, array in values.items():
         require_within(name, array[~np.isnan(array)] if name in {"r", "azimuth"} else array, domains[name])
-    if not (values["azimuth_std"] > 0).all():
-        raise ValueError("azimuth_std must be positive; got 0")
     places = values.pop("sites").astype(np.float64)
     shape = broadcast_shape(values)
     if len(shape) < 2 or shape[-2] < 2 or not shape[-1]:
