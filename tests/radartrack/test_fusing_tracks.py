@@ -265,7 +265,7 @@ GOOD = np.stack([np.eye(2), 2 * np.eye(2)])
         (lambda: fusion.fuse_correlated(np.zeros((2, 2)), GOOD, np.eye(3)), "cross_covariance must have shape"),
         (lambda: fusion.registration([[1e4]], [[0.1]], 10.0, 0.01, [[0.0, 0.0]]), "two radars or more"),
         (lambda: fusion.registration([[1e4]] * 2, [[0.1]] * 2, 10.0, 0.0, [[0.0, 0.0]] * 2), "azimuth_std must be"),
-        (lambda: fusion.registration([[1e4]] * 2, [[0.1]] * 2, 10.0, 1e-300, [[0.0, 0.0]] * 2), "azimuth_std must be"),
+        (lambda: fusion.registration([[1e4]] * 2, [[0.1]] * 2, 10.0, 1e-300, [[0.0, 0.0]] * 2), "got 1e-300"),
     ],
 )
 def test_what_does_not_fit_is_refused(call: Any, message: str) -> None:
