@@ -40,9 +40,15 @@ class Way(NamedTuple):
 
     in_parts: bool
     rounded_whole: bool = False
+    signed_whole: bool = False
 
 
-WAYS = (Way(in_parts=True), Way(in_parts=False), Way(in_parts=True, rounded_whole=True))
+WAYS = (
+    Way(in_parts=True),
+    Way(in_parts=False),
+    Way(in_parts=True, rounded_whole=True),
+    Way(in_parts=True, signed_whole=True),
+)
 
 
 @dataclass

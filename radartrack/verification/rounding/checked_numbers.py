@@ -105,6 +105,7 @@ class Box:
     precision: Precision = DOUBLE
     in_parts: bool = False  # whether errors are told by the terms of a difference, or by the difference as a whole
     rounded_whole: bool = False  # whether a difference of exact numbers, which is rounded once, is not taken apart
+    signed_whole: bool = False  # whether a difference whose sign is known is not taken apart
     most_value: int = MOST_VALUE
     atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
     carriers: set[int] = field(default_factory=set)
@@ -585,6 +586,8 @@ class Box:
         if is_of_exact and self._exact_by_grid(grid, ends[1]):
             error, relative = NOTHING, self.ball(0)
         made = self.made(sign, exactly, error, relative, tiny, value or None, size, terms, ends, may_underflow=False)
+        if self.signed_whole and a.sign * b.sign <= 0 and _is_fair(made.relative) and made.high - made.low < NARROW[-1]:
+            made = self._as_whole(made)
         return replace(made, grid=grid)
 
     def _difference(
@@ -832,6 +835,10 @@ def times(first: Polynomial, second: Polynomial) -> Polynomial:
         key = product_of(i, j)
         found[key] = found[key] + a * b if key in found else a * b
     return found
+
+
+def _is_fair(relative: Ball | None) -> bool:
+    return relative is not None and bool(relative < FAIR)
 
 
 def _scaled(one: Polynomial, factor: Ball) -> Polynomial:
