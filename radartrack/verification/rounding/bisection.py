@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from time import process_time
 from typing import Any
@@ -15,6 +15,9 @@ from radartrack.verification.rounding.domain_boxes import tree_of
 
 Ends = dict[str, tuple[float, float]]
 HOPELESS = 300.0  # of a logarithm: what a box without any bound counts
+AT = (0.9, 1.0)  # of the way along a box: where other arguments are points
+POINT = 1e-6  # of a logarithm
+USELESS = 1e4  # ulp; a box with more counts as one without any bound
 IDLE = 3  # times that halving an argument gained nothing: then it is left alone
 
 
@@ -25,6 +28,7 @@ class _Case:
     source: str
     claim: Mapping[str, Any]
     case: str
+    decisive: set[str] = field(default_factory=set)  # arguments whose whole range alone leaves no useful bound
     splits: dict[str, int] = field(default_factory=dict)
     boxes: dict[str, tuple[float, Ends]] = field(default_factory=dict)
     idle: Counter[str] = field(default_factory=Counter)
@@ -49,24 +53,42 @@ class _Case:
         path = self.worst
         before, box = self.boxes.pop(path)
         tried = []
-        for axis, (name, (low, high)) in enumerate(box.items()):
-            if self.idle[name] >= IDLE and not all(self.idle[other] >= IDLE for other in box):
-                continue
+        for name in self._worth_halving(box) if before > USELESS else self._not_idle(box):
+            low, high = box[name]
             middle = (low + high) / 2
             halves = [{**box, name: ends} for ends in ((low, middle), (middle, high))]
             bounds = [self._bound(half) for half in halves]
             self.idle[name] += math.isfinite(before) and min(bounds) > 0.99 * before
             logs = sorted(min(math.log(max(bound, 1.0)), HOPELESS) for bound in bounds)
-            tried.append(
-                (logs[1] + 0.5 * logs[0] - 1e-3 * min(high - low, 50.0), axis, list(zip(bounds, halves, strict=True)))
-            )
+            gain = logs[1] + 0.5 * logs[0] - 1e-3 * min(high - low, 50.0)
+            tried.append((gain, list(box).index(name), list(zip(bounds, halves, strict=True))))
         _, self.splits[path], found = min(tried, key=lambda one: one[:2])
         self.boxes |= {path + str(n): half for n, half in enumerate(found)}
+
+    def _not_idle(self, box: Ends) -> list[str]:
+        return [name for name in box if self.idle[name] < IDLE] or list(box)
+
+    def _worth_halving(self, box: Ends) -> list[str]:
+        """The widest of the arguments whose range alone leaves no useful bound, the others being points; else all."""
+        if not self.splits:
+            self.decisive |= set(self._decisive(box, box))
+        found = self._decisive(box, self.decisive)
+        return [max(found, key=lambda name: box[name][1] - box[name][0])] if found else self._not_idle(box)
+
+    def _decisive(self, box: Ends, names: Collection[str]) -> list[str]:
+        return [name for name in names if any(self._bound(line) > USELESS for line in _lines(box, name))]
 
     @property
     def tree(self) -> str:
         """In preorder."""
         return tree_of(self.splits)
+
+
+def _lines(box: Ends, name: str) -> Iterator[Ends]:
+    """Along one argument, the others being points."""
+    for share in AT:
+        points = {other: low + share * (high - low) for other, (low, high) in box.items()}
+        yield {other: (max(at - POINT, box[other][0]), at) for other, at in points.items()} | {name: box[name]}
 
 
 def bisected(source: str, claim: Mapping[str, Any], enough: float, most: int, seconds: float) -> dict[str, str]:

@@ -81,7 +81,8 @@ def confirmed(source: str, claim: Claim) -> float:
             `shape`, `scale`, `groups`, `correlated`, `precision`, and `trees`, of every case how its box is split.
             Where the scale is a formula of its own, `stated` is a function that computes it, written like the module's,
             and `paired` whether that of every entry is the geometric mean of its row's and its column's. With `sides`
-            the signs of an angle's cosine are cases of their own, as they are with correlations.
+            the signs of an angle's cosine are cases of their own, as they are with correlations. `ways` may name those
+            of `WAYS` that suffice, by number.
 
     Raises:
         Refused: the boxes do not cover the domain, or a statement cannot be followed in one of them.
@@ -115,7 +116,7 @@ def _best(
     """The smallest of the bounds that the ways of telling errors give."""
     chosen, found = _chosen(case), math.inf
     reason = Refused("no bound")
-    for way in WAYS:
+    for way in (WAYS[number] for number in claim.get("ways", range(len(WAYS)))):
         run = _start(claim, chosen, ends, way)
         run.helpers, run.below = functions, below
         try:

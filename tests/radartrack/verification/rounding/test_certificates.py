@@ -17,7 +17,8 @@ from radartrack.derive.catalogue import catalogue
 from radartrack.verification.layers.rounding import Rounding
 from radartrack.verification.outcome import Verdict
 from radartrack.verification.rounding import checked_numbers, error_rules
-from radartrack.verification.rounding.certificate_checker import confirmed
+from radartrack.verification.rounding.bisection import bisected
+from radartrack.verification.rounding.certificate_checker import WAYS, confirmed
 from radartrack.verification.rounding.certificates import (
     claim_of,
     code_of,
@@ -142,6 +143,44 @@ def test_no_error_is_above_the_bound_whatever_the_statement(expression: str, sca
         error = abs(Fraction(evaluated(written, point, float)) - exact) / (measure * Fraction(1, 2**53))
         worst = max(worst, float(error))
     assert bound / 8 < worst <= bound  # a bound that nothing comes near would show nothing
+
+
+WITH_SIGNS_THAT_ARE_KNOWN = (
+    "(1.0 - a * a - b * b) * c + d",
+    "(1.0 - a * a - b * b) * (1.0 - a * a - b * b) * (a * a - 1.0 + b * b) * c / (1.0 - a * b)",
+    "c * (2.0 - a * a - 3.0 * b * b) / ((1.0 - a) * (1.0 + b)) + (1.0 - a * a) * d",
+)
+
+
+@pytest.mark.parametrize("expression", WITH_SIGNS_THAT_ARE_KNOWN)
+@pytest.mark.parametrize("way", range(len(WAYS)))
+def test_in_every_way_of_telling_errors_no_error_is_above_the_bound(expression: str, way: int):
+    arguments = [positive(name, 1e-3, 0.6) for name in "ab"] + [positive(name, 1e-3, 1e5) for name in "cd"]
+    shares = claim("abcd", "norm", {"a:+ b:+ c:+ d:+": "."}) | {"arguments": arguments, "ways": [way]}
+    try:
+        bound = confirmed(source(expression), shares)
+    except Refused:
+        assert way < len(WAYS) - 1  # what signs that are known are good for
+        return
+    random, worst = Random(way), 0.0
+    written = ast.parse(expression, mode="eval").body
+    for _ in range(400):
+        point = {name: math.exp(random.uniform(math.log(1e-3), math.log(0.6))) for name in "ab"}
+        point |= {name: math.exp(random.uniform(math.log(1e-3), math.log(1e5))) for name in "cd"}
+        exact = evaluated(written, point, Fraction)
+        error = abs(Fraction(evaluated(written, point, float)) - exact) / (abs(exact) * Fraction(1, 2**53))
+        worst = max(worst, float(error))
+    assert bound / 60 < worst <= bound
+
+
+@pytest.mark.parametrize("expression", ["b / (np.exp(-a) + 0.5 * a - 0.7)", "b / (np.exp(-(a * b)) + 0.5 * a - 0.5)"])
+def test_where_the_whole_domain_has_no_bound_boxes_are_found_that_have(expression: str):
+    arguments = [positive(name, 1e-9, 1.0) for name in "ab"]
+    whole = claim("ab", "norm", {"a:+ b:+": "."}) | {"arguments": arguments}
+    with pytest.raises(Refused):
+        confirmed(source(expression), whole)
+    trees = bisected(source(expression), whole, 30.0, 60, math.inf)
+    assert confirmed(source(expression), {**whole, "trees": trees}) < 1e3
 
 
 def evaluated(node: ast.expr, names: Mapping[str, Any], number: Callable[[float], Any]) -> Any:
