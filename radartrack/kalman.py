@@ -35,10 +35,12 @@ from radartrack._filtering.beliefs import (
     tracks_first,
     tracks_last,
 )
+from radartrack._filtering.elimination import checked_covariances
 from radartrack._filtering.extended import Look
-from radartrack._filtering.factors import refined, updated
+from radartrack._filtering.factors import updated
 from radartrack._filtering.moved_beliefs import predicted
 from radartrack._filtering.nonlinear_motion import GROUPINGS, Grouping, NonlinearMotion, known_motion
+from radartrack._filtering.refinement import refined
 from radartrack._filtering.whitening import sensors, whitened
 from radartrack._observation.sights import SIGHTS, SightName, site_of
 
@@ -61,7 +63,7 @@ __all__ = [
 
 Order: TypeAlias = Literal[1, 2]
 
-EXTENDED_BLOCK = 1024  # tracks; their covariances and derivatives stay in the cache
+EXTENDED_BLOCK = 2048  # tracks; their covariances stay in the cache, and calls of NumPy are few beside the numbers
 POLYNOMIAL = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 
 
@@ -277,16 +279,17 @@ def update_with(
     seen = np.broadcast_to(values, (*tracks, len(sight.outputs))).reshape(-1, len(sight.outputs))
     errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
     dtype = np.result_type(mean, covariance, seen, errors)
+    mean, covariance, seen, errors = (array.astype(dtype, copy=False) for array in (mean, covariance, seen, errors))
     means, covariances = np.empty(mean.shape, dtype), np.empty((*mean.shape, mean.shape[-1]), dtype)
     look = Look(sight, places, second, spread, errors)
 
     def block(numbers: RealArray, new_means: RealArray, new_covariances: RealArray) -> None:
         own = slice(numbers[0], numbers[-1] + 1) if len(numbers) else slice(0)
         few = covariance if len(covariance) == 1 else covariance[own]
-        require_covariance("covariance", few)
-        at, spread = np.ascontiguousarray(mean[own].T), np.ascontiguousarray(np.moveaxis(few, 0, -1))
-        with np.errstate(over="ignore", invalid="ignore"):
-            step, reduced = refined(spread, look.observation(at, spread, seen[own].T, own))
+        at = np.ascontiguousarray(mean[own].T)
+        spread = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(few, 0, -1)))
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            step, reduced = refined(spread, look.told(at, spread, seen[own].T, own))
         new_means[...] = (at + step).T
         new_covariances[...] = np.moveaxis(reduced, -1, 0)
         require_finite("the mean of the result", new_means)

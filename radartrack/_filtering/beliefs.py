@@ -13,6 +13,7 @@ from radartrack._arrays.validation import (
     require_finite,
     require_trailing_shape,
 )
+from radartrack._filtering.elimination import checked_covariances
 
 
 class Belief(NamedTuple):
@@ -40,8 +41,8 @@ def common(measured: tuple[int, ...], noise: tuple[int, ...], name: str = "noise
 def tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
     """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared."""
     tracks, mean, covariance = flat_tracks(belief, others)
-    require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
-    return tracks, np.ascontiguousarray(mean.T), np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
+    last = np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
+    return tracks, np.ascontiguousarray(mean.T), checked_covariances("covariance", last)
 
 
 def flat_tracks(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
