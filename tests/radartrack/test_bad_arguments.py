@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from radartrack import consistency, frames, fusion, initiate, kalman, observe
+from radartrack import consistency, frames, fusion, initiate, kalman, observe, simulate
+from radartrack._conversion.sensors import SENSORS
 from radartrack._observation.sights import SIGHTS
 from tests.radartrack.plots import Floats
 
@@ -53,6 +54,14 @@ def of_filters() -> Iterator[tuple[str, Function, Arguments]]:
     yield "two_plots", lambda period, **plot: initiate.two_plots("polar", plot, PLOT, period), PLOT | {"period": 9.0}
 
 
+def of_simulation() -> Iterator[tuple[str, Function, Arguments]]:
+    for name, sensor in SENSORS.items():
+        noise = {argument: 0.0 if argument == "correlation" else 0.1 for argument in sensor.noise}
+        yield f"noise of {name}", lambda name=name, **noise: simulate.noise_covariance(name, noise), noise
+        radar = simulate.Radar(name, 1.0, noise, known=dict.fromkeys(sensor.parameters, 500.0))
+        yield f"truth of {name}", radar.truth, {"states": np.full((2, 6), 1e3)}
+
+
 def of_fusion() -> Iterator[tuple[str, Function, Arguments]]:
     pair = {"mean": np.zeros((2, 2)), "covariance": SAME}
     yield "fuse", fusion.fuse, pair
@@ -70,7 +79,11 @@ def of_fusion() -> Iterator[tuple[str, Function, Arguments]]:
     yield "Frame.to", partial(frames.enu(0.1, 0.2).to, frames.ECEF), {"mean": np.zeros(6), "covariance": np.eye(6)}
 
 
-CALLS = {name: (function, arguments) for name, function, arguments in (*of_sensors(), *of_filters(), *of_fusion())}
+def calls() -> Iterator[tuple[str, Function, Arguments]]:
+    yield from (*of_sensors(), *of_filters(), *of_simulation(), *of_fusion())
+
+
+CALLS = {name: (function, arguments) for name, function, arguments in calls()}
 
 
 def spoilt(name: str, value: Any) -> Iterator[Any]:
