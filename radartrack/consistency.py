@@ -100,6 +100,9 @@ def chi_square_quantile(probability: ArrayLike, degrees_of_freedom: ArrayLike) -
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
 
+    Source: Abramowitz & Stegun 1964, 6.5.29 and 6.5.31: power series and continued fraction of the incomplete gamma
+    function.
+
     """
     arrays = real_arrays({"probability": probability, "degrees_of_freedom": degrees_of_freedom})
     require_within("probability", arrays["probability"], PROBABILITY)
@@ -131,7 +134,7 @@ def gate(components: ArrayLike, probability: ArrayLike = 0.99, runs: ArrayLike =
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 1.5.4 and 5.4.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 1.5.4 and 5.4.2, doi:10.1002/0471221279.
 
     """
     return _averaged(quantile, components, runs, probability, lambda inside: inside)
@@ -152,7 +155,7 @@ def band(components: ArrayLike, runs: ArrayLike = 1, probability: ArrayLike = 0.
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
 
     """
     ends = [
@@ -195,6 +198,8 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
         ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes do not
             fit.
 
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
+
     """
     arrays = real_arrays({"mean": mean, "covariance": covariance, "truth": truth})
     for name in ("mean", "truth"):
@@ -219,6 +224,8 @@ def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: as `nees`.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
 
     """
     arrays = real_arrays({"innovation": innovation, "covariance": covariance})
@@ -285,6 +292,8 @@ def experiment(
         TypeError: an argument is no number, is missing, or is none of the conversion's.
         ValueError: a simulated measurement or another number lies outside what the conversion takes, a word is
             unknown, a covariance is singular, or an average overflows.
+
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948, for the normalised error of conversions.
 
     """
     chosen = one_of("sensor", sensor, SENSORS)

@@ -64,7 +64,8 @@ def one_plot(
         TypeError: an argument is missing, is none of the conversion's, or is not made of real numbers.
         ValueError: a number is out of place, the shapes do not broadcast, or the word is unknown.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, one-point initialisation; here exact for errors of any size.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, one-point initialisation, doi:10.1002/0471221279; here exact for errors
+    of any size.
 
     """
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
@@ -104,8 +105,8 @@ def two_plots(
         TypeError: as for `one_plot`.
         ValueError: as for `one_plot`; also where a result overflows.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, two-point differencing; the range rates by the second-order extended
-    Kalman filter of Bar-Shalom, Willett & Tian 2011.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, two-point differencing, doi:10.1002/0471221279; the range rates by the
+    second-order extended Kalman filter of Bar-Shalom, Willett & Tian 2011.
 
     """
     model = SENSORS[one_of("sensor", sensor, SENSORS)]

@@ -74,6 +74,15 @@ def constant_velocity(period: float, intensity: float) -> Motion:
         period: time from scan to scan [s].
         intensity: of the noise [m^2/s^3].
 
+    Returns:
+        F and Q, shape (2, 2).
+
+    Raises:
+        TypeError: an argument is no real number.
+        ValueError: as `polynomial_motion`.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.2, doi:10.1002/0471221279.
+
     """
     return polynomial_motion(1, period, intensity)
 
@@ -84,6 +93,15 @@ def constant_acceleration(period: float, intensity: float) -> Motion:
     Args:
         period: time from scan to scan [s].
         intensity: of the noise [m^2/s^5].
+
+    Returns:
+        F and Q, shape (3, 3).
+
+    Raises:
+        TypeError: an argument is no real number.
+        ValueError: as `polynomial_motion`.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.3, doi:10.1002/0471221279.
 
     """
     return polynomial_motion(2, period, intensity)
@@ -97,12 +115,15 @@ def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
         period: time from scan to scan [s].
         intensity: of the noise [m^2/s^(2 degree + 1)].
 
+    Returns:
+        F and Q, shape (degree + 1, degree + 1).
+
     Raises:
         TypeError: the degree is no whole number, or another argument no real one.
         ValueError: the degree is not from 0 to 3, the period is not positive, the intensity is negative, or the
             matrices overflow or lose their digits.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2, doi:10.1002/0471221279.
 
     """
     return motion(POLYNOMIAL[whole_number("degree", degree, 0, len(POLYNOMIAL) - 1)], period, intensity=intensity)
@@ -129,10 +150,16 @@ def motion(name: str, period: float, *, axes: int = 1, grouped: Grouping = "axis
             at each scan [m/s^(n - 1)]; for Singer `std` is that of the acceleration [m/s^2]; `time_constant` [s] after
             which a correlation is 1/e; `rate` of the turn, counter-clockwise from x to y [rad/s], 0 and less too.
 
+    Returns:
+        F and Q, shape (n, n), n the components of all axes.
+
     Raises:
         TypeError: an argument is no real number, the name or the grouping no text, or axes no whole number.
         ValueError: the name is not known, the parameters are not those of the motion, period or time constant are not
             positive, a noise is negative, axes is not 1 to 3 (1 for a turn), or matrices overflow or lose their digits.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2-6.3 and 11.7, doi:10.1002/0471221279; Singer 1970,
+    doi:10.1109/TAES.1970.310128; Uhlenbeck & Ornstein 1930, doi:10.1103/PhysRev.36.823.
 
     """
     F, Q = linear_motions.matrices(name, period, axes, parameters)
@@ -160,12 +187,15 @@ def nonlinear_motion(
         turn_std: standard deviation of the acceleration of the turn, constant over a period [rad/s^2].
         grouped: as `motion` takes it: "derivative" for (x, y, vx, vy, omega); `ctrv` has one order.
 
+    Returns:
+        The functions of the motion, of states (..., 5).
+
     Raises:
         TypeError: an argument is no real number, or a word no text.
         ValueError: a word is not known, the period is not positive, or a deviation is negative.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 11.7; the noise is what the accelerations leave to first order,
-    `motion.turn.unknown_rate.process_noise.piecewise` and `motion.ctrv.process_noise.piecewise`.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 11.7, doi:10.1002/0471221279; the noise is what the accelerations leave
+    to first order, `motion.turn.unknown_rate.process_noise.piecewise` and `motion.ctrv.process_noise.piecewise`.
 
     """
     return known_motion(name, period, std, turn_std, grouped)
@@ -180,9 +210,14 @@ def predict(belief: Belief, motion: Motion | NonlinearMotion, order: Order = 1) 
         order: for a nonlinear motion 1, extended, or 2, second-order extended: mean and covariance of its quadratic
             Taylor polynomial. Of a linear one both are the same.
 
+    Returns:
+        Means, shape (..., n), and covariances, shape (..., n, n), a read-only view where all tracks share one.
+
     Raises:
         TypeError: a part is not made of real numbers.
         ValueError: the shapes do not fit, a number is not finite, a covariance is none, or the result overflows.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.2 and 10.3, doi:10.1002/0471221279.
 
     """
     second = whole_number("order", order, 1, 2) == 2
@@ -210,6 +245,8 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
         TypeError: an argument is not made of real numbers.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
             none, R is not positive definite, or the result overflows.
+
+    Source: Bierman 1977, V.3.
 
     """
     values, H, R = _measurement(measured, matrix, noise, belief)
@@ -257,6 +294,8 @@ def update_with(
         TypeError: an argument is not made of real numbers, or a site is missing or of no use.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite or out of place, a
             covariance is none, R is not positive definite, a word is unknown, or the result overflows.
+
+    Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
 
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
@@ -330,6 +369,8 @@ def run(
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
             none, R is not positive definite, or the result overflows.
 
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.2, doi:10.1002/0471221279; Bierman 1977, V.3.
+
     """
     second = whole_number("order", order, 1, 2) == 2
     values, H, R = _measurement(measured, matrix, noise, start)
@@ -379,6 +420,8 @@ def run_with(
     Raises:
         TypeError: as `update_with`.
         ValueError: as `update_with` and `predict`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
 
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]

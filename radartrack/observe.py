@@ -62,6 +62,9 @@ def polar(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
         ValueError: a number is not finite or lies outside the interval above, the shape is another one, or the
             word is unknown.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.polar.map`, `.jacobian` and `.hessian` of
+    the formula book.
+
     """
     return _read("polar", state, azimuth_from)
 
@@ -79,6 +82,9 @@ def spherical(state: ArrayLike, azimuth_from: AzimuthFrom = "y") -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.spherical.map`, `.jacobian` and `.hessian`
+    of the formula book.
 
     """
     return _read("spherical", state, azimuth_from)
@@ -101,6 +107,9 @@ def polar_doppler(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed
         TypeError: as for `polar`.
         ValueError: as for `polar`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.polar_doppler.map`, `.jacobian` and
+    `.hessian` of the formula book.
+
     """
     return _read("polar_doppler", state, azimuth_from)
 
@@ -121,6 +130,9 @@ def spherical_doppler(state: ArrayLike, azimuth_from: AzimuthFrom = "y") -> Obse
         TypeError: as for `polar`.
         ValueError: as for `polar`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.spherical_doppler.map`, `.jacobian` and
+    `.hessian` of the formula book.
+
     """
     return _read("spherical_doppler", state, azimuth_from)
 
@@ -138,6 +150,9 @@ def bearing(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.bearing.map`, `.jacobian` and `.hessian`
+    of the formula book.
 
     """
     return _read("bearing", state, azimuth_from)
@@ -157,6 +172,9 @@ def ruv(state: ArrayLike) -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.ruv.map`, `.jacobian` and `.hessian` of
+    the formula book.
 
     """
     return _read("ruv", state, None)
@@ -180,6 +198,9 @@ def bistatic(state: ArrayLike, baseline: ArrayLike, azimuth_from: AzimuthFrom = 
         TypeError: as for `polar`.
         ValueError: as for `polar`; also where state and baseline do not broadcast.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.bistatic.map`, `.jacobian` and `.hessian`
+    of the formula book.
+
     """
     return _read("bistatic", state, azimuth_from, baseline=baseline)
 
@@ -199,6 +220,9 @@ def bistatic_range_rate(state: ArrayLike, baseline: ArrayLike, azimuth_from: Azi
         TypeError: as for `polar`.
         ValueError: as for `bistatic`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.bistatic_range_rate.map`, `.jacobian` and
+    `.hessian` of the formula book.
+
     """
     return _read("bistatic_range_rate", state, azimuth_from, baseline=baseline)
 
@@ -216,6 +240,9 @@ def range_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`; also where state and receiver do not broadcast.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.range_difference.map`, `.jacobian` and
+    `.hessian` of the formula book.
 
     """
     return _read("range_difference", state, None, receiver=receiver)
@@ -236,6 +263,9 @@ def range_rate_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `range_difference`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.range_rate_difference.map`, `.jacobian`
+    and `.hessian` of the formula book.
 
     """
     return _read("range_rate_difference", state, None, receiver=receiver)
@@ -274,6 +304,8 @@ def project(
         ValueError: a number is not finite or out of place, a shape is another one, the covariance is none, a
             word is unknown, or the mean lies where something measured has no derivative: at a site, and with
             "spherical" and "spherical_doppler" on the vertical axis.
+
+    Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
 
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]

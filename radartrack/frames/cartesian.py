@@ -168,9 +168,14 @@ def enu(
         velocity: of the place towards east, north and up [m/s], shape (..., 3).
         ellipsoid: that the coordinates are of.
 
+    Returns:
+        The frame, or one for each place.
+
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: one is not finite or out of place, or shapes do not fit.
+
+    Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
 
     """
     return _standing(latitude, longitude, height, np.eye(3), velocity, ellipsoid)
@@ -203,6 +208,9 @@ def antenna(
         velocity: of the radar towards east, north and up [m/s], shape (..., 3).
         ellipsoid: that the coordinates are of.
 
+    Returns:
+        The frame, or one for each place or attitude.
+
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: one is not finite or out of place, or shapes do not fit.
@@ -230,8 +238,27 @@ def face(
     So x is to the right of who looks at the face, and the axes are right-handed; `rt.convert.ruv` gives positions along
     them. Where u counts to the radar's right, hand -u to it.
 
-    Arguments, errors and source are those of `antenna`, which differs in the order and names of the axes alone; azimuth
-    and tilt are those of the boresight.
+    It differs from `antenna` in the order and names of the axes alone.
+
+    Args:
+        latitude: geodetic [rad], from -pi/2 to pi/2.
+        longitude: eastward [rad].
+        height: above the ellipsoid [m].
+        azimuth: of the boresight, clockwise from north [rad].
+        tilt: how far the boresight looks up from the horizon [rad], from -pi/2 to pi/2.
+        roll: how far the face is turned about the boresight, its right side, seen from behind, down [rad].
+        velocity: of the radar towards east, north and up [m/s], shape (..., 3).
+        ellipsoid: that the coordinates are of.
+
+    Returns:
+        The frame, or one for each place or attitude.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: one is not finite or out of place, or shapes do not fit.
+
+    Source: Crouse 2014, local coordinate systems.
+
     """
     turned = formulas.face_from_enu_jacobian(**_attitude(azimuth, tilt, roll))
     return _standing(latitude, longitude, height, turned, velocity, ellipsoid)
