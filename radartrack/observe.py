@@ -8,11 +8,13 @@ its derivatives. For derivatives, a coordinate of a position smaller than 1e-100
 than 1e-12 m, counts as zero, and one nearer to another site as there.
 """
 
+import math
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     Domain,
     RealArray,
@@ -28,6 +30,7 @@ from radartrack._observation.sights import SIGHTS, Sight, SightName, site_of
 
 Order: TypeAlias = Literal["linear", "second_order"]
 
+BLOCK = 2048  # states; their second derivatives stay in the cache
 PROJECTED = Domain("", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 
 
@@ -339,14 +342,32 @@ def _read(name: SightName, state: ArrayLike, azimuth_from: AzimuthFrom | None, *
 
 
 def _observed(sight: Sight, states: RealArray, site: dict[str, RealArray], places: list[int]) -> Observed:
+    shape = np.broadcast_shapes(states.shape[:-1], *(array.shape for array in site.values()))
+    if math.prod(shape) <= BLOCK:
+        return _at_once(sight, states, site, places)
+    flat: list[RealArray] = [np.broadcast_to(states, (*shape, states.shape[-1])).reshape(-1, states.shape[-1])]
+    flat += [np.broadcast_to(array, shape).reshape(-1) for array in site.values()]
+    m, n = len(sight.outputs), len(sight.state)
+    found = [np.empty((len(flat[0]), *sizes), states.dtype) for sizes in ((m,), (m, n), (m, n, n))]
+
+    def block(some: RealArray, *others: RealArray) -> None:
+        there = dict(zip(site, others, strict=False))
+        for part, values in zip(others[len(site) :], _at_once(sight, some, there, places), strict=True):
+            part[...] = values
+
+    fill(block, flat, found, BLOCK)
+    return Observed(*(part.reshape(*shape, *part.shape[1:]) for part in found))
+
+
+def _at_once(sight: Sight, states: RealArray, site: dict[str, RealArray], places: list[int]) -> Observed:
     # -0.0 becomes 0.0, so that the azimuth behind the radar is +pi
     components = [states[..., place] + 0.0 for place in places]
     near = sight.off_poles(components, site)
-    return Observed(
-        sight.evaluate("map", components, site),
-        sight.evaluate("jacobian", near, site)[..., places],
-        sight.evaluate("hessian", near, site)[..., places][..., places, :],
-    )
+    found = [sight.evaluate("map", components, site)]
+    found += [sight.evaluate(kind, near, site) for kind in ("jacobian", "hessian")]
+    if places != sorted(places):
+        found[1:] = [found[1][..., places], found[2][..., places][..., places, :]]
+    return Observed(*found)
 
 
 def _moments(observed: Observed, covariance: RealArray, *, second: bool) -> Projected:

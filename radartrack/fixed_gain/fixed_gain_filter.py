@@ -80,17 +80,17 @@ class FixedGainFilter:
         moving, gains = (
             np.array(np.moveaxis(np.broadcast_to(array, (*tracks, size)), -1, 0), dtype) for array in (state, self.gain)
         )
-        states = np.empty((*tracks, values.shape[-1], size), dtype)
+        scans = np.ascontiguousarray(np.moveaxis(values, -1, 0))
+        states = np.empty((len(scans), size, *tracks), dtype)
         with np.errstate(over="ignore", invalid="ignore"):
-            for scan in range(values.shape[-1]):
+            for number, scan in enumerate(scans):
                 for order in range(size - 1):
                     for more in range(1, size - order):
                         moving[order] += moving[order + more] * (self.period**more / math.factorial(more))
-                residual = values[..., scan] - moving[0]
-                moving += gains * np.where(np.isnan(values[..., scan]), 0, residual)
-                states[..., scan, :] = np.moveaxis(moving, 0, -1)
+                moving += gains * np.where(np.isnan(scan), 0, scan - moving[0])
+                states[number] = moving
         require_finite("the states of the result", states)
-        return states
+        return np.moveaxis(states, (0, 1), (-2, -1))
 
 
 def _tracks(arrays: dict[str, RealArray]) -> tuple[int, ...]:
