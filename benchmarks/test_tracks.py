@@ -16,7 +16,6 @@ from radartrack import kalman, simulate
 TRACKS, FEW = 100_000, 200
 SIX = np.array([[300.0]] * 3 + [[20.0]] * 3)
 NOISE = {"range_std": 30.0, "azimuth_std": 0.01, "elevation_std": 0.01, "range_rate_std": 2.0}
-RATE = {"range_rate", "range_rate_std"}
 Timed = Callable[..., Any]
 
 
@@ -38,17 +37,48 @@ def covariances(tracks: int = TRACKS, of: int = 1, size: int = 6) -> Floats:
 
 
 class TestStart:
-    """A track's first state, beside the conversion of its positions alone."""
+    """A track's first state, beside linearised ones by hand, without what range rates and prior tell of positions."""
 
     def test_one_plot(self, timed: Timed) -> None:
         timed(rt.initiate.one_plot, "spherical_doppler", plots(), 100.0, items=TRACKS)
 
+    def test_one_by_hand(self, timed: Timed) -> None:
+        timed(started_by_hand, plots(), items=TRACKS)
+
     def test_two_plots(self, timed: Timed) -> None:
         timed(rt.initiate.two_plots, "spherical_doppler", plots(), plots(1), 4.0, items=TRACKS)
 
-    def test_positions(self, timed: Timed) -> None:
-        plot = {name: value for name, value in plots().items() if name not in RATE}
-        timed(rt.convert.spherical, method="posterior", items=TRACKS, **plot)
+    def test_two_by_hand(self, timed: Timed) -> None:
+        timed(differenced_by_hand, plots(), plots(1), items=TRACKS)
+
+
+def located_by_hand(plot: dict[str, Any]) -> tuple[Floats, Floats, Floats]:
+    """Position, its covariance from the Jacobian, and the direction."""
+    r, azimuth, elevation = (plot[name] for name in ("r", "azimuth", "elevation"))
+    sine, cosine, up, level = np.sin(azimuth), np.cos(azimuth), np.sin(elevation), np.cos(elevation)
+    u = np.stack([level * sine, level * cosine, up], axis=-1)
+    turned = np.stack([r * level * cosine, -r * level * sine, 0 * r], axis=-1)
+    raised = np.stack([-r * up * sine, -r * up * cosine, r * level], axis=-1)
+    J = np.stack([u, turned, raised], axis=-1)
+    R = np.diag([NOISE[f"{name}_std"] for name in ("range", "azimuth", "elevation")]) ** 2
+    return r[:, np.newaxis] * u, J @ R @ np.swapaxes(J, -1, -2), u
+
+
+def started_by_hand(plot: dict[str, Any]) -> tuple[Floats, Floats]:
+    position, spread, u = located_by_hand(plot)
+    share = 100.0**2 / (100.0**2 + NOISE["range_rate_std"] ** 2)
+    covariance = np.zeros((len(position), 6, 6))
+    covariance[:, :3, :3] = spread
+    covariance[:, 3:, 3:] = 100.0**2 * (np.eye(3) - share * u[:, :, np.newaxis] * u[:, np.newaxis])
+    return np.concatenate([position, share * plot["range_rate"][:, np.newaxis] * u], axis=-1), covariance
+
+
+def differenced_by_hand(first: dict[str, Any], second: dict[str, Any], T: float = 4.0) -> tuple[Floats, Floats]:
+    (p1, c1, _), (p2, c2, _) = located_by_hand(first), located_by_hand(second)
+    covariance = np.empty((len(p1), 6, 6))
+    covariance[:, :3, :3], covariance[:, 3:, 3:] = c2, (c1 + c2) / T**2
+    covariance[:, :3, 3:] = covariance[:, 3:, :3] = c2 / T
+    return np.concatenate([p2, (p2 - p1) / T], axis=-1), covariance
 
 
 class TestObserve:
