@@ -15,13 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack._arrays import linear_motions
-from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     RealArray,
     one_of,
     real_arrays,
-    require_covariance,
-    require_finite,
     whole_number,
 )
 from radartrack._conversion.sensors import AzimuthFrom
@@ -31,6 +28,7 @@ from radartrack._filtering.beliefs import (
     checked_motion,
     common,
     flat_tracks,
+    in_blocks,
     measured_values,
     tracks_first,
     tracks_last,
@@ -63,7 +61,6 @@ __all__ = [
 
 Order: TypeAlias = Literal[1, 2]
 
-EXTENDED_BLOCK = 2048  # tracks; their covariances stay in the cache, and calls of NumPy are few beside the numbers
 POLYNOMIAL = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 
 
@@ -221,10 +218,23 @@ def predict(belief: Belief, motion: Motion | NonlinearMotion, order: Order = 1) 
 
     """
     second = whole_number("order", order, 1, 2) == 2
-    tracks, mean, covariance = tracks_last(belief, ())
-    checked = _checked(motion, len(mean))
+    tracks, mean, covariance = flat_tracks(belief, ())
+    checked = _checked(motion, mean.shape[-1])
+
+    def step(at: RealArray, believed: RealArray, _: slice = slice(None)) -> tuple[RealArray, RealArray]:
+        return predicted(at, believed, checked, second=second)
+
+    if not isinstance(checked, NonlinearMotion):
+        dtype = np.result_type(mean, *checked)
+        mean, covariance = mean.astype(dtype, copy=False), covariance.astype(dtype, copy=False)
+        if len(covariance) > 1:
+            means, covariances = in_blocks(mean, covariance, step)
+            return Belief(
+                means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:])
+            )
+    last = np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
     with np.errstate(over="ignore", invalid="ignore"):
-        moved = predicted(mean, covariance, checked, second=second)
+        moved = step(np.ascontiguousarray(mean.T), checked_covariances("covariance", last))
     return tracks_first(*moved, tracks)
 
 
@@ -319,26 +329,13 @@ def update_with(
     errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
     dtype = np.result_type(mean, covariance, seen, errors)
     mean, covariance, seen, errors = (array.astype(dtype, copy=False) for array in (mean, covariance, seen, errors))
-    means, covariances = np.empty(mean.shape, dtype), np.empty((*mean.shape, mean.shape[-1]), dtype)
     look = Look(sight, places, second, spread, errors)
 
-    def block(numbers: RealArray, new_means: RealArray, new_covariances: RealArray) -> None:
-        own = slice(numbers[0], numbers[-1] + 1) if len(numbers) else slice(0)
-        few = covariance if len(covariance) == 1 else covariance[own]
-        at = np.ascontiguousarray(mean[own].T)
-        spread = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(few, 0, -1)))
-        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            step, reduced = refined(spread, look.told(at, spread, seen[own].T, own))
-        new_means[...] = (at + step).T
-        new_covariances[...] = np.moveaxis(reduced, -1, 0)
-        require_finite("the mean of the result", new_means)
-        require_finite("the covariance of the result", new_covariances)
+    def step(at: RealArray, believed: RealArray, own: slice) -> tuple[RealArray, RealArray]:
+        moved, reduced = refined(believed, look.told(at, believed, seen[own].T, own))
+        return at + moved, reduced
 
-    try:
-        fill(block, [np.arange(len(mean))], [means, covariances], EXTENDED_BLOCK)
-    except ValueError:  # of one block; the message is to count among all
-        require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
-        raise
+    means, covariances = in_blocks(mean, covariance, step)
     return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
 
 

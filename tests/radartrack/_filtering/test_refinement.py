@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import kalman
-from radartrack._filtering import refinement
+from radartrack._filtering import beliefs, refinement
 from radartrack._observation.sights import SIGHTS
 from radartrack.kalman import Belief
 from tests.examples import share
@@ -138,7 +138,7 @@ def test_a_belief_that_is_asymmetric_by_rounding_counts_by_its_upper_triangle(se
 
 
 def test_what_is_no_covariance_is_counted_among_all_tracks() -> None:
-    count = kalman.EXTENDED_BLOCK + 7
+    count = beliefs.BLOCK + 7
     belief, measured, noise = scene("polar", 4, (count,))
     belief.covariance[count - 2, 0, 0] = -1
     message = re.escape(f"at [{count - 2}], the first of 1 among {count}")
