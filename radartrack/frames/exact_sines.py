@@ -31,6 +31,21 @@ def sine_and_cosine(angle: RealArray) -> tuple[Pair, Pair]:
     return _chosen(odd, cosine, sine, back), _chosen(odd, sine, cosine, odd != back)
 
 
+def angle_of(x: RealArray, y: RealArray) -> RealArray:
+    """The angle from the x axis to a point, but for its last rounding, which `arctan2` of many libraries is not.
+
+    How far the direction of that angle passes the point by tells what it lacks. The point is brought near to one by a
+    power of two, so that nothing underflows.
+    """
+    exponent = -np.frexp(np.maximum(np.abs(x), np.abs(y)))[1]
+    a, b = np.ldexp(x, exponent), np.ldexp(y, exponent)
+    angle = np.arctan2(b, a)
+    sine, cosine = sine_and_cosine(angle)
+    distance = np.hypot(a, b)
+    aside = (cosine * b - sine * a).rounded()
+    return np.asarray(angle + np.divide(aside, distance, out=np.zeros_like(aside), where=distance > 0))
+
+
 def _polynomial(coefficients: list[float], x: RealArray) -> RealArray:
     total = np.full_like(x, coefficients[-1])
     for coefficient in coefficients[-2::-1]:

@@ -18,6 +18,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack.frames.exact_sines import angle_of
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
@@ -229,7 +230,7 @@ def _located(positions: RealArray, places: tuple[RealArray, ...], ellipsoid: Ell
     cosine, sine = ellipsoid.normal_through(out, up)
     northern, height[...] = ellipsoid.along_the_normal((x, y, up), np.arctan2(sine, cosine))
     latitude[...] = np.where(z < 0, -northern, northern)
-    longitude[...] = np.arctan2(y, x)
+    longitude[...] = angle_of(x, y)
 
 
 def _formula(name: str, where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:

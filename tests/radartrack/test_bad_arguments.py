@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -112,6 +113,23 @@ def test_each_argument_is_checked_and_named(name: str) -> None:
                 "matrix",
             }  # whose shapes follow from the mean
             assert any(word in str(caught.value) for word in words), (argument, bad, str(caught.value))
+
+
+SCANS_OF = {"run": {"noise"}}  # whose first axis is one of scans
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_two_arguments_that_do_not_broadcast_are_refused_by_name(name: str) -> None:
+    """Two of the one and three of the other."""
+    function, arguments = CALLS[name]
+    those = [argument for argument in arguments if argument not in SCANS_OF.get(name, ())]
+    for first, second in permutations(those, 2):
+        many = {first: np.stack([arguments[first]] * 2), second: np.stack([arguments[second]] * 3)}
+        with pytest.raises((TypeError, ValueError)) as caught:
+            function(**arguments | many)
+        words = {word for argument in (first, second) for word in (argument, SYNONYMS.get(argument, argument))}
+        assert any(word in str(caught.value) for word in words), (first, second, str(caught.value))
+        assert "could not be broadcast" not in str(caught.value)
 
 
 @pytest.mark.parametrize("name", [name for name in CALLS if name.startswith("project bistatic")])
