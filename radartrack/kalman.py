@@ -425,13 +425,19 @@ def run_with(
     values, R = measured_values(real_arrays({"measured": measured, "noise": noise}), len(sight.outputs))
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
-    *others, scans = common(values.shape[:-1], R.shape[:-2])
-    tracks, mean, covariance = flat_tracks(start, tuple(others))
+    *leading, scans = common(values.shape[:-1], R.shape[:-2])
+    others = tuple(leading)
+    for symbol, array in sight.read_site(real_arrays(site_of(sight, site))).items():
+        others = common(others, array.shape, symbol)
+    tracks, mean, covariance = flat_tracks(start, others)
     size = mean.shape[-1]
     values = np.broadcast_to(values, (*others, scans, len(sight.outputs)))
     belief = Belief(mean.reshape(*tracks, size), np.broadcast_to(covariance, (len(mean), size, size)))
     belief = Belief(belief.mean, belief.covariance.reshape(*tracks, size, size))
     means, covariances = np.empty((*tracks, scans, size)), np.empty((*tracks, scans, size, size))
+    if not scans:  # what is out of place is refused all the same
+        nothing, errors = np.full(len(sight.outputs), np.nan), R if R.ndim == 2 else np.eye(len(sight.outputs))
+        update_with(sensor, predict(belief, motion, order), nothing, errors, order, azimuth_from, **site)
     for number in range(scans):
         errors = R if R.ndim == 2 else R[..., number if R.shape[-3] > 1 else 0, :, :]
         before = predict(belief, motion, order)

@@ -28,6 +28,10 @@ def believing(function: Function) -> Function:
     return lambda mean, covariance, **others: function(kalman.Belief(mean, covariance), **others)
 
 
+def run_with(sensor: Any, motion: kalman.Motion, start: kalman.Belief, **others: Any) -> kalman.Belief:
+    return kalman.run_with(sensor, start, motion, **others)
+
+
 def of_sensors() -> Iterator[tuple[str, Function, Arguments]]:
     for name, sight in SIGHTS.items():
         mean, errors = np.full(len(sight.state), 1e3), 100.0 * np.eye(len(sight.state))
@@ -38,6 +42,12 @@ def of_sensors() -> Iterator[tuple[str, Function, Arguments]]:
         plot = {"measured": see(mean, **site).measurement, "noise": np.eye(len(sight.outputs))}
         update = believing(lambda belief, name=name, **others: kalman.update_with(name, belief, **others))
         yield f"update_with {name}", update, {"mean": mean, "covariance": errors, **plot, **site}
+        still = kalman.Motion(np.eye(len(mean)), errors)
+        scans = believing(partial(run_with, name, still))
+        believed = {"mean": mean, "covariance": errors, "noise": plot["noise"], **site}
+        yield f"run_with {name}", scans, {**believed, "measured": np.stack([plot["measured"]] * 2)}
+        none = np.empty((0, len(sight.outputs)))
+        yield f"run_with {name} no scans", partial(scans, measured=none), believed
 
 
 def of_filters() -> Iterator[tuple[str, Function, Arguments]]:
@@ -115,14 +125,14 @@ def test_each_argument_is_checked_and_named(name: str) -> None:
             assert any(word in str(caught.value) for word in words), (argument, bad, str(caught.value))
 
 
-SCANS_OF = {"run": {"noise"}}  # whose first axis is one of scans
+OF_SCANS = "noise"  # whose first axis, in a run, is one of scans
 
 
 @pytest.mark.parametrize("name", CALLS)
 def test_two_arguments_that_do_not_broadcast_are_refused_by_name(name: str) -> None:
     """Two of the one and three of the other."""
     function, arguments = CALLS[name]
-    those = [argument for argument in arguments if argument not in SCANS_OF.get(name, ())]
+    those = [argument for argument in arguments if not (name.startswith("run") and argument == OF_SCANS)]
     for first, second in permutations(those, 2):
         many = {first: np.stack([arguments[first]] * 2), second: np.stack([arguments[second]] * 3)}
         with pytest.raises((TypeError, ValueError)) as caught:
