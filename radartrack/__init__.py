@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from radartrack import (
         consistency,
         convert,
+        fixed_gain,
         frames,
         fusion,
         initiate,
@@ -29,6 +30,7 @@ __all__ = [
     "VarianceTable",
     "consistency",
     "convert",
+    "fixed_gain",
     "frames",
     "fusion",
     "initiate",

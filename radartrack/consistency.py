@@ -17,9 +17,10 @@ from collections.abc import Callable, Mapping
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from radartrack import convert
+from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     Domain,
     RealArray,
@@ -36,6 +37,7 @@ from radartrack._arrays.validation import (
 from radartrack._conversion.prediction import Predicted
 from radartrack._conversion.semidefinite import ROUNDING, are_sound
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
+from radartrack._filtering.elimination import checked_covariances, eliminate, pivots
 from radartrack.chi_square import quantile, upper_quantile
 from radartrack.convert import Converted, Method
 from radartrack.simulate import noise_covariance, scatter
@@ -43,6 +45,7 @@ from radartrack.simulate import noise_covariance, scatter
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 
 MINIMUM = 2
+BLOCK = 2048  # errors; their covariances stay in the cache
 SMALLEST_FALSE_ALARM = 1e-9
 PROBABILITY = Domain(
     "",
@@ -100,6 +103,9 @@ def chi_square_quantile(probability: ArrayLike, degrees_of_freedom: ArrayLike) -
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
 
+    Source: Abramowitz & Stegun 1964, 6.5.29 and 6.5.31: power series and continued fraction of the incomplete gamma
+    function.
+
     """
     arrays = real_arrays({"probability": probability, "degrees_of_freedom": degrees_of_freedom})
     require_within("probability", arrays["probability"], PROBABILITY)
@@ -131,7 +137,7 @@ def gate(components: ArrayLike, probability: ArrayLike = 0.99, runs: ArrayLike =
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 1.5.4 and 5.4.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 1.5.4 and 5.4.2, doi:10.1002/0471221279.
 
     """
     return _averaged(quantile, components, runs, probability, lambda inside: inside)
@@ -152,7 +158,7 @@ def band(components: ArrayLike, runs: ArrayLike = 1, probability: ArrayLike = 0.
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
 
     """
     ends = [
@@ -195,6 +201,8 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
         ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes do not
             fit.
 
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
+
     """
     arrays = real_arrays({"mean": mean, "covariance": covariance, "truth": truth})
     for name in ("mean", "truth"):
@@ -220,6 +228,8 @@ def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
         TypeError: an argument is not made of real numbers.
         ValueError: as `nees`.
 
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
+
     """
     arrays = real_arrays({"innovation": innovation, "covariance": covariance})
     require_finite("innovation", arrays["innovation"])
@@ -227,25 +237,34 @@ def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
 
 
 def _normalised(errors: RealArray, covariance: RealArray) -> RealArray:
-    """Errors squared over covariances, in units of the deviations, which may differ by hundreds of orders."""
+    """Errors squared over covariances, by elimination, which minds no units, however far apart they are."""
     if not errors.ndim or not errors.shape[-1]:
         raise ValueError(f"errors must have shape (..., n), with n from 1; got {errors.shape}")
     size = errors.shape[-1]
     require_trailing_shape("covariance", covariance, (size, size))
-    require_covariance("covariance", covariance)
-    broadcast_shape({"errors": errors[..., 0], "covariance": covariance[..., 0, 0]})
-    indefinite = ValueError("covariance must be positive definite; got a matrix that is not")
-    deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
-    if not (deviations > 0).all():
-        raise indefinite
-    correlations = covariance / deviations[..., :, np.newaxis] / deviations[..., np.newaxis, :]
+    shape = broadcast_shape({"errors": errors[..., 0], "covariance": covariance[..., 0, 0]})
+    flat = np.broadcast_to(errors, (*shape, size)).reshape(-1, size)
+    own = covariance[np.newaxis] if covariance.ndim == 2 else np.broadcast_to(covariance, (*shape, size, size))
+    matrices = own.reshape(-1, size, size)
+    squares = np.empty(len(flat), np.result_type(flat, matrices))
+
+    def block(numbers: NDArray[np.intp], found: RealArray) -> None:
+        some = matrices if covariance.ndim == 2 else matrices[numbers]
+        checked = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(some, 0, -1)))
+        table = np.empty((size, size + 1, len(numbers)), squares.dtype)  # [P | e]
+        table[:, :size], table[:, size] = checked, flat[numbers].T
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            eliminate(table)
+            if not (pivots(table) > 0).all():
+                raise ValueError("covariance must be positive definite; got a matrix that is not")
+            found[...] = np.square(table[:, size]).sum(axis=0)
+
     try:
-        root = np.linalg.cholesky(correlations)
-    except np.linalg.LinAlgError:
-        raise indefinite from None
-    white = np.linalg.solve(root, (errors / deviations)[..., np.newaxis])[..., 0]
-    squares: RealArray = (white**2).sum(axis=-1)
-    return squares
+        fill(block, [np.arange(len(flat))], [squares], BLOCK)
+    except ValueError:  # of one block; the message is to count among all
+        require_covariance("covariance", covariance)
+        raise
+    return np.asarray(squares.reshape(shape))[()]
 
 
 def experiment(
@@ -285,6 +304,8 @@ def experiment(
         TypeError: an argument is no number, is missing, or is none of the conversion's.
         ValueError: a simulated measurement or another number lies outside what the conversion takes, a word is
             unknown, a covariance is singular, or an average overflows.
+
+    Source: Lerro & Bar-Shalom 1993, doi:10.1109/7.220948, for the normalised error of conversions.
 
     """
     chosen = one_of("sensor", sensor, SENSORS)

@@ -144,6 +144,9 @@ def weights(std: ArrayLike) -> Floats:
     Raises:
         TypeError: the deviations are no real numbers.
         ValueError: a deviation is not positive and finite, or there is none.
+
+    Source: Gao et al. 2020, section 3, doi:10.12126/see.2020.02.013; the best linear unbiased ones are those of Aitken
+    1936, doi:10.1017/S0370164600014346.
     """
     deviations = _read({"std": std}, {"std": STD})["std"]
     if not deviations.ndim or not deviations.shape[-1]:
@@ -173,6 +176,8 @@ def stated_std(range_std: ArrayLike, azimuth_std: ArrayLike, reference_range: Ar
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
+
+    Source: Gao et al. 2020, section 3, doi:10.12126/see.2020.02.013, who leave the length open.
     """
     arrays = _read(
         {"range_std": range_std, "azimuth_std": azimuth_std, "reference_range": reference_range},
@@ -210,6 +215,8 @@ def propagated_covariance(
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, or the shapes do not broadcast.
+
+    Source: Gao et al. 2020, section 1, doi:10.12126/see.2020.02.013.
     """
     arrays = _read(
         {
@@ -239,10 +246,15 @@ def position_std(covariance: ArrayLike) -> Floats:
     Args:
         covariance: covariances [m^2], shape (..., 2, 2).
 
+    Returns:
+        Deviations [m], shape (...).
+
     Raises:
         TypeError: the covariance is not made of real numbers.
         ValueError: an entry is not finite, a covariance is not symmetric and positive semidefinite, or the shape
             does not fit.
+
+    Source: Gao et al. 2020, (10), doi:10.12126/see.2020.02.013.
     """
     matrices = _read({"covariance": covariance}, {"covariance": COVARIANCE})["covariance"]
     require_trailing_shape("covariance", matrices, (2, 2))
@@ -268,6 +280,8 @@ def fuse(mean: ArrayLike, covariance: ArrayLike) -> Fused:
         TypeError: an argument is not made of real numbers.
         ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the covariances
             are too unequal to fuse in double precision, or the shapes do not fit.
+
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
     """
     arrays = _read({"mean": mean, "covariance": covariance}, {"mean": COORDINATE, "covariance": COVARIANCE})
     points, errors = arrays["mean"], arrays["covariance"]
@@ -511,11 +525,16 @@ def fuse_lines(
         radar_weights: weights W_j, not negative, at least one positive; shape (..., radars).
         first_layer: how the plots of one radar are weighted among themselves.
 
+    Returns:
+        The motion, with no covariance, as the weights do not tell it.
+
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: an argument is out of its domain, numbers of radars differ, there is none, the shapes do not
             broadcast, or the times of the plots do not determine a motion. A plot with less than 1e-100 of the
             largest weight counts as none.
+
+    Source: Gao et al. 2020, section 3, doi:10.12126/see.2020.02.013.
     """
     layer: FirstLayer = one_of("first_layer", first_layer, get_args(FirstLayer))
     between = _read({"radar_weights": radar_weights}, {"radar_weights": WEIGHT})["radar_weights"]
@@ -544,11 +563,16 @@ def fuse_plots(t: ArrayLike, position: ArrayLike, covariance: ArrayLike) -> Moti
         position: x and y of the plots [m], shape (..., n, 2).
         covariance: covariances of their errors [m^2], positive definite, shape (..., n, 2, 2).
 
+    Returns:
+        The motion, with the covariance of its errors.
+
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the covariances
             are too unequal to fuse in double precision, the shapes do not fit, or all times of a track are the
             same, or so close that a velocity or its variance is not finite.
+
+    Source: Aitken 1936, doi:10.1017/S0370164600014346.
     """
     arrays = _read(
         {"t": t, "position": position, "covariance": covariance},

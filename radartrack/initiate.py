@@ -13,13 +13,14 @@ The plots have the names of the arguments of the conversions, and what `rt.simul
     rt.initiate.one_plot("polar_doppler", {**measured, **radar.noise}, velocity_std=100.0)
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack import convert, observe
+from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     Domain,
     RealArray,
@@ -39,6 +40,8 @@ VELOCITY_STD = Domain(" m/s", 1e6, 1e6, "no target is so fast", smallest=1e-3)
 PERIOD = Domain(" s", 1e9, 1e9, "plots farther apart belong to no track", smallest=1e-6)
 _WITHOUT_RATE: Mapping[SensorName, SensorName] = {"polar_doppler": "polar", "spherical_doppler": "spherical"}
 _RATE = ("range_rate", "range_rate_std", "correlation")
+_TOLD_BY_RATE = ("r", "range_std", *_RATE)
+BLOCK = 1024  # tracks; their second derivatives stay in the cache
 
 Plot = Mapping[str, ArrayLike]
 
@@ -64,7 +67,8 @@ def one_plot(
         TypeError: an argument is missing, is none of the conversion's, or is not made of real numbers.
         ValueError: a number is out of place, the shapes do not broadcast, or the word is unknown.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, one-point initialisation; here exact for errors of any size.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, one-point initialisation, doi:10.1002/0471221279; here exact for errors
+    of any size.
 
     """
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
@@ -104,8 +108,8 @@ def two_plots(
         TypeError: as for `one_plot`.
         ValueError: as for `one_plot`; also where a result overflows.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, two-point differencing; the range rates by the second-order extended
-    Kalman filter of Bar-Shalom, Willett & Tian 2011.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, two-point differencing, doi:10.1002/0471221279; the range rates by the
+    second-order extended Kalman filter of Bar-Shalom, Willett & Tian 2011.
 
     """
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
@@ -119,11 +123,7 @@ def two_plots(
     (p1, c1), (p2, c2) = (_position(model, plot, axis) for plot in plots)
     if "range_rate" not in model.coordinates:
         return _difference(p1, c1, p2, c2, T)
-    pair = _Pair(np.concatenate(np.broadcast_arrays(p1, p2), axis=-1), _side_by_side(c1, c2), T)
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what overflows is refused
-        for place, plot in enumerate(plots):
-            pair = _with_rate(model, pair, place, plot, axis)
-        return pair.belief()
+    return _with_rates(model, ((p1, c1), (p2, c2)), plots, T, axis)
 
 
 def _read(model: Sensor, plot: Plot) -> dict[str, ArrayLike]:
@@ -186,6 +186,44 @@ def _difference(first: RealArray, of_first: RealArray, second: RealArray, of_sec
     return _finite(mean, together.reshape(*per_pair.shape[:-4], size, size))
 
 
+def _with_rates(
+    model: Sensor,
+    positions: Sequence[tuple[RealArray, RealArray]],
+    plots: Sequence[Mapping[str, RealArray]],
+    T: RealArray,
+    axis: AzimuthFrom | None,
+) -> Belief:
+    """Position and velocity at the second of two positions, then after the range rates of both plots, in blocks."""
+    told = [plot[name] for plot in plots for name in _TOLD_BY_RATE]
+    leading = [(mean.shape[:-1], covariance.shape[:-2]) for mean, covariance in positions]
+    shape = np.broadcast_shapes(T.shape, *(array.shape for array in told), *leading[0], *leading[1])
+    flat = [_flat(array, shape, axes) for pair in positions for axes, array in enumerate(pair, start=1)]
+    flat += [_flat(array, shape, 0) for array in (T, *told)]
+    size = 2 * positions[0][0].shape[-1]
+    means, covariances = np.empty((len(flat[0]), size)), np.empty((len(flat[0]), size, size))
+
+    def block(*arrays: RealArray) -> None:
+        p1, c1, p2, c2, period, *rates, mean, covariance = arrays
+        pair = _Pair(np.concatenate([p1, p2], axis=-1), _side_by_side(c1, c2), period)
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what overflows is refused
+            for place in range(len(plots)):
+                own = rates[place * len(_TOLD_BY_RATE) :]
+                pair = _with_rate(model, pair, place, dict(zip(_TOLD_BY_RATE, own, strict=False)), axis)
+            mean[...], root = pair.state(1)
+            covariance[...] = squares(root)
+
+    fill(block, flat, [means, covariances], BLOCK)
+    with np.errstate(invalid="ignore"):
+        covariances = cast(covariances, covariances.dtype)
+    return _finite(means.reshape(*shape, size), covariances.reshape(*shape, size, size))
+
+
+def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:
+    """An array with its leading shape broadcast and made one axis; the last axes stay as they are."""
+    last = array.shape[array.ndim - axes :]
+    return np.broadcast_to(array, (*shape, *last)).reshape(-1, *last)
+
+
 class _Pair(NamedTuple):
     """Two positions of a target, of which its velocity is the difference over the period.
 
@@ -211,12 +249,6 @@ class _Pair(NamedTuple):
             velocity = (both[1] - both[0]) / self.T[..., np.newaxis, np.newaxis]
             parts.append(np.concatenate(np.broadcast_arrays(both[place], velocity), axis=-2))
         return parts[0][..., 0], parts[1]
-
-    def belief(self) -> Belief:
-        """Mean and covariance of position and velocity at the second plot."""
-        mean, root = self.state(1)
-        covariance = squares(root)
-        return _finite(mean, cast(covariance, covariance.dtype))
 
 
 def _side_by_side(first: RealArray, second: RealArray) -> RealArray:

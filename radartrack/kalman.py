@@ -15,13 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from radartrack._arrays import linear_motions
-from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     RealArray,
     one_of,
     real_arrays,
-    require_covariance,
-    require_finite,
     whole_number,
 )
 from radartrack._conversion.sensors import AzimuthFrom
@@ -31,14 +28,17 @@ from radartrack._filtering.beliefs import (
     checked_motion,
     common,
     flat_tracks,
+    in_blocks,
     measured_values,
     tracks_first,
     tracks_last,
 )
+from radartrack._filtering.elimination import checked_covariances
 from radartrack._filtering.extended import Look
-from radartrack._filtering.factors import refined, updated
+from radartrack._filtering.factors import updated
 from radartrack._filtering.moved_beliefs import predicted
 from radartrack._filtering.nonlinear_motion import GROUPINGS, Grouping, NonlinearMotion, known_motion
+from radartrack._filtering.refinement import refined
 from radartrack._filtering.whitening import sensors, whitened
 from radartrack._observation.sights import SIGHTS, SightName, site_of
 
@@ -61,7 +61,6 @@ __all__ = [
 
 Order: TypeAlias = Literal[1, 2]
 
-EXTENDED_BLOCK = 1024  # tracks; their covariances and derivatives stay in the cache
 POLYNOMIAL = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 
 
@@ -71,6 +70,15 @@ def constant_velocity(period: float, intensity: float) -> Motion:
     Args:
         period: time from scan to scan [s].
         intensity: of the noise [m^2/s^3].
+
+    Returns:
+        F and Q, shape (2, 2).
+
+    Raises:
+        TypeError: an argument is no real number.
+        ValueError: as `polynomial_motion`.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.2, doi:10.1002/0471221279.
 
     """
     return polynomial_motion(1, period, intensity)
@@ -82,6 +90,15 @@ def constant_acceleration(period: float, intensity: float) -> Motion:
     Args:
         period: time from scan to scan [s].
         intensity: of the noise [m^2/s^5].
+
+    Returns:
+        F and Q, shape (3, 3).
+
+    Raises:
+        TypeError: an argument is no real number.
+        ValueError: as `polynomial_motion`.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.3, doi:10.1002/0471221279.
 
     """
     return polynomial_motion(2, period, intensity)
@@ -95,12 +112,15 @@ def polynomial_motion(degree: int, period: float, intensity: float) -> Motion:
         period: time from scan to scan [s].
         intensity: of the noise [m^2/s^(2 degree + 1)].
 
+    Returns:
+        F and Q, shape (degree + 1, degree + 1).
+
     Raises:
         TypeError: the degree is no whole number, or another argument no real one.
         ValueError: the degree is not from 0 to 3, the period is not positive, the intensity is negative, or the
             matrices overflow or lose their digits.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2, doi:10.1002/0471221279.
 
     """
     return motion(POLYNOMIAL[whole_number("degree", degree, 0, len(POLYNOMIAL) - 1)], period, intensity=intensity)
@@ -127,10 +147,16 @@ def motion(name: str, period: float, *, axes: int = 1, grouped: Grouping = "axis
             at each scan [m/s^(n - 1)]; for Singer `std` is that of the acceleration [m/s^2]; `time_constant` [s] after
             which a correlation is 1/e; `rate` of the turn, counter-clockwise from x to y [rad/s], 0 and less too.
 
+    Returns:
+        F and Q, shape (n, n), n the components of all axes.
+
     Raises:
         TypeError: an argument is no real number, the name or the grouping no text, or axes no whole number.
         ValueError: the name is not known, the parameters are not those of the motion, period or time constant are not
             positive, a noise is negative, axes is not 1 to 3 (1 for a turn), or matrices overflow or lose their digits.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 6.2-6.3 and 11.7, doi:10.1002/0471221279; Singer 1970,
+    doi:10.1109/TAES.1970.310128; Uhlenbeck & Ornstein 1930, doi:10.1103/PhysRev.36.823.
 
     """
     F, Q = linear_motions.matrices(name, period, axes, parameters)
@@ -158,12 +184,15 @@ def nonlinear_motion(
         turn_std: standard deviation of the acceleration of the turn, constant over a period [rad/s^2].
         grouped: as `motion` takes it: "derivative" for (x, y, vx, vy, omega); `ctrv` has one order.
 
+    Returns:
+        The functions of the motion, of states (..., 5).
+
     Raises:
         TypeError: an argument is no real number, or a word no text.
         ValueError: a word is not known, the period is not positive, or a deviation is negative.
 
-    Source: Bar-Shalom, Li & Kirubarajan 2001, 11.7; the noise is what the accelerations leave to first order,
-    `motion.turn.unknown_rate.process_noise.piecewise` and `motion.ctrv.process_noise.piecewise`.
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 11.7, doi:10.1002/0471221279; the noise is what the accelerations leave
+    to first order, `motion.turn.unknown_rate.process_noise.piecewise` and `motion.ctrv.process_noise.piecewise`.
 
     """
     return known_motion(name, period, std, turn_std, grouped)
@@ -178,16 +207,34 @@ def predict(belief: Belief, motion: Motion | NonlinearMotion, order: Order = 1) 
         order: for a nonlinear motion 1, extended, or 2, second-order extended: mean and covariance of its quadratic
             Taylor polynomial. Of a linear one both are the same.
 
+    Returns:
+        Means, shape (..., n), and covariances, shape (..., n, n), a read-only view where all tracks share one.
+
     Raises:
         TypeError: a part is not made of real numbers.
         ValueError: the shapes do not fit, a number is not finite, a covariance is none, or the result overflows.
 
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.2 and 10.3, doi:10.1002/0471221279.
+
     """
     second = whole_number("order", order, 1, 2) == 2
-    tracks, mean, covariance = tracks_last(belief, ())
-    checked = _checked(motion, len(mean))
+    tracks, mean, covariance = flat_tracks(belief, ())
+    checked = _checked(motion, mean.shape[-1])
+
+    def step(at: RealArray, believed: RealArray, _: slice = slice(None)) -> tuple[RealArray, RealArray]:
+        return predicted(at, believed, checked, second=second)
+
+    if not isinstance(checked, NonlinearMotion):
+        dtype = np.result_type(mean, *checked)
+        mean, covariance = mean.astype(dtype, copy=False), covariance.astype(dtype, copy=False)
+        if len(covariance) > 1:
+            means, covariances = in_blocks(mean, covariance, step)
+            return Belief(
+                means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:])
+            )
+    last = np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
     with np.errstate(over="ignore", invalid="ignore"):
-        moved = predicted(mean, covariance, checked, second=second)
+        moved = step(np.ascontiguousarray(mean.T), checked_covariances("covariance", last))
     return tracks_first(*moved, tracks)
 
 
@@ -208,6 +255,8 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
         TypeError: an argument is not made of real numbers.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
             none, R is not positive definite, or the result overflows.
+
+    Source: Bierman 1977, V.3.
 
     """
     values, H, R = _measurement(measured, matrix, noise, belief)
@@ -256,6 +305,8 @@ def update_with(
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite or out of place, a
             covariance is none, R is not positive definite, a word is unknown, or the result overflows.
 
+    Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
+
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     second = whole_number("order", order, 1, 2) == 2
@@ -277,26 +328,14 @@ def update_with(
     seen = np.broadcast_to(values, (*tracks, len(sight.outputs))).reshape(-1, len(sight.outputs))
     errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
     dtype = np.result_type(mean, covariance, seen, errors)
-    means, covariances = np.empty(mean.shape, dtype), np.empty((*mean.shape, mean.shape[-1]), dtype)
+    mean, covariance, seen, errors = (array.astype(dtype, copy=False) for array in (mean, covariance, seen, errors))
     look = Look(sight, places, second, spread, errors)
 
-    def block(numbers: RealArray, new_means: RealArray, new_covariances: RealArray) -> None:
-        own = slice(numbers[0], numbers[-1] + 1) if len(numbers) else slice(0)
-        few = covariance if len(covariance) == 1 else covariance[own]
-        require_covariance("covariance", few)
-        at, spread = np.ascontiguousarray(mean[own].T), np.ascontiguousarray(np.moveaxis(few, 0, -1))
-        with np.errstate(over="ignore", invalid="ignore"):
-            step, reduced = refined(spread, look.observation(at, spread, seen[own].T, own))
-        new_means[...] = (at + step).T
-        new_covariances[...] = np.moveaxis(reduced, -1, 0)
-        require_finite("the mean of the result", new_means)
-        require_finite("the covariance of the result", new_covariances)
+    def step(at: RealArray, believed: RealArray, own: slice) -> tuple[RealArray, RealArray]:
+        moved, reduced = refined(believed, look.told(at, believed, seen[own].T, own))
+        return at + moved, reduced
 
-    try:
-        fill(block, [np.arange(len(mean))], [means, covariances], EXTENDED_BLOCK)
-    except ValueError:  # of one block; the message is to count among all
-        require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
-        raise
+    means, covariances = in_blocks(mean, covariance, step)
     return Belief(means.reshape(*tracks, *means.shape[1:]), covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
@@ -326,6 +365,8 @@ def run(
         TypeError: an argument is not made of real numbers.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
             none, R is not positive definite, or the result overflows.
+
+    Source: Bar-Shalom, Li & Kirubarajan 2001, 5.2, doi:10.1002/0471221279; Bierman 1977, V.3.
 
     """
     second = whole_number("order", order, 1, 2) == 2
@@ -377,18 +418,26 @@ def run_with(
         TypeError: as `update_with`.
         ValueError: as `update_with` and `predict`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
+
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     values, R = measured_values(real_arrays({"measured": measured, "noise": noise}), len(sight.outputs))
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
-    *others, scans = common(values.shape[:-1], R.shape[:-2])
-    tracks, mean, covariance = flat_tracks(start, tuple(others))
+    *leading, scans = common(values.shape[:-1], R.shape[:-2])
+    others = tuple(leading)
+    for symbol, array in sight.read_site(real_arrays(site_of(sight, site))).items():
+        others = common(others, array.shape, symbol)
+    tracks, mean, covariance = flat_tracks(start, others)
     size = mean.shape[-1]
     values = np.broadcast_to(values, (*others, scans, len(sight.outputs)))
     belief = Belief(mean.reshape(*tracks, size), np.broadcast_to(covariance, (len(mean), size, size)))
     belief = Belief(belief.mean, belief.covariance.reshape(*tracks, size, size))
     means, covariances = np.empty((*tracks, scans, size)), np.empty((*tracks, scans, size, size))
+    if not scans:  # what is out of place is refused all the same
+        nothing, errors = np.full(len(sight.outputs), np.nan), R if R.ndim == 2 else np.eye(len(sight.outputs))
+        update_with(sensor, predict(belief, motion, order), nothing, errors, order, azimuth_from, **site)
     for number in range(scans):
         errors = R if R.ndim == 2 else R[..., number if R.shape[-3] > 1 else 0, :, :]
         before = predict(belief, motion, order)

@@ -8,11 +8,13 @@ its derivatives. For derivatives, a coordinate of a position smaller than 1e-100
 than 1e-12 m, counts as zero, and one nearer to another site as there.
 """
 
+import math
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     Domain,
     RealArray,
@@ -28,6 +30,7 @@ from radartrack._observation.sights import SIGHTS, Sight, SightName, site_of
 
 Order: TypeAlias = Literal["linear", "second_order"]
 
+BLOCK = 2048  # states; their second derivatives stay in the cache
 PROJECTED = Domain("", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 
 
@@ -62,6 +65,9 @@ def polar(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
         ValueError: a number is not finite or lies outside the interval above, the shape is another one, or the
             word is unknown.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.polar.map`, `.jacobian` and `.hessian` of
+    the formula book.
+
     """
     return _read("polar", state, azimuth_from)
 
@@ -79,6 +85,9 @@ def spherical(state: ArrayLike, azimuth_from: AzimuthFrom = "y") -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.spherical.map`, `.jacobian` and `.hessian`
+    of the formula book.
 
     """
     return _read("spherical", state, azimuth_from)
@@ -101,6 +110,9 @@ def polar_doppler(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed
         TypeError: as for `polar`.
         ValueError: as for `polar`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.polar_doppler.map`, `.jacobian` and
+    `.hessian` of the formula book.
+
     """
     return _read("polar_doppler", state, azimuth_from)
 
@@ -121,6 +133,9 @@ def spherical_doppler(state: ArrayLike, azimuth_from: AzimuthFrom = "y") -> Obse
         TypeError: as for `polar`.
         ValueError: as for `polar`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.spherical_doppler.map`, `.jacobian` and
+    `.hessian` of the formula book.
+
     """
     return _read("spherical_doppler", state, azimuth_from)
 
@@ -138,6 +153,9 @@ def bearing(state: ArrayLike, azimuth_from: AzimuthFrom = "x") -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.bearing.map`, `.jacobian` and `.hessian`
+    of the formula book.
 
     """
     return _read("bearing", state, azimuth_from)
@@ -157,6 +175,9 @@ def ruv(state: ArrayLike) -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.ruv.map`, `.jacobian` and `.hessian` of
+    the formula book.
 
     """
     return _read("ruv", state, None)
@@ -180,6 +201,9 @@ def bistatic(state: ArrayLike, baseline: ArrayLike, azimuth_from: AzimuthFrom = 
         TypeError: as for `polar`.
         ValueError: as for `polar`; also where state and baseline do not broadcast.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.bistatic.map`, `.jacobian` and `.hessian`
+    of the formula book.
+
     """
     return _read("bistatic", state, azimuth_from, baseline=baseline)
 
@@ -199,6 +223,9 @@ def bistatic_range_rate(state: ArrayLike, baseline: ArrayLike, azimuth_from: Azi
         TypeError: as for `polar`.
         ValueError: as for `bistatic`.
 
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.bistatic_range_rate.map`, `.jacobian` and
+    `.hessian` of the formula book.
+
     """
     return _read("bistatic_range_rate", state, azimuth_from, baseline=baseline)
 
@@ -216,6 +243,9 @@ def range_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `polar`; also where state and receiver do not broadcast.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.range_difference.map`, `.jacobian` and
+    `.hessian` of the formula book.
 
     """
     return _read("range_difference", state, None, receiver=receiver)
@@ -236,6 +266,9 @@ def range_rate_difference(state: ArrayLike, receiver: ArrayLike) -> Observed:
     Raises:
         TypeError: as for `polar`.
         ValueError: as for `range_difference`.
+
+    Source: Bar-Shalom, Willett & Tian 2011, extended Kalman filter. `observe.range_rate_difference.map`, `.jacobian`
+    and `.hessian` of the formula book.
 
     """
     return _read("range_rate_difference", state, None, receiver=receiver)
@@ -275,6 +308,8 @@ def project(
             word is unknown, or the mean lies where something measured has no derivative: at a site, and with
             "spherical" and "spherical_doppler" on the vertical axis.
 
+    Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
+
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     second = one_of("order", order, get_args(Order)) == "second_order"
@@ -307,14 +342,32 @@ def _read(name: SightName, state: ArrayLike, azimuth_from: AzimuthFrom | None, *
 
 
 def _observed(sight: Sight, states: RealArray, site: dict[str, RealArray], places: list[int]) -> Observed:
+    shape = np.broadcast_shapes(states.shape[:-1], *(array.shape for array in site.values()))
+    if math.prod(shape) <= BLOCK:
+        return _at_once(sight, states, site, places)
+    flat: list[RealArray] = [np.broadcast_to(states, (*shape, states.shape[-1])).reshape(-1, states.shape[-1])]
+    flat += [np.broadcast_to(array, shape).reshape(-1) for array in site.values()]
+    m, n = len(sight.outputs), len(sight.state)
+    found = [np.empty((len(flat[0]), *sizes), states.dtype) for sizes in ((m,), (m, n), (m, n, n))]
+
+    def block(some: RealArray, *others: RealArray) -> None:
+        there = dict(zip(site, others, strict=False))
+        for part, values in zip(others[len(site) :], _at_once(sight, some, there, places), strict=True):
+            part[...] = values
+
+    fill(block, flat, found, BLOCK)
+    return Observed(*(part.reshape(*shape, *part.shape[1:]) for part in found))
+
+
+def _at_once(sight: Sight, states: RealArray, site: dict[str, RealArray], places: list[int]) -> Observed:
     # -0.0 becomes 0.0, so that the azimuth behind the radar is +pi
     components = [states[..., place] + 0.0 for place in places]
     near = sight.off_poles(components, site)
-    return Observed(
-        sight.evaluate("map", components, site),
-        sight.evaluate("jacobian", near, site)[..., places],
-        sight.evaluate("hessian", near, site)[..., places][..., places, :],
-    )
+    found = [sight.evaluate("map", components, site)]
+    found += [sight.evaluate(kind, near, site) for kind in ("jacobian", "hessian")]
+    if places != sorted(places):
+        found[1:] = [found[1][..., places], found[2][..., places][..., places, :]]
+    return Observed(*found)
 
 
 def _moments(observed: Observed, covariance: RealArray, *, second: bool) -> Projected:

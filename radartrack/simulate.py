@@ -27,10 +27,11 @@ from radartrack._arrays.validation import (
     real_arrays,
     real_number,
     require_finite,
+    require_trailing_shape,
     require_within,
     whole_number,
 )
-from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
+from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
 from radartrack._observation.sights import SIGHTS
 
 Seed: TypeAlias = int | Sequence[int]
@@ -167,12 +168,7 @@ class Radar:
 
     def __post_init__(self) -> None:
         model = SENSORS[one_of("sensor", self.sensor, SENSORS)]
-        if set(self._all_noise()) != set(model.noise):
-            raise TypeError(
-                f"noise must have {[*model.noise]} (correlation is 0 if left out); got {sorted(self.noise)}"
-            )
-        for name, value in self._all_noise().items():
-            require_within(name, np.asarray(real_number(name, value)), model.noise[name].domain)
+        _noise_of(model, self.noise)
         if not set(self.bias) <= set(model.coordinates):
             raise TypeError(f"bias must be of {[*model.coordinates]}; got {sorted(self.bias)}")
         for name, value in self.bias.items():
@@ -201,23 +197,35 @@ class Radar:
         require_finite(f"times of {scans} scans every {self.period} s", times)
         return times
 
-    def truth(self, states: RealArray) -> dict[str, RealArray]:
-        """What it would measure of states, shape (..., 6), without errors: each quantity of shape (...)."""
+    def truth(self, states: ArrayLike) -> dict[str, RealArray]:
+        """What it would measure without errors.
+
+        Args:
+            states: (x, y, z, vx, vy, vz) [m, m/s], shape (..., 6).
+
+        Returns:
+            Each measured quantity by name [m, rad, m/s], shape (...).
+
+        Raises:
+            TypeError: the states are not made of real numbers.
+            ValueError: their shape is another, a number is not finite, or a state lies out of what it can see.
+
+        """
         model = SENSORS[self.sensor]
-        relative = states - np.concatenate([_vector("site", self.site), np.zeros(AXES)])
-        given = relative[..., [_STATE.index(component) for component in SIGHTS[self.sensor].state]]
+        given = real_arrays({"states": states})["states"].astype(np.float64)
+        require_trailing_shape("states", given, (len(_STATE),))
+        require_finite("states", given)
+        relative = given - np.concatenate([_vector("site", self.site), np.zeros(AXES)])
+        seen = relative[..., [_STATE.index(component) for component in SIGHTS[self.sensor].state]]
         axis = model.chosen_axis(self.azimuth_from)
         options = {**self.known} if axis is None else {**self.known, "azimuth_from": axis}
         see: Callable[..., observe.Observed] = getattr(observe, self.sensor)
-        values = see(given, **options).measurement
+        values = see(seen, **options).measurement
         return dict(zip(model.coordinates, np.moveaxis(values, -1, 0), strict=True))
 
     def noise_covariance(self) -> RealArray:
-        """The covariance of the errors of a scan, in the order of the measured quantities."""
-        return noise_covariance(self.sensor, self._all_noise())
-
-    def _all_noise(self) -> dict[str, float]:
-        return {"correlation": 0.0, **self.noise}
+        """The covariance of the errors of a scan, shape (m, m), in the order of the measured quantities."""
+        return noise_covariance(self.sensor, self.noise)
 
 
 class Plots(NamedTuple):
@@ -278,14 +286,38 @@ def _entropy(seed: Seed) -> int:
 
 
 def noise_covariance(sensor: SensorName, noise: Mapping[str, float]) -> RealArray:
-    """The covariance of measured quantities from their deviations and the one correlation, by name."""
+    """The covariance of the errors of measured quantities.
+
+    Args:
+        sensor: a conversion's name.
+        noise: standard deviations [m, rad, m/s], and `correlation` where it is not 0, by the names that the conversion
+            gives them.
+
+    Returns:
+        Shape (m, m), in the order of the measured quantities.
+
+    Raises:
+        TypeError: a deviation is missing, a name is none of the sensor's, or a value is no real number.
+        ValueError: a number lies out of its domain, or the sensor is unknown.
+
+    """
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
-    *deviations, correlation = (float(noise[name]) for name in model.noise)
+    *deviations, correlation = _noise_of(model, noise)
     correlations = np.eye(len(deviations))
     first, second = model.correlated
     correlations[first, second] = correlations[second, first] = correlation
     covariance: RealArray = correlations * np.outer(deviations, deviations)
     return covariance
+
+
+def _noise_of(model: Sensor, given: Mapping[str, float]) -> list[float]:
+    """Deviations and correlation in the order of the sensor's arguments, each in its domain."""
+    noise = {"correlation": 0.0, **given}
+    if set(noise) != set(model.noise):
+        raise TypeError(f"noise must have {[*model.noise]} (correlation is 0 if left out); got {sorted(given)}")
+    for name, argument in model.noise.items():
+        require_within(name, np.asarray(real_number(name, noise[name])), argument.domain)
+    return [float(noise[name]) for name in model.noise]
 
 
 def scatter(covariance: RealArray, normal: RealArray) -> RealArray:

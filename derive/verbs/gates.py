@@ -27,9 +27,11 @@ def probability(value: Expr, degrees: Expr) -> Expr:
     """The probability with which a chi-square variable is at most a value.
 
     Raises:
-        FormulaError: the degrees of freedom are no whole number from 1 on, or too many.
+        FormulaError: the degrees of freedom are no whole number from 1 on, or too many, or the value is negative.
     """
     n, half = _degrees(degrees), value / 2
+    if value.is_number and value.is_nonnegative is False:
+        raise FormulaError(f"chi2cdf takes a value from 0 on; given {value}")
     if n % 2 == 0:
         terms = [half**k / sp.Integer(factorial(k)) for k in range(n // 2)]
         return 1 - sp.exp(-half) * sp.Add(*terms)
@@ -49,9 +51,10 @@ def quantile(below: Expr, degrees: Expr) -> Expr:
         NoClosedForm: the quantile is less than a number has digits for.
     """
     n = _degrees(degrees)
-    if n == 2:
+    is_possible = below.is_positive and (1 - below).is_positive
+    if n == 2 and (is_possible or not below.is_number):
         return -2 * sp.log(1 - below)
-    if not isinstance(below, sp.Rational) or not 0 < below < 1:
+    if not (is_possible and isinstance(below, sp.Rational)):
         raise FormulaError(f"chi2inv takes a probability between 0 and 1 as a number; given {below}")
     with mpmath.workdps(DIGITS + 10):
         return sp.Rational(mpmath.nstr(_root(mpmath.mpf(int(below.p)) / int(below.q), n), DIGITS))

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
+from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     RealArray,
     real_arrays,
@@ -13,6 +16,10 @@ from radartrack._arrays.validation import (
     require_finite,
     require_trailing_shape,
 )
+from radartrack._filtering.elimination import checked_covariances
+
+Step: TypeAlias = Callable[[RealArray, RealArray, slice], tuple[RealArray, RealArray]]
+BLOCK = 2048  # tracks; their covariances stay in the cache, and calls of NumPy are few beside the numbers
 
 
 class Belief(NamedTuple):
@@ -40,8 +47,8 @@ def common(measured: tuple[int, ...], noise: tuple[int, ...], name: str = "noise
 def tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
     """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared."""
     tracks, mean, covariance = flat_tracks(belief, others)
-    require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
-    return tracks, np.ascontiguousarray(mean.T), np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
+    last = np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
+    return tracks, np.ascontiguousarray(mean.T), checked_covariances("covariance", last)
 
 
 def flat_tracks(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
@@ -64,6 +71,44 @@ def flat_tracks(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...
     if all(length == 1 or (length > 0 and stride == 0) for stride, length in leading):
         return tracks, flat, covariance[(0,) * (covariance.ndim - 2)][np.newaxis]
     return tracks, flat, np.broadcast_to(covariance, (*tracks, size, size)).reshape(-1, size, size)
+
+
+def in_blocks(mean: RealArray, covariance: RealArray, step: Step) -> tuple[RealArray, RealArray]:
+    """Beliefs after a step, block by block, on all cores.
+
+    Args:
+        mean: (tracks, n).
+        covariance: (tracks or 1, n, n), not checked.
+        step: makes of means (n, tracks) and covariances (n, n, tracks or 1), checked, of some tracks, whose places it
+            is told, new means and covariances (n, n, tracks).
+
+    Returns:
+        Means (tracks, n) and covariances (tracks, n, n).
+
+    Raises:
+        ValueError: a covariance is none, or something found is not finite.
+
+    """
+    size = mean.shape[-1]
+    means, covariances = np.empty(mean.shape, mean.dtype), np.empty((*mean.shape, size), mean.dtype)
+
+    def block(numbers: NDArray[np.intp], new_means: RealArray, new_covariances: RealArray) -> None:
+        own = slice(numbers[0], numbers[-1] + 1) if len(numbers) else slice(0)
+        few = covariance if len(covariance) == 1 else covariance[own]
+        at = np.ascontiguousarray(mean[own].T)
+        spread = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(few, 0, -1)))
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            found, reduced = step(at, spread, own)
+        new_means[...], new_covariances[...] = found.T, np.moveaxis(reduced, -1, 0)
+        require_finite("the mean of the result", new_means)
+        require_finite("the covariance of the result", new_covariances)
+
+    try:
+        fill(block, [np.arange(len(mean))], [means, covariances], BLOCK)
+    except ValueError:  # of one block; the message is to count among all
+        require_covariance("covariance", covariance if len(covariance) != 1 else covariance[0])
+        raise
+    return means, covariances
 
 
 def checked_motion(motion: Motion, size: int) -> Motion:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from radartrack._arrays.validation import RealArray
-from radartrack._filtering.factors import Observation, combination
-from radartrack._filtering.whitening import sensor_of, whitened
+from radartrack._filtering.factors import combination
+from radartrack._filtering.refinement import Told
 from radartrack._observation.sights import Sight
 
 
@@ -31,27 +30,26 @@ class Look(NamedTuple):
     site: dict[str, RealArray]
     noise: RealArray
 
-    def observation(self, mean: RealArray, covariance: RealArray, measured: RealArray, own: slice) -> Observation:
+    def told(self, mean: RealArray, covariance: RealArray, measured: RealArray, own: slice) -> Told:
         """What some tracks, with means (n, tracks), learn of the error of the mean from measurements (m, tracks)."""
         sight, places = self.sight, self.places
         site = {symbol: array[own] if array.ndim else array for symbol, array in self.site.items()}
-        components = [mean[place] + 0.0 for place in places]
+        components = [mean[place] for place in places]
         near = sight.off_poles(components, site)
-        rows = np.zeros((len(measured), *mean.shape), mean.dtype)
-        jacobian = sight.evaluate("jacobian", near, site)
-        rows[:, places] = np.moveaxis(jacobian, 0, -1)
-        predicted = sight.evaluate("map", components, site).T
-        noise = self.noise if self.noise.ndim == 2 else np.moveaxis(self.noise[own], 0, -1)
+        rows = np.ascontiguousarray(np.moveaxis(sight.evaluate("jacobian", near, site), 0, -1))
+        innovation = measured - sight.evaluate("map", components, site).T
+        noise = self.noise[..., np.newaxis] if self.noise.ndim == 2 else np.moveaxis(self.noise[own], 0, -1)
+        spread = None
         if self.second:
             shift, spread = curvature_of(sight.evaluate("hessian", near, site), covariance[np.ix_(places, places)])
-            predicted = predicted + shift
-            noise, lost = _with_spread(noise if noise.ndim == 3 else noise[..., np.newaxis], spread)
-            rows[np.swapaxes(np.broadcast_to(lost, (mean.shape[0], *lost.shape)), 0, 1)] = 0
-        innovation = measured - predicted
+            innovation -= shift
         for place in sight.azimuths:
             innovation[place] -= 2 * np.pi * np.round(innovation[place] / (2 * np.pi))
-        innovation[~rows.any(axis=1)] = np.nan
-        return whitened(innovation, sensor_of(rows, noise))
+        silent = np.isnan(innovation) | ~rows.any(axis=1)
+        if spread is not None:  # a spread whose square overflows says that nothing is known
+            silent |= ~(np.sqrt(np.finfo(spread.dtype).max) >= np.diagonal(spread).T)
+        told = Told(innovation, rows, places, noise, spread)
+        return told.without(silent) if silent.any() else told
 
 
 def curvature_of(hessian: RealArray, covariance: RealArray) -> tuple[RealArray, RealArray]:
@@ -71,10 +69,3 @@ def curvature_of(hessian: RealArray, covariance: RealArray) -> tuple[RealArray, 
         for j in range(i + 1):
             spread[i, j] = spread[j, i] = combination(flat[i], across[j]) / 2
     return np.trace(turned, axis1=1, axis2=2) / 2, spread
-
-
-def _with_spread(noise: RealArray, spread: RealArray) -> tuple[RealArray, NDArray[np.bool_]]:
-    """R with what curvature adds, (m, m, tracks), and what is lost in that, (m, tracks): its square overflows."""
-    lost = ~(np.sqrt(np.finfo(spread.dtype).max) >= np.diagonal(spread).T)
-    alone = np.eye(len(spread), dtype=spread.dtype)[..., np.newaxis]
-    return np.where(lost | lost[:, np.newaxis], alone, noise + spread), lost

@@ -16,52 +16,6 @@ class Observation(NamedTuple):
     rows: RealArray
 
 
-PLAINLY = 1e6  # times as well known by a measurement as before: six of a float's sixteen digits may go
-
-
-def refined(covariance: RealArray, observation: Observation) -> tuple[RealArray, RealArray]:
-    """What independent measurements of the error of a mean, of variance one, make of it and of its covariance.
-
-    Of a measurement row, that leaves of the variance along it the share 1/t, P - P h h'P/t is not less than P/t. So
-    the plain difference keeps all but the digits of t, in every direction. It takes a fourth of the time of factors,
-    which are for the tracks that would lose more.
-
-    Args:
-        covariance: (n, n, tracks or 1).
-        observation: of as many tracks.
-
-    """
-    step, reduced, factor = _plainly(covariance, observation)
-    doubtful = ~(factor <= PLAINLY)
-    if doubtful.any():
-        few = covariance if covariance.shape[-1] == 1 else covariance[..., doubtful]
-        rows = observation.rows
-        chosen = Observation(observation.values[:, doubtful], rows if rows.shape[-1] == 1 else rows[..., doubtful])
-        step[:, doubtful], reduced[..., doubtful] = updated(np.zeros_like(step[:, doubtful]), few, chosen)
-    return step, reduced
-
-
-def _plainly(covariance: RealArray, observation: Observation) -> tuple[RealArray, RealArray, RealArray]:
-    """The same by differences, and how many times as well the best known direction is known."""
-    size, count = len(covariance), observation.values.shape[-1]
-    upper = np.triu(np.ones((size, size), dtype=bool))[..., np.newaxis]
-    reduced = np.where(upper, covariance, covariance.swapaxes(0, 1)) + np.zeros(count, covariance.dtype)
-    step, factor = np.zeros((size, count), covariance.dtype), np.ones(count, covariance.dtype)
-    part = np.empty_like(reduced)
-    for value, row in zip(*observation, strict=True):
-        used = np.flatnonzero(row.any(axis=1))
-        if not used.size:
-            continue
-        along = combination(row[used][:, np.newaxis], reduced[used])
-        total = 1 + combination(row[used], along[used])
-        step += along * ((value - combination(row[used], step[used])) / total)
-        along /= np.sqrt(total)
-        np.multiply(along[:, np.newaxis], along, out=part)
-        reduced -= part
-        factor = np.where(total >= 1, factor * total, np.inf)  # less is what no covariance gives
-    return step, reduced, factor
-
-
 def updated(mean: RealArray, covariance: RealArray, observation: Observation) -> tuple[RealArray, RealArray]:
     """The belief after independent measurements of variance one, taken one by one; so no matrix is inverted."""
     factors = factored(covariance)
@@ -120,5 +74,5 @@ def combination(coefficients: RealArray, parts: RealArray) -> RealArray:
     """The sum of coefficient times part along the first axis, always in the same order."""
     total: RealArray = coefficients[0] * parts[0]
     for coefficient, part in zip(coefficients[1:], parts[1:], strict=True):
-        total = total + coefficient * part
+        total += coefficient * part
     return total

@@ -59,13 +59,13 @@ def sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans:
         yield Sensor(matrix, own, across, _rows(across, matrix))
 
 
-def sensor_of(matrix: RealArray, noise: RealArray) -> Sensor:
-    """The sensor of tracks that each have an H, (m, n, tracks), and one R, (m, m), or one each, (m, m, tracks)."""
-    if noise.ndim == 2:
-        across = _whitening(np.ones(len(noise), dtype=bool), noise).T[..., np.newaxis]
-    else:
-        across = _whitening_of_each(np.ones((len(noise), 1), dtype=bool), noise).swapaxes(0, 1)
-    return Sensor(matrix, noise, across, _rows(across, matrix))
+def independent(values: RealArray, matrix: RealArray, noise: RealArray) -> Observation:
+    """Measurements, (m, tracks), of tracks that each have an H, (m, n, tracks), with their errors made independent.
+
+    R is (m, m, tracks or 1).
+    """
+    across = _inverse_roots(noise).swapaxes(0, 1)
+    return Observation(combination(across, values[:, np.newaxis]), _rows(across, matrix))
 
 
 def _rows(across: RealArray, matrix: RealArray) -> RealArray:

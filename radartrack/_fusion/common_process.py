@@ -61,6 +61,7 @@ class Filtered(NamedTuple):
         if seen.dtype != np.bool_:
             raise TypeError(f"{name}.seen must be of booleans; got {seen.dtype}")
         found: Floats = np.eye(n) - P @ (H.T @ weighed)
+        broadcast_shape({f"{name}.seen": seen, f"{name}.covariance": P[..., 0, 0]})
         return np.where(seen[..., np.newaxis, np.newaxis], found, np.eye(n))
 
 
@@ -72,16 +73,17 @@ def recursion(motion: Motion, first: Filtered, second: Filtered, start: ArrayLik
     require_finite("start", cross)
     if min(one.ndim, other.ndim) < 3:
         raise ValueError("covariance must have shape (..., scans, n, n); got one matrix: steady_cross_covariance")
-    shape = broadcast_shape({"first.covariance": one, "second.covariance": other})
+    *tracks, scans, size, _ = broadcast_shape({"first.covariance": one, "second.covariance": other})
     if cross.ndim:
-        require_trailing_shape("start", cross, shape[-2:])
-        broadcast_shape({"start": cross, "covariance": np.empty((*shape[:-3], *shape[-2:]))})
+        require_trailing_shape("start", cross, (size, size))
+        tracks = [*broadcast_shape({"start": cross[..., 0, 0], "covariance": np.broadcast_to(0.0, tracks)})]
     elif cross:
-        raise ValueError(f"start must be 0 or have shape (..., {shape[-1]}, {shape[-1]}); got {cross}")
+        raise ValueError(f"start must be 0 or have shape (..., {size}, {size}); got {cross}")
+    shape = (*tracks, scans, size, size)
     one, other = np.broadcast_to(one, shape), np.broadcast_to(other, shape)
-    cross = np.broadcast_to(cross, (*shape[:-3], *shape[-2:]))
+    cross = np.broadcast_to(cross, (*tracks, size, size))
     found = np.empty(shape)
-    for scan in range(shape[-3]):
+    for scan in range(scans):
         moved = F @ cross @ F.T + Q
         cross = one[..., scan, :, :] @ moved @ np.swapaxes(other[..., scan, :, :], -1, -2)
         found[..., scan, :, :] = cross

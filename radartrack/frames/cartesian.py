@@ -1,5 +1,6 @@
 """Frames whose axes stand on each other: of the Earth, a site, an antenna, a face; at rest or under way."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import overload
 
@@ -168,12 +169,17 @@ def enu(
         velocity: of the place towards east, north and up [m/s], shape (..., 3).
         ellipsoid: that the coordinates are of.
 
+    Returns:
+        The frame, or one for each place.
+
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: one is not finite or out of place, or shapes do not fit.
 
+    Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
+
     """
-    return _standing(latitude, longitude, height, np.eye(3), velocity, ellipsoid)
+    return _standing(latitude, longitude, height, velocity, ellipsoid, np.eye(3), {})
 
 
 def antenna(
@@ -203,6 +209,9 @@ def antenna(
         velocity: of the radar towards east, north and up [m/s], shape (..., 3).
         ellipsoid: that the coordinates are of.
 
+    Returns:
+        The frame, or one for each place or attitude.
+
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: one is not finite or out of place, or shapes do not fit.
@@ -210,8 +219,9 @@ def antenna(
     Source: Crouse 2014, local coordinate systems.
 
     """
-    turned = formulas.antenna_from_enu_jacobian(**_attitude(azimuth, tilt, roll))
-    return _standing(latitude, longitude, height, turned, velocity, ellipsoid)
+    attitude = _attitude(azimuth, tilt, roll)
+    turned = formulas.antenna_from_enu_jacobian(**attitude)
+    return _standing(latitude, longitude, height, velocity, ellipsoid, turned, attitude)
 
 
 def face(
@@ -230,30 +240,51 @@ def face(
     So x is to the right of who looks at the face, and the axes are right-handed; `rt.convert.ruv` gives positions along
     them. Where u counts to the radar's right, hand -u to it.
 
-    Arguments, errors and source are those of `antenna`, which differs in the order and names of the axes alone; azimuth
-    and tilt are those of the boresight.
+    It differs from `antenna` in the order and names of the axes alone.
+
+    Args:
+        latitude: geodetic [rad], from -pi/2 to pi/2.
+        longitude: eastward [rad].
+        height: above the ellipsoid [m].
+        azimuth: of the boresight, clockwise from north [rad].
+        tilt: how far the boresight looks up from the horizon [rad], from -pi/2 to pi/2.
+        roll: how far the face is turned about the boresight, its right side, seen from behind, down [rad].
+        velocity: of the radar towards east, north and up [m/s], shape (..., 3).
+        ellipsoid: that the coordinates are of.
+
+    Returns:
+        The frame, or one for each place or attitude.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: one is not finite or out of place, or shapes do not fit.
+
+    Source: Crouse 2014, local coordinate systems.
+
     """
-    turned = formulas.face_from_enu_jacobian(**_attitude(azimuth, tilt, roll))
-    return _standing(latitude, longitude, height, turned, velocity, ellipsoid)
+    attitude = _attitude(azimuth, tilt, roll)
+    turned = formulas.face_from_enu_jacobian(**attitude)
+    return _standing(latitude, longitude, height, velocity, ellipsoid, turned, attitude)
 
 
 def _standing(
     latitude: ArrayLike,
     longitude: ArrayLike,
     height: ArrayLike,
-    turned: RealArray,
     velocity: ArrayLike,
     ellipsoid: Ellipsoid,
+    turned: RealArray,
+    attitude: Mapping[str, RealArray],
 ) -> Frame:
-    """A frame at a place, its axes given in terms of those of the horizon there."""
+    """A frame at a place, its axes given in terms of those of the horizon there, by an attitude."""
     arrays = {"latitude": latitude, "longitude": longitude, "height": height}
     places = {name: np.asarray(value, np.float64) for name, value in real_arrays(arrays).items()}
-    origin = ecef_from_geodetic(places["latitude"], places["longitude"], places["height"], ellipsoid=ellipsoid)
-    horizon = formulas.enu_from_ecef_jacobian(latitude=places["latitude"], longitude=places["longitude"])
     speeds = np.asarray(real_arrays({"velocity": velocity})["velocity"], np.float64)
     require_trailing_shape("velocity", speeds, (3,))
     require_within("velocity", speeds, RATE)
-    broadcast_shape({"latitude": horizon[..., 0, 0], "attitude": turned[..., 0, 0], "velocity": speeds[..., 0]})
+    broadcast_shape({**places, **attitude, "velocity": speeds[..., 0]})
+    origin = ecef_from_geodetic(places["latitude"], places["longitude"], places["height"], ellipsoid=ellipsoid)
+    horizon = formulas.enu_from_ecef_jacobian(latitude=places["latitude"], longitude=places["longitude"])
     return Frame(origin, turned @ horizon, _rotated(np.swapaxes(horizon, -1, -2), speeds))
 
 

@@ -1,4 +1,4 @@
-"""Sines, cosines and directions with half as many digits again, for lengths of the Earth's size to a nanometre."""
+"""Sines and cosines with half as many digits again, for lengths of the Earth's size to a nanometre."""
 
 import math
 
@@ -31,15 +31,19 @@ def sine_and_cosine(angle: RealArray) -> tuple[Pair, Pair]:
     return _chosen(odd, cosine, sine, back), _chosen(odd, sine, cosine, odd != back)
 
 
-def direction(y: RealArray, x: RealArray) -> RealArray:
-    """The angle of a vector, to its last rounding; libraries' own arc tangents are off by up to four."""
-    angle = np.arctan2(y, x)
+def angle_of(x: RealArray, y: RealArray) -> RealArray:
+    """The angle from the x axis to a point, but for its last rounding, which `arctan2` of many libraries is not.
+
+    How far the direction of that angle passes the point by tells what it lacks. The point is brought near to one by a
+    power of two, so that nothing underflows.
+    """
+    exponent = -np.frexp(np.maximum(np.abs(x), np.abs(y)))[1]
+    a, b = np.ldexp(x, exponent), np.ldexp(y, exponent)
+    angle = np.arctan2(b, a)
     sine, cosine = sine_and_cosine(angle)
-    longer = np.maximum(np.abs(x), np.abs(y))
-    exponent = np.frexp(longer)[1]  # of vectors of every length alike, no product underflows
-    y, x = np.ldexp(y, -exponent), np.ldexp(x, -exponent)
-    aside = (cosine * y - sine * x).rounded()
-    return np.asarray(angle + np.divide(aside, np.hypot(x, y), out=np.zeros_like(angle), where=longer > 0))
+    distance = np.hypot(a, b)
+    aside = (cosine * b - sine * a).rounded()
+    return np.asarray(angle + np.divide(aside, distance, out=np.zeros_like(aside), where=distance > 0))
 
 
 def _polynomial(coefficients: list[float], x: RealArray) -> RealArray:

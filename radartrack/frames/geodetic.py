@@ -18,7 +18,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
-from radartrack.frames.exact_sines import direction
+from radartrack.frames.exact_sines import angle_of
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
@@ -134,6 +134,8 @@ def geodetic_from_ecef(
         ValueError: one is not finite or out of place, shapes do not fit, the covariance is none, or it is given where
             it has no first order: within a metre of the axis, and more than 1000 km below the ground.
 
+    Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
+
     """
     arrays = real_arrays({"position": position})
     values = np.asarray(arrays["position"], np.float64)
@@ -159,7 +161,21 @@ def ecef_jacobian(
 ) -> RealArray:
     """First derivatives of the position by latitude, longitude and height, [out, in], shape (..., 3, 3).
 
-    Arguments and errors are those of `ecef_from_geodetic`.
+    Args:
+        latitude: geodetic [rad], from -pi/2 to pi/2.
+        longitude: eastward [rad].
+        height: above the ellipsoid [m].
+        ellipsoid: that the coordinates are of.
+
+    Returns:
+        Shape (..., 3, 3), units m/rad, m/rad and 1 by column.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: one is not finite or out of place, or shapes do not fit.
+
+    Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
+
     """
     where = _read_geodetic(latitude, longitude, height)
     dtype = _type(latitude=latitude, longitude=longitude, height=height)
@@ -171,8 +187,23 @@ def geodetic_jacobian(
 ) -> RealArray:
     """First derivatives of latitude, longitude and height by the position, [out, in], shape (..., 3, 3).
 
-    Arguments and errors are those of `ecef_from_geodetic`. Towards the axis the derivatives of the longitude grow
-    without bound.
+    Towards the axis the derivatives of the longitude grow without bound.
+
+    Args:
+        latitude: geodetic [rad], from -pi/2 to pi/2.
+        longitude: eastward [rad].
+        height: above the ellipsoid [m].
+        ellipsoid: that the coordinates are of.
+
+    Returns:
+        Shape (..., 3, 3), units rad/m, rad/m and 1 by row.
+
+    Raises:
+        TypeError: an argument is not made of real numbers.
+        ValueError: one is not finite or out of place, or shapes do not fit.
+
+    Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
+
     """
     where = _read_geodetic(latitude, longitude, height)
     dtype = _type(latitude=latitude, longitude=longitude, height=height)
@@ -199,7 +230,7 @@ def _located(positions: RealArray, places: tuple[RealArray, ...], ellipsoid: Ell
     cosine, sine = ellipsoid.normal_through(out, up)
     northern, height[...] = ellipsoid.along_the_normal((x, y, up), np.arctan2(sine, cosine))
     latitude[...] = np.where(z < 0, -northern, northern)
-    longitude[...] = direction(y, x)
+    longitude[...] = angle_of(x, y)
 
 
 def _formula(name: str, where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:

@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import permutations
 from typing import Any
 
 import numpy as np
 import pytest
 
-from radartrack import consistency, frames, fusion, initiate, kalman, observe
+from radartrack import consistency, frames, fusion, initiate, kalman, observe, simulate
+from radartrack._conversion.sensors import SENSORS
 from radartrack._observation.sights import SIGHTS
 from tests.radartrack.plots import Floats
 
@@ -26,6 +28,10 @@ def believing(function: Function) -> Function:
     return lambda mean, covariance, **others: function(kalman.Belief(mean, covariance), **others)
 
 
+def run_with(sensor: Any, motion: kalman.Motion, start: kalman.Belief, **others: Any) -> kalman.Belief:
+    return kalman.run_with(sensor, start, motion, **others)
+
+
 def of_sensors() -> Iterator[tuple[str, Function, Arguments]]:
     for name, sight in SIGHTS.items():
         mean, errors = np.full(len(sight.state), 1e3), 100.0 * np.eye(len(sight.state))
@@ -36,6 +42,12 @@ def of_sensors() -> Iterator[tuple[str, Function, Arguments]]:
         plot = {"measured": see(mean, **site).measurement, "noise": np.eye(len(sight.outputs))}
         update = believing(lambda belief, name=name, **others: kalman.update_with(name, belief, **others))
         yield f"update_with {name}", update, {"mean": mean, "covariance": errors, **plot, **site}
+        still = kalman.Motion(np.eye(len(mean)), errors)
+        scans = believing(partial(run_with, name, still))
+        believed = {"mean": mean, "covariance": errors, "noise": plot["noise"], **site}
+        yield f"run_with {name}", scans, {**believed, "measured": np.stack([plot["measured"]] * 2)}
+        none = np.empty((0, len(sight.outputs)))
+        yield f"run_with {name} no scans", partial(scans, measured=none), believed
 
 
 def of_filters() -> Iterator[tuple[str, Function, Arguments]]:
@@ -51,6 +63,14 @@ def of_filters() -> Iterator[tuple[str, Function, Arguments]]:
         PLOT | {"velocity_std": 9.0},
     )
     yield "two_plots", lambda period, **plot: initiate.two_plots("polar", plot, PLOT, period), PLOT | {"period": 9.0}
+
+
+def of_simulation() -> Iterator[tuple[str, Function, Arguments]]:
+    for name, sensor in SENSORS.items():
+        noise = {argument: 0.0 if argument == "correlation" else 0.1 for argument in sensor.noise}
+        yield f"noise of {name}", lambda name=name, **noise: simulate.noise_covariance(name, noise), noise
+        radar = simulate.Radar(name, 1.0, noise, known=dict.fromkeys(sensor.parameters, 500.0))
+        yield f"truth of {name}", radar.truth, {"states": np.full((2, 6), 1e3)}
 
 
 def of_fusion() -> Iterator[tuple[str, Function, Arguments]]:
@@ -70,7 +90,11 @@ def of_fusion() -> Iterator[tuple[str, Function, Arguments]]:
     yield "Frame.to", partial(frames.enu(0.1, 0.2).to, frames.ECEF), {"mean": np.zeros(6), "covariance": np.eye(6)}
 
 
-CALLS = {name: (function, arguments) for name, function, arguments in (*of_sensors(), *of_filters(), *of_fusion())}
+def calls() -> Iterator[tuple[str, Function, Arguments]]:
+    yield from (*of_sensors(), *of_filters(), *of_simulation(), *of_fusion())
+
+
+CALLS = {name: (function, arguments) for name, function, arguments in calls()}
 
 
 def spoilt(name: str, value: Any) -> Iterator[Any]:
@@ -99,6 +123,23 @@ def test_each_argument_is_checked_and_named(name: str) -> None:
                 "matrix",
             }  # whose shapes follow from the mean
             assert any(word in str(caught.value) for word in words), (argument, bad, str(caught.value))
+
+
+OF_SCANS = "noise"  # whose first axis, in a run, is one of scans
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_two_arguments_that_do_not_broadcast_are_refused_by_name(name: str) -> None:
+    """Two of the one and three of the other."""
+    function, arguments = CALLS[name]
+    those = [argument for argument in arguments if not (name.startswith("run") and argument == OF_SCANS)]
+    for first, second in permutations(those, 2):
+        many = {first: np.stack([arguments[first]] * 2), second: np.stack([arguments[second]] * 3)}
+        with pytest.raises((TypeError, ValueError)) as caught:
+            function(**arguments | many)
+        words = {word for argument in (first, second) for word in (argument, SYNONYMS.get(argument, argument))}
+        assert any(word in str(caught.value) for word in words), (first, second, str(caught.value))
+        assert "could not be broadcast" not in str(caught.value)
 
 
 @pytest.mark.parametrize("name", [name for name in CALLS if name.startswith("project bistatic")])

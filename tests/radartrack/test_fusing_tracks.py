@@ -192,6 +192,32 @@ def test_the_cross_covariance_is_that_of_simulated_filters_also_with_plots_missi
     assert (np.abs(got) > 3 * band).all()  # so that no cross covariance would be noticed
 
 
+@pytest.mark.parametrize(
+    ("starts", "tracks"),
+    [((), ()), ((0,), ()), ((3,), ()), ((3,), (1,)), ((0,), (1,)), ((), (3,)), ((1,), (3,)), ((2, 3), (3,))],
+)
+def test_starts_and_filters_broadcast_each_pair_as_alone(starts: tuple[int, ...], tracks: tuple[int, ...]) -> None:
+    moves = kalman.motion("constant_velocity", PERIOD, std=5.0)
+    generator = np.random.default_rng(3)
+    spread = np.diag([30.0, 4.0]) * generator.uniform(1, 2, (*tracks, 4, 1, 1))
+    one, other = fusion.Filtered(spread, H, [[9.0]]), fusion.Filtered(2 * spread, H, [[16.0]])
+    start = generator.standard_normal((*starts, 2, 2))
+    got = fusion.cross_covariances(moves, one, other, start)
+    shape = np.broadcast_shapes(starts, tracks)
+    assert got.shape == (*shape, 4, 2, 2)
+    start, spread = np.broadcast_to(start, (*shape, 2, 2)), np.broadcast_to(spread, (*shape, 4, 2, 2))
+    for index in np.ndindex(shape):
+        own = (one._replace(covariance=spread[index]), other._replace(covariance=2 * spread[index]))
+        np.testing.assert_allclose(got[index], fusion.cross_covariances(moves, *own, start[index]), rtol=1e-12)
+
+
+def test_scans_that_were_seen_are_as_many_as_the_covariances() -> None:
+    moves = kalman.motion("constant_velocity", PERIOD, std=5.0)
+    filtered = fusion.Filtered(np.tile(np.eye(2), (4, 1, 1)), H, [[9.0]])
+    with pytest.raises(ValueError, match=r"second\.seen \(3,\), second\.covariance \(4,\)"):
+        fusion.cross_covariances(moves, filtered, filtered._replace(seen=np.ones(3, dtype=bool)))
+
+
 SITES = np.array([[0.0, 0.0], [60e3, 10e3], [20e3, 70e3]])
 BIAS = np.array([[120.0, 0.004], [-80.0, -0.003], [40.0, 0.002]])
 STD = np.array([[30.0, 0.002], [60.0, 0.003], [45.0, 0.001]])

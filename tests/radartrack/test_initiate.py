@@ -252,3 +252,19 @@ def test_plots_of_any_shape_broadcast(sensor: str) -> None:
 def test_bad_arguments_are_named(call: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         call()
+
+
+@pytest.mark.parametrize("axis", ["x", "y"])
+def test_more_pairs_of_plots_than_a_block_holds_are_started_each_as_alone(axis: Any) -> None:
+    generator = np.random.default_rng(1)
+    count = initiate.BLOCK + 5
+    plot = {"azimuth": 0.7, "range_rate": -80.0, "range_std": 30.0, "azimuth_std": 0.02, "range_rate_std": 1.0}
+    first: dict[str, Any] = plot | {"r": generator.uniform(1e4, 2e4, count), "correlation": 0.5}
+    second: dict[str, Any] = plot | {"r": 1.5e4, "range_rate": generator.uniform(-90, 90, (2, 1))}
+    got = initiate.two_plots("polar_doppler", first, second, 4.0, azimuth_from=axis)
+    assert got.mean.shape == (2, count, 4)
+    for row, column in ((0, 0), (1, count - 1)):
+        own = first | {"r": first["r"][column]}, second | {"range_rate": second["range_rate"][row, 0]}
+        alone = initiate.two_plots("polar_doppler", *own, 4.0, azimuth_from=axis)
+        np.testing.assert_allclose(got.mean[row, column], alone.mean, rtol=1e-12)
+        np.testing.assert_allclose(got.covariance[row, column], alone.covariance, rtol=1e-9)

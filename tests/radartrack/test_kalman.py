@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import kalman
+from radartrack._filtering.beliefs import BLOCK
 from radartrack.kalman import Belief, Motion
 
 GENERATOR = np.random.default_rng(8)
@@ -310,3 +311,24 @@ def test_whole_numbers_of_numpy_are_degrees() -> None:
     for degree in (np.int64(2), np.uint8(2)):
         motion = kalman.polynomial_motion(degree, np.float32(2.0), np.int16(3))  # type: ignore[arg-type]
         assert np.array_equal(motion, kalman.polynomial_motion(2, 2.0, 3.0))
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_more_tracks_than_a_block_holds_are_predicted_each_with_the_bits_of_one_alone(dtype: Any) -> None:
+    count = BLOCK + 3
+    generator = np.random.default_rng(3)
+    root = generator.standard_normal((count, 4, 4)) * [[100.0], [100.0], [5.0], [5.0]]
+    belief = Belief(generator.standard_normal((count, 4)).astype(dtype), (root @ np.swapaxes(root, 1, 2)).astype(dtype))
+    motion = kalman.motion("constant_velocity", 2.0, axes=2, std=3.0, grouped="derivative")
+    got = kalman.predict(belief, motion)
+    assert got.mean.dtype == got.covariance.dtype == np.float64
+    for index in (0, BLOCK, count - 1):
+        alone = kalman.predict(Belief(belief.mean[index], belief.covariance[index]), motion)
+        np.testing.assert_array_equal(got.mean[index], alone.mean)
+        np.testing.assert_array_equal(got.covariance[index], alone.covariance)
+        expected = motion.transition @ belief.covariance[index] @ motion.transition.T + motion.process_noise
+        np.testing.assert_allclose(alone.covariance, expected, rtol=1e-4, atol=1e-2)
+    bad = belief.covariance.copy()
+    bad[count - 2, 0, 0] = -1
+    with pytest.raises(ValueError, match=rf"negative variance; .* at \[{count - 2}\], the first of 1 among {count}"):
+        kalman.predict(Belief(belief.mean, bad), motion)

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import convert, observe
+from radartrack._observation.sights import SIGHTS
 from radartrack.observe import Observed, Projected
 from tests.examples import share
 from tests.radartrack.plots import SENSORS, WITH_AZIMUTH, Floats, assert_agree, cartesian
@@ -397,3 +398,25 @@ def test_bad_arguments_are_named_with_what_was_given_and_what_is_allowed(
 def test_the_map_of_these_tests_is_the_one_observed() -> None:
     state = np.array([300.0, -400.0, 200.0])
     np.testing.assert_allclose(cartesian("spherical", observe.spherical(state).measurement), state, rtol=1e-14)
+
+
+@pytest.mark.parametrize("azimuth_from", ["x", "y"])
+@pytest.mark.parametrize("sensor", SIGHTS)
+def test_more_states_than_a_block_holds_are_observed_each_as_alone(sensor: str, azimuth_from: str) -> None:
+    generator = np.random.default_rng(1)
+    sight = SIGHTS[sensor]  # type: ignore[index]
+    count = 2 * observe.BLOCK + 5
+    positions = generator.uniform(-1e4, 1e4, (2, count, len(sight.state)))
+    site: dict[str, Any] = {}
+    if "baseline" in sight.site:
+        site = {"baseline": generator.uniform(1e3, 2e3, count)}
+    if "receiver" in sight.site:
+        site = {"receiver": generator.uniform(1e3, 2e3, (count, 3))}
+    convention = {"azimuth_from": azimuth_from} if sight.azimuth_from else {}
+    see = getattr(observe, sensor)
+    found = see(positions, **site, **convention)
+    for index in ((0, 0), (1, observe.BLOCK), (1, count - 1)):
+        alone = see(positions[index], **{name: part[index[1]] for name, part in site.items()}, **convention)
+        for got, expected in zip(found, alone, strict=True):
+            np.testing.assert_array_equal(got[index], expected)
+            assert got.flags.c_contiguous

@@ -244,3 +244,12 @@ def test_what_is_no_radar_is_refused(change: dict[str, Any], error: type[Excepti
 def test_what_is_no_target_and_no_number_of_scans_is_refused(build: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         build()
+
+
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_a_noise_without_a_correlation_has_none_and_one_with_other_names_is_refused(sensor: Any) -> None:
+    noise = {name: 0.25 for name in SENSORS[sensor].noise if name != "correlation"}
+    np.testing.assert_array_equal(simulate.noise_covariance(sensor, noise), 0.0625 * np.eye(len(noise)))
+    for wrong in ({}, noise | {"std": 1.0}):
+        with pytest.raises(TypeError, match=r"noise must have \["):
+            simulate.noise_covariance(sensor, wrong)

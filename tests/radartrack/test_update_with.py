@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack import kalman, observe
+from radartrack._filtering import beliefs
 from radartrack._observation.sights import SIGHTS, SightName
 from radartrack.kalman import Belief
 from tests.examples import share
@@ -110,10 +111,10 @@ def test_float32_in_gives_float32_out_close_to_float64(order: int) -> None:
 
 
 def test_more_tracks_than_a_block_holds_are_updated_each_with_its_own_plot() -> None:
-    count = 2 * kalman.EXTENDED_BLOCK + 3
+    count = 2 * beliefs.BLOCK + 3
     belief, measured, noise = scene("polar", 4, (count,), more=2)
     got = update("polar", belief, measured, noise, 2)
-    for index in (0, kalman.EXTENDED_BLOCK, count - 1):
+    for index in (0, beliefs.BLOCK, count - 1):
         alone = by_the_book("polar", Belief(belief.mean[index], belief.covariance[index]), measured[index], noise, 2)
         assert_same(Belief(got.mean[index], got.covariance[index]), alone)
 

@@ -31,8 +31,8 @@ GUIDES = ("conversions", "checking", "finding", "testing", "model_of_your_own", 
           "line_and_fusion", "simulation", "verification")  # fmt: skip
 EXPLANATIONS = ("one_idea", "proved", "rounding", "way_of_a_formula", "reproduction", "benchmarks")
 BEFORE = ("tutorial", *GUIDES, *EXPLANATIONS)
-PUBLIC = ("convert", "observe", "kalman", "initiate", "finite_sample_filter", "line", "variance_table", "fusion",
-          "simulate", "consistency", "validity", "testing")  # fmt: skip
+PUBLIC = ("convert", "observe", "kalman", "initiate", "fixed_gain", "finite_sample_filter", "line", "variance_table",
+          "fusion", "simulate", "consistency", "validity", "testing")  # fmt: skip
 SCOREBOARD = "scoreboard.html"  # a page of its own look
 LINK = re.compile(
     r"(?<!!)\[(?P<words>(?:[^\[\]]|\[[^\]]*\])*)\]"

@@ -123,6 +123,24 @@ def _largest_difference(quantity: Quantity, seed: int) -> float:
             if found.shape != expected.shape:
                 return float("inf")
             largest = max(largest, _difference(found, expected))
+        if quantity.module == "observe" and _is_undone(quantity):
+            largest = max(largest, _returned(quantity, seed))
+    return largest
+
+
+def _returned(quantity: Quantity, seed: int) -> float:
+    """How far what is observed of a converted measurement is from the measurement.
+
+    Undoing does not tell this: a path that is the difference of two distances is converted to where it came from, too.
+    """
+    model = models()[row_of(quantity).rpartition(".")[0]]
+    conversion = quantity_of(model, "map")
+    largest = 0.0
+    for point in _points(conversion, seed):
+        given = Tensor((len(model.measured),), tuple(mpmath.mpf(point[variable.name]) for variable in model.measured))
+        coordinates = _values(conversion, [mpmath.mpf(point[symbol.name]) for symbol in conversion.symbols])
+        found = _measured(model, Tensor((len(coordinates),), coordinates), point, quantity)
+        largest = max(largest, _difference(found, given))
     return largest
 
 
@@ -180,12 +198,13 @@ def _composed(quantity: Quantity, point: Mapping[str, float], found: Tensor[Numb
     if not _is_undone(quantity):
         return found
     model = model_of(quantity)
-    return _state(quantity, found, point) if model is None else _measured(model, found, point)
+    if model is None:
+        return _state(quantity, found, point)
+    return _measured(model, found, point, catalogue()[f"observe.{model.name}.map"])
 
 
-def _measured(model: Model, found: Tensor[Number], point: Mapping[str, float]) -> Tensor[Number]:
+def _measured(model: Model, found: Tensor[Number], point: Mapping[str, float], observe: Quantity) -> Tensor[Number]:
     """The measured quantities from coordinates; a range rate from the pseudo-measurement and the range."""
-    observe = catalogue()[f"observe.{model.name}.map"]
     coordinates = dict(zip(model.outputs, found, strict=True))
     known = {name: mpmath.mpf(value) for name, value in point.items()} | coordinates
     seen = list(_values(observe, [known.get(symbol.name, mpmath.mpf(0)) for symbol in observe.symbols]))

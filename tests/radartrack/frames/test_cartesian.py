@@ -158,7 +158,7 @@ def test_float32_stays_float32():
         (lambda: frames.enu(2.0, 0.0), "latitude must be from"),
         (lambda: frames.antenna(0.0, 0.0, tilt=2.0), "tilt must be from -1.570796 to 1.570796 rad"),
         (lambda: frames.antenna(0.0, 0.0, azimuth=[1.0, 2.0], roll=[1.0, 2.0, 3.0]), "the shapes must broadcast"),
-        (lambda: frames.antenna([0.0, 1.0], 0.0, azimuth=[1.0, 2.0, 3.0]), "attitude"),
+        (lambda: frames.antenna([0.0, 1.0], 0.0, azimuth=[1.0, 2.0, 3.0]), "azimuth"),
         (lambda: frames.enu(0.0, 0.0, velocity=[1.0, 2.0]), r"velocity must have shape \(..., 3\)"),
         (lambda: frames.enu(0.0, 0.0).from_ecef(np.zeros(4)), "mean must have 3, 6 or 9 components"),
         (lambda: frames.enu(0.0, 0.0).from_ecef(5.0), r"mean must have 3, 6 or 9 .* got shape \(\)"),

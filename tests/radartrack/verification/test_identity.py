@@ -33,3 +33,15 @@ def test_a_map_agrees_with_a_second_derivation_and_its_mutants_do_not(quantity: 
     for mutant in mutants(quantity, 2, 1):
         mistaken = replace(quantity, derivation=partial(_as_it_is, mutant.entries), rewriting=None)
         assert verdict(mistaken) is Verdict.FAILED, mutant.kind
+
+
+OBSERVED_POSITIONS = [quantity for quantity in MAPS if quantity.module == "observe" and quantity.name.endswith(".map")]
+
+
+@pytest.mark.parametrize("quantity", OBSERVED_POSITIONS, ids=conversions.ids)
+def test_every_sign_of_what_is_observed_matters(quantity: Quantity):
+    """A path that is the difference of two distances is undone by the conversion all the same: it must not pass."""
+    signs = [mutant for mutant in mutants(quantity, 60, 1) if mutant.kind == "sign"]
+    for mutant in signs:
+        mistaken = replace(quantity, derivation=partial(_as_it_is, mutant.entries), rewriting=None)
+        assert verdict(mistaken) is Verdict.FAILED, mutant.entries
