@@ -586,9 +586,13 @@ class Box:
         if is_of_exact and self._exact_by_grid(grid, ends[1]):
             error, relative = NOTHING, self.ball(0)
         made = self.made(sign, exactly, error, relative, tiny, value or None, size, terms, ends, may_underflow=False)
-        if self.signed_whole and a.sign * b.sign <= 0 and _is_fair(made.relative) and made.high - made.low < NARROW[-1]:
-            made = self._as_whole(made)
-        return replace(made, grid=grid)
+        return replace(made if a.sign * b.sign > 0 else self._known_well(made), grid=grid)
+
+    def _known_well(self, difference: Number) -> Number:
+        """A difference as one size, where that is the way, and its sign and size are known."""
+        if not self.signed_whole or difference.relative is None or not difference.relative < FAIR:
+            return difference
+        return self._as_whole(difference) if difference.high - difference.low < NARROW[-1] else difference
 
     def _difference(
         self, a: Number, b: Number, value: Signed, high: Ball
@@ -835,10 +839,6 @@ def times(first: Polynomial, second: Polynomial) -> Polynomial:
         key = product_of(i, j)
         found[key] = found[key] + a * b if key in found else a * b
     return found
-
-
-def _is_fair(relative: Ball | None) -> bool:
-    return relative is not None and bool(relative < FAIR)
 
 
 def _scaled(one: Polynomial, factor: Ball) -> Polynomial:
