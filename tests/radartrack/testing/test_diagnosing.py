@@ -296,6 +296,28 @@ def test_a_covariance_that_single_precision_makes_indefinite_is_told_as_that() -
     assert "single precision" in str(found)
 
 
+@pytest.mark.parametrize(
+    "name",
+    ["finite_sample.degree3.range.information", "finite_sample.degree3.range.covariance", "polar.covariance.truth"],
+)
+@pytest.mark.parametrize("put", [np.float32, lambda found: found.astype(np.float32).astype(float)], ids=["array", "C"])
+def test_what_single_precision_cannot_hold_is_told_and_is_not_wrong(name: str, put: Callable[[Any], Any]) -> None:
+    function = generated(find(name))
+    names = [symbol.name for symbol in find(name).symbols]
+    found = diagnose(named(lambda *values: put(function(**dict(zip(names, values, strict=True)))), names), name)
+    assert found.agrees, str(found)
+    assert ("beyond what single precision holds" in str(found)) == name.startswith("finite"), str(found)
+
+
+def test_an_intermediate_that_overflows_single_precision_is_told() -> None:
+    def to_xy(r: float, az: float) -> Any:
+        eighth = np.float32(r) ** 8
+        return np.array([r * math.cos(az), r * math.sin(az)], np.float32) * (eighth / eighth)
+
+    found = diagnose(to_xy, "polar.map")
+    assert (found.verdict, "undefined" in str(found)) == ("undefined", True), str(found)
+
+
 def test_single_precision_inside_is_rounding_and_a_constant_of_few_digits_is_none() -> None:
     found = diagnose(own.single_inside, "polar.map")
     assert found.agrees

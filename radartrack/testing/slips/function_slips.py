@@ -41,6 +41,9 @@ SHORT = 400  # characters of a formula that is tried over one denominator
 POINTS, FEWEST = 18, 8  # at which edits are screened, and fewer than which say nothing
 PLAIN = 2.0  # the cost of one edit that is likelier than any other kind
 TWICE = 3.0  # the cost below which no two edits are
+FUDGE, OFFSET = 1.9, 2.6  # the cost of a constant that is added, small or not
+STEADY, LAST, VISIBLE, SLIGHT = 1e-6, 1e-13, 1e-11, 1e-2  # of itself, and of what it is added to: by how much a
+# constant may scatter, from where on it is one, and up to where it is small
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
 
 Edits = Callable[[Search, Tree, Values], Iterable[Candidate]]
@@ -77,11 +80,8 @@ class SlipSearch:
             {name: tuple(values[n] for n in known) for name, values in self._here.items()}, len(known)
         )
         wanted = self._screening.wanted
-        entry = wanted.entries[place].xreplace(
-            {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
-        )
         index = wanted.places[place] if wanted.shape else ()
-        trees = _trees(entry)
+        trees = self.trees(place)
         searches = [Search(self._screen, target, self._names, tree, ()) for tree in trees]
         found: tuple[Candidate, Tree] | None = None
         for edits, is_enough in (self._single, PLAIN), (self._forwards_and_below, TWICE), (self._double, math.inf):
@@ -89,6 +89,12 @@ class SlipSearch:
             if found is not None and found[0].cost <= is_enough:
                 break
         return None if found is None else _told(found[1], found[0], index, self._names)
+
+    def trees(self, place: int) -> list[Tree]:
+        """Ways to write an entry."""
+        wanted = self._screening.wanted
+        zero = {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
+        return _trees(wanted.entries[place].xreplace(zero))
 
     def is_entry(self, place: int, other: int) -> bool:
         """Whether the function has in one place what belongs in another."""
@@ -122,7 +128,25 @@ class SlipSearch:
             yield Candidate(Number("0"), "", 1.0)
         elif self._here:
             yield from search.single_edits(tree)
-            yield from self._misread_powers(tree, target)
+            yield from self._misread_powers(search, tree)
+            yield from self._with_a_constant(search, tree)
+
+    def _with_a_constant(self, search: Search, tree: Tree) -> Iterator[Candidate]:
+        """A constant added to a part, as against a division by zero or a singular matrix."""
+        for part in search.parts(tree):
+            values = self._screen(part.node)
+            if values is None or isinstance(part.node, Number):
+                continue
+            needed, own = np.array(part.needed), np.array(values)
+            size, constant = np.maximum(np.abs(needed), np.abs(own)), float(np.median(needed - own))
+            scatter = np.abs(needed - own - constant)
+            is_constant = (scatter <= STEADY * abs(constant) + LAST * size).all()
+            if is_constant and (abs(constant) > VISIBLE * size).all():
+                text = _short_number(abs(constant), float(scatter.max()))
+                term = Number(text) if constant > 0 else Negation(Number(text))
+                terms = part.node.terms if isinstance(part.node, Sum) else (part.node,)
+                edited = replace_at(tree, part.path, Sum((*terms, term)))
+                yield Candidate(edited, "", FUDGE if (abs(constant) <= SLIGHT * size).all() else OFFSET)
 
     def _forwards_and_below(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
         yield from self._forwards(tree, target)
@@ -133,14 +157,13 @@ class SlipSearch:
         """Of a number, which many things are worth, only what is plainly an edit of it is taken."""
         return search.double_edits(tree) if self._here else []
 
-    def _misread_powers(self, tree: Tree, target: Values) -> Iterator[Candidate]:
+    def _misread_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """`x*2`, `x + 2` and `2 + x` for `x**2`: the sign of a power is lost where text is taken over."""
-        for path, node in walk(tree):
-            if isinstance(node, Power):
-                for other in (Product((node.exponent, node.base)), Sum((node.base, node.exponent))):
-                    edited = replace_at(tree, path, other)
-                    if _near(self._screen(edited), target, target):
-                        yield Candidate(edited, "", 1.3)
+        for part in search.parts(tree):
+            if isinstance(part.node, Power):
+                for other in (Product((part.node.exponent, part.node.base)), Sum((part.node.base, part.node.exponent))):
+                    if _near(self._screen(other), part.needed, part.needed):
+                        yield Candidate(replace_at(tree, part.path, other), "", 1.3)
 
     def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
@@ -199,6 +222,12 @@ class SlipSearch:
             for n, target in targets
             if math.isfinite(target)
         )
+
+
+def _short_number(value: float, scatter: float) -> str:
+    """As few digits as it may have been written with."""
+    near = (f"{value:.{digits}g}" for digits in range(1, 9))
+    return next((text for text in near if abs(float(text) - value) <= 2 * scatter + STEADY * value), f"{value:.9g}")
 
 
 def _by_cost(candidate: Candidate) -> float:
