@@ -99,7 +99,7 @@ def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits
         digits,
         _where(expected, errors.max(axis=1), int(place)),
         _subtraction(expected.wanted.entries[int(entry)], expected, int(place))
-        or next(filter(None, (_what_is_subtracted(expected, errors, int(one)) for one in _worst_first(errors))), ""),
+        or next(filter(None, (_what_is_subtracted(expected, errors, one) for one in _worst_first(errors))), ""),
         f"radartrack.generated.{quantity.module}.{quantity.function}",
     )
 
@@ -160,8 +160,8 @@ def _subtraction(entry: Expr, expected: Expected, place: int) -> str:
     return found
 
 
-def _worst_first(errors: Array) -> Array:
-    return np.argsort(-errors.max(axis=0))
+def _worst_first(errors: Array) -> list[int]:
+    return [int(place) for place in np.argsort(-errors.max(axis=0))]
 
 
 def _what_is_subtracted(expected: Expected, errors: Array, entry: int) -> str:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from itertools import chain, combinations
 
 import numpy as np
 
 from radartrack.derive.evaluation.tree_values import Program, Values
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Name, Number, Product, Quotient, Tree, replace_at, walk
+from radartrack.derive.formula.tree import Name, Number, Path, Product, Quotient, Tree, replace_at, walk
 from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import Slip
 from radartrack.testing.wanted import Expected
@@ -25,6 +26,7 @@ CUT: dict[str, Callable[[float], float]] = {
     "cut to a whole number": math.trunc,
     "rounded to a whole number": round,
 }
+Factor = tuple[Tree, bool]  # and whether it stands above the line
 PART = "cut"  # the name under which the values of a part stand in the formula
 
 
@@ -62,8 +64,13 @@ def _parts(tree: Tree) -> Iterator[tuple[Tree, Callable[[Tree], Tree]]]:
         above, below = _factors(node)
         if 1 < len(above) + len(below) <= FACTORS:
             for chosen, others in _splits(above, below):
-                yield chosen, lambda part, path=path, others=others: replace_at(tree, path, others(part))
-        yield node, lambda part, path=path: replace_at(tree, path, part)
+                yield chosen, partial(_beside, tree, path, others)
+        yield node, partial(replace_at, tree, path)
+
+
+def _beside(tree: Tree, path: Path, others: Sequence[Factor], part: Tree) -> Tree:
+    """The whole with a part beside the other factors of a term."""
+    return replace_at(tree, path, _quotient([(part, True), *others]))
 
 
 def _factors(node: Tree) -> tuple[tuple[Tree, ...], tuple[Tree, ...]]:
@@ -72,19 +79,16 @@ def _factors(node: Tree) -> tuple[tuple[Tree, ...], tuple[Tree, ...]]:
     return tuple(() if one is None else one.factors if isinstance(one, Product) else (one,) for one in (above, below))  # type: ignore[return-value]
 
 
-def _splits(above: Sequence[Tree], below: Sequence[Tree]) -> Iterator[tuple[Tree, Callable[[Tree], Tree]]]:
-    """Some of the factors, and what the rest of them makes of these."""
+def _splits(above: Sequence[Tree], below: Sequence[Tree]) -> Iterator[tuple[Tree, list[Factor]]]:
+    """The product of some of the factors, and the rest of them."""
     factors = [*((one, True) for one in above), *((one, False) for one in below)]
     for size in range(1, len(factors)):
         for chosen in combinations(range(len(factors)), size):
             rest = [factor for place, factor in enumerate(factors) if place not in chosen]
-            yield (
-                _quotient([factors[place] for place in chosen]),
-                lambda part, rest=rest: _quotient([(part, True), *rest]),
-            )
+            yield _quotient([factors[place] for place in chosen]), rest
 
 
-def _quotient(factors: Sequence[tuple[Tree, bool]]) -> Tree:
+def _quotient(factors: Sequence[Factor]) -> Tree:
     above, below = ([one for one, is_above in factors if is_above is wanted] for wanted in (True, False))
     numerator, denominator = (
         Product(tuple(one)) if len(one) > 1 else next(iter(one), Number("1")) for one in (above, below)
