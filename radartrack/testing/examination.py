@@ -432,13 +432,19 @@ class Examination:
             screening = reading.wanted.ordinary(SCREENING)
             calls, found = self._values(reading, screening)
         _, found_there = self._values(reading, confirming)
-        search = SlipSearch(screening, found, confirming, found_there)
+        share = self._share(calls, reading)
+        search = SlipSearch(screening, found, confirming, found_there, share)
         in_degrees = frozenset(name for name, one in reading.binding.changes.items() if one is math.degrees)
         of_argument = argument_slip(screening, found, confirming, found_there, in_degrees)
         slips = self._of_entries(search, self._wrong(calls, found, screening), found, reading)
         if of_argument is not None and (slips is None or len(slips) > 1 or of_argument.cost < _cost(slips)):
             return (of_argument,)
         return slips
+
+    def _share(self, calls: Calls, reading: Reading) -> float:
+        """Of a value, by which one that is right in its few digits is off; 0 in double precision."""
+        written = 0.0 if self._table is None or self._table.share <= CLOSE else 4 * self._table.share
+        return max(CLOSE_SINGLE if calls.single or reading.single else 0.0, written)
 
     def _of_entries(
         self, search: SlipSearch, wrong: Sequence[int], found: Array, reading: Reading

@@ -44,6 +44,8 @@ TWICE = 3.0  # the cost below which no two edits are
 FUDGE, OFFSET = 1.9, 2.6  # the cost of a constant that is added, small or not
 STEADY, LAST, VISIBLE, SLIGHT = 1e-6, 1e-13, 1e-11, 1e-2  # of itself, and of what it is added to: by how much a
 # constant may scatter, from where on it is one, and up to where it is small
+DROPPED = 1.5  # the cost of a factor or a term that is missing
+CANCELLED = 50.0  # times which a function of single precision may be off where it cancels
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
 
 Edits = Callable[[Search, Tree, Values], Iterable[Candidate]]
@@ -57,9 +59,13 @@ class SlipSearch:
         found: what the function has there, shape (points, entries).
         confirming: points in all directions.
         found_there: likewise.
+        share: of a value, by which what is found may be off, where that is more than double precision makes.
     """
 
-    def __init__(self, screening: Expected, found: Array, confirming: Expected, found_there: Array) -> None:
+    def __init__(
+        self, screening: Expected, found: Array, confirming: Expected, found_there: Array, share: float = 0.0
+    ) -> None:
+        self._share = max(share, SAME)
         self._screening, self._found = screening, found
         self._confirming, self._found_there = confirming, found_there
         wanted = screening.wanted
@@ -84,7 +90,12 @@ class SlipSearch:
         trees = self.trees(place)
         searches = [Search(self._screen, target, self._names, tree, ()) for tree in trees]
         found: tuple[Candidate, Tree] | None = None
-        for edits, is_enough in (self._single, PLAIN), (self._forwards_and_below, TWICE), (self._double, math.inf):
+        stages: Sequence[tuple[Edits, float]] = (
+            (self._single, PLAIN),
+            (self._forwards_and_below, TWICE),
+            (self._double, math.inf),
+        )
+        for edits, is_enough in stages if self._share == SAME else ((self._roughly, math.inf),):
             found = self._likeliest(edits, searches, trees, target, place, found)
             if found is not None and found[0].cost <= is_enough:
                 break
@@ -99,7 +110,8 @@ class SlipSearch:
     def is_entry(self, place: int, other: int) -> bool:
         """Whether the function has in one place what belongs in another."""
         expected, scales = self._screening.values, self._screening.scales
-        near = np.abs(self._found[:, place] - expected[:, other]) <= TOLERANCE * scales[:, other]
+        share = TOLERANCE if self._share == SAME else self._share
+        near = np.abs(self._found[:, place] - expected[:, other]) <= share * scales[:, other]
         return bool(near.all())
 
     def _likeliest(
@@ -153,6 +165,17 @@ class SlipSearch:
         if self._here:
             yield from self._below_even_powers(search, tree)
 
+    def _roughly(self, _: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
+        """Of values with few digits: from what they are nothing follows for the parts, so that all edits are tried."""
+        if not any(target):
+            yield Candidate(Number("0"), "", 1.0)
+            return
+        if _near(self._screen(Negation(tree)), target, target, self._share):
+            yield Candidate(Negation(tree), "", 1.0)
+        for candidate in self._forwards(tree, target):
+            if _near(self._screen(candidate.tree), target, target, self._share):
+                yield candidate
+
     def _double(self, search: Search, tree: Tree, _: Values) -> list[Candidate]:
         """Of a number, which many things are worth, only what is plainly an edit of it is taken."""
         return search.double_edits(tree) if self._here else []
@@ -187,11 +210,12 @@ class SlipSearch:
         kinds = {name: self._names.dimensions[name] for name in self._here}
         quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
         for path, node in nodes if len(nodes) <= SMALL else ():
-            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node)):
+            edits = (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node))
+            for edit in (*edits, *_without_one_of(node)):
                 edited = replace_at(tree, path, edit.tree)
                 program = Program(edited)
                 if all(
-                    _near(_each(seen, program(point)), (value,), (value,))
+                    _near(_each(seen, program(point)), (value,), (value,), self._share)
                     for point, value in zip(quick, target, strict=False)
                 ):
                     yield Candidate(edited, edit.words, edit.cost)
@@ -216,9 +240,10 @@ class SlipSearch:
     def _is_confirmed(self, tree: Tree, place: int, sound: Sequence[int]) -> bool:
         """Whether the edited formula is the function in all directions, wherever that has a value."""
         program, sizes = Program(tree), self._confirming.scales[:, place]
+        share = SAME if self._share == SAME else CANCELLED * self._share
         targets = [(n, float(self._found_there[n, place])) for n in sound]
         return all(
-            _near(program(self._wider_point(n)), (target,), (sizes[n],))
+            _near(program(self._wider_point(n)), (target,), (sizes[n],), share)
             for n, target in targets
             if math.isfinite(target)
         )
@@ -254,6 +279,15 @@ def _more(node: Tree) -> Iterator[Alternative]:
         factors = inner.factors if isinstance(inner, Product) else (inner,)
         twice = sign(Product((Number("2"), *factors)))
         yield Alternative(replace_at(node, (place,), twice), "{} should be {}", LIKELY, (term, twice))
+
+
+def _without_one_of(node: Tree) -> Iterator[Alternative]:
+    """A product without one of its factors, a sum without one of its terms."""
+    parts = node.factors if isinstance(node, Product) else node.terms if isinstance(node, Sum) else ()
+    for place in range(len(parts)):
+        rest = (*parts[:place], *parts[place + 1 :])
+        without = rest[0] if len(rest) == 1 else type(node)(rest)  # type: ignore[call-arg]
+        yield Alternative(without, "{} should be {}", DROPPED, (node, without))
 
 
 def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:

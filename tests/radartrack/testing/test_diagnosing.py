@@ -212,6 +212,33 @@ def test_any_names_beside_named_arguments_are_those_that_the_code_asks_for(funct
     assert_derived(function, "polar.map")
 
 
+@pytest.mark.parametrize(
+    ("name", "place", "change", "words"),
+    [
+        ("observe.polar_doppler.map", (2,), lambda f: lambda **at: f(**at | {"vy": -at["vy"]}), "the sign of vy*y"),
+        ("polar.map", (1,), lambda f: lambda r, beta: f(r=r, beta=beta + math.pi / 2), "cos(beta) for sin(beta)"),
+        ("polar.covariance.linear", (0, 0), lambda f: lambda **at: f(**at | {"rho": -at["rho"]}), "the sign of 2*r"),
+        ("polar.covariance.linear", (1, 1), lambda f: lambda **at: -f(**at), "the sign of"),
+        ("motion.constant_velocity.process_noise.piecewise", (0, 0), lambda f: lambda **at: 2 * f(**at), "2 for 4"),
+    ],
+)  # fmt: skip
+def test_slips_of_functions_in_single_precision_are_named(
+    name: str, place: tuple[int, ...], change: Callable[[Any], Any], words: str
+) -> None:
+    right = generated(find(name))
+    other, names = change(right), [symbol.name for symbol in find(name).symbols]
+
+    def single(*values: float) -> Any:
+        at = dict(zip(names, values, strict=True))
+        found = np.array(right(**at), np.float32)
+        found[place] = other(**at)[place]
+        return found
+
+    found = diagnose(named(single, names), name)
+    assert found.verdict == "slip", str(found)
+    assert words in found.slip
+
+
 def test_what_is_passed_in_another_unit_is_said_where_it_is_passed() -> None:
     found = diagnose(lambda r, az_deg: own.to_xy(r, math.radians(az_deg)), "polar.map")
     assert found.arguments == ("r: r", "az_deg: beta in degrees")
