@@ -283,10 +283,12 @@ def _more(node: Tree) -> Iterator[Alternative]:
 
 def _without_one_of(node: Tree) -> Iterator[Alternative]:
     """A product without one of its factors, a sum without one of its terms."""
-    parts = node.factors if isinstance(node, Product) else node.terms if isinstance(node, Sum) else ()
+    if not isinstance(node, Product | Sum):
+        return
+    parts = node.factors if isinstance(node, Product) else node.terms
     for place in range(len(parts)):
         rest = (*parts[:place], *parts[place + 1 :])
-        without = rest[0] if len(rest) == 1 else type(node)(rest)  # type: ignore[call-arg]
+        without = rest[0] if len(rest) == 1 else type(node)(rest)
         yield Alternative(without, "{} should be {}", DROPPED, (node, without))
 
 
