@@ -7,7 +7,7 @@ from typing import Any
 
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.language.model import Model
-from radartrack.testing.calling.argument_bindings import declared
+from radartrack.testing.calling.argument_bindings import ANY_NAMES, declared
 from radartrack.testing.diagnosis import FEW_ULP, Diagnosis
 from radartrack.testing.examination import examined
 from radartrack.testing.function_conventions import (
@@ -112,7 +112,7 @@ def _require_parameters(function: Callable[..., Any], arguments: Mapping[str, st
     known = declared(function)
     names = [name for name, _, _ in known or ()]
     unknown = sorted(set(arguments) - set(names))
-    if known is not None and unknown:
+    if known is not None and ANY_NAMES not in known and unknown:
         raise ValueError(f"arguments must name parameters: {', '.join(names)}; given {', '.join(unknown)}")
 
 

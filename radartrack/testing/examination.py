@@ -15,8 +15,7 @@ import numpy.typing as npt
 
 from radartrack.derive.catalogue import family
 from radartrack.derive.language.quantity import Quantity
-from radartrack.testing.argument_slips import argument_slip
-from radartrack.testing.calling.argument_bindings import CUSTOMARY, bindings, correlated_pairs, declared
+from radartrack.testing.calling.argument_bindings import ANY_NAMES, CUSTOMARY, bindings, correlated_pairs, declared
 from radartrack.testing.calling.argument_names import is_degrees, is_variance
 from radartrack.testing.calling.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
 from radartrack.testing.calling.compiled_function import NotCallable, as_called
@@ -29,14 +28,29 @@ from radartrack.testing.function_conventions import (
     argument_changes,
     as_variances,
     deviations_of,
+    exchanged_order,
     in_degrees,
     is_direction,
+    passed_as,
 )
-from radartrack.testing.function_slips import SlipSearch, merged
 from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
 from radartrack.testing.reading import CannotDiagnose, Reading
-from radartrack.testing.returned_forms import returned_forms
-from radartrack.testing.returned_values import SHOWN, excused, unwrapped, where_indefinite, where_undefined, worst_point
+from radartrack.testing.returned_forms import remembered, returned_forms
+from radartrack.testing.returned_values import (
+    SHOWN,
+    beyond_single,
+    excused,
+    unwrapped,
+    where_beyond_single,
+    where_indefinite,
+    where_undefined,
+    worst_point,
+)
+from radartrack.testing.slips.added_constants import added_constants
+from radartrack.testing.slips.argument_slips import argument_slip
+from radartrack.testing.slips.function_slips import SlipSearch, merged
+from radartrack.testing.slips.product_slips import product_slip
+from radartrack.testing.slips.rounded_parts import rounded_part
 from radartrack.testing.unexplained_difference import described, region
 from radartrack.testing.wanted import Expected, Wanted
 from radartrack.verification.domain_points import Points
@@ -87,18 +101,19 @@ def examined(
     plain = min(fitting, key=lambda one: one.readings[0].cost, default=every[0])
     if fitting and plain.readings[0].wrong == 0:
         return plain.diagnosis()
+    known = list(map(remembered, forms))
     others = [
-        Examination(form.of(one), form.wanted, arguments, stated, form.words)
+        (Examination(form.of(once), form.wanted, arguments, stated, form.words), form.of(one))
         for form in returned_forms(wanted)
-        for one in forms
+        for one, once in zip(forms, known, strict=True)
     ]
-    right = next((one for one in others if one.is_callable and one.readings[0].wrong == 0), None)
+    right = next((one for one in others if one[0].is_callable and one[0].readings[0].wrong == 0), None)
     if right is not None:
-        return right.diagnosis()
+        return right[0].of(right[1]).diagnosis()
     found = plain.diagnosis() if fitting else None
     if found is not None and found.verdict != "differs":
         return found
-    slipped = (one.diagnosis() for one in others if len(wanted.shape) > 1 and one.is_callable)
+    slipped = (one.of(again).diagnosis() for one, again in others if len(wanted.shape) > 1 and one.is_callable)
     found = next((one for one in slipped if len(one.slips) == 1), found)
     return found or plain.diagnosis()
 
@@ -121,6 +136,11 @@ class Examination:
         self._arranged: dict[tuple[Wanted, tuple[str, ...]], Arrangements] = {}
         self._troubles: dict[str, None] = {}
 
+    def of(self, function: Callable[..., Any]) -> Examination:
+        """The same with a function that is called every time, as far as that has come."""
+        self._function = function
+        return self
+
     def diagnosis(self) -> Diagnosis:
         """What it is.
 
@@ -131,9 +151,10 @@ class Examination:
         first = best[0]
         if first.wrong == 0:
             return self._right_or_with_slips(first)
-        explained = self._slips(first)
-        if explained and first.wrong == 1 and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
-            return self._with_slips(first, explained)
+        explained, product = self._explained(first)
+        is_in_one_place = explained and (first.wrong == 1 or not explained[0].entries)
+        if explained and is_in_one_place and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
+            return self._with_slips(first, explained, product)
         other = self._other_quantity(first)
         if other is not None and other.wrong == 0:
             return self._right(other)
@@ -142,7 +163,7 @@ class Examination:
             if found and (explained is None or _cost(found) + 1 < _cost(explained)):
                 return self._with_slips(other, found)
         if explained:
-            return self._with_slips(first, explained)
+            return self._with_slips(first, explained, product)
         for reading in [one for one in best[1:] if one.wrong <= first.wrong][:READINGS]:
             if (found := self._slips(reading)) is not None:
                 return self._with_slips(reading, found)
@@ -153,7 +174,9 @@ class Examination:
         found = self._right(reading)
         if found.verdict != "differs":
             return found
-        slips = self._slips(reading, reading.wanted.coarse(SCREENING))
+        spread = reading.wanted.domain(SCREENING)
+        slips = added_constants(spread, self._values(reading, spread)[1])
+        slips = slips or self._slips(reading, reading.wanted.coarse(SCREENING)) or ()
         return self._with_slips(reading, slips) if slips else found
 
     # How it is called, and in which convention
@@ -202,7 +225,7 @@ class Examination:
     def _why(self) -> str:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
-            taken = ", ".join(name for name, _, _ in declared(self._function) or ())
+            taken = ", ".join(place[0] for place in declared(self._function) or () if place != ANY_NAMES)
             if taken.partition(", ")[0] in {"self", "cls"}:
                 return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""
@@ -251,6 +274,9 @@ class Examination:
 
     def _read(self, wanted: Wanted, binding: Binding, change: ArgumentChange) -> Iterator[Reading]:
         """Readings in one convention of arguments; none where the function cannot be called so."""
+        for parameter in binding.parameters:
+            if parameter.is_vector and parameter.is_ordered and parameter.name not in self._arguments:
+                change = exchanged_order(parameter.name, parameter.symbols, wanted.symbols).beside(change)
         inner = ArgumentChange("", binding.changes).beside(self._stated)
         bound = replace(binding, changes=change.beside(inner).changes)
         expected = self._expected(wanted)
@@ -378,9 +404,25 @@ class Examination:
         found = unwrapped(reading.arrangement.undone(calls.values), expected, reading.arrangement.offsets)
         if self._table is not None and self._table.least:  # of what is less than half of the last decimal 0 is left
             found = np.where(np.abs(found - expected.values) <= WRITTEN * self._table.least, expected.values, found)
+        if reading.single or calls.single:
+            found = np.where(beyond_single(found, expected.values), expected.values, found)
         return calls, found
 
     # What slip it has
+
+    def _explained(self, reading: Reading) -> tuple[tuple[Slip, ...] | None, Slip | None]:
+        """The slips, and beside one in an entry and its mirror image what it is in a product of matrices."""
+        product = self._product_slip(reading)
+        if product is not None and reading.wrong > 1:
+            return (product,), None
+        slips = self._slips(reading)
+        return (slips, product) if slips or product is None else ((product,), None)
+
+    def _product_slip(self, reading: Reading) -> Slip | None:
+        """The slip in one of the matrices of which it is the product."""
+        screening, confirming = reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
+        found, found_there = (self._values(reading, expected)[1] for expected in (screening, confirming))
+        return product_slip(screening, found, confirming, found_there)
 
     def _slips(self, reading: Reading, screening: Expected | None = None) -> tuple[Slip, ...] | None:
         """For every entry that is wrong the slip that explains it; None where one is left."""
@@ -390,13 +432,19 @@ class Examination:
             screening = reading.wanted.ordinary(SCREENING)
             calls, found = self._values(reading, screening)
         _, found_there = self._values(reading, confirming)
-        search = SlipSearch(screening, found, confirming, found_there)
+        share = self._share(calls, reading)
+        search = SlipSearch(screening, found, confirming, found_there, share)
         in_degrees = frozenset(name for name, one in reading.binding.changes.items() if one is math.degrees)
         of_argument = argument_slip(screening, found, confirming, found_there, in_degrees)
         slips = self._of_entries(search, self._wrong(calls, found, screening), found, reading)
         if of_argument is not None and (slips is None or len(slips) > 1 or of_argument.cost < _cost(slips)):
             return (of_argument,)
         return slips
+
+    def _share(self, calls: Calls, reading: Reading) -> float:
+        """Of a value, by which one that is right in its few digits is off; 0 in double precision."""
+        written = 0.0 if self._table is None or self._table.share <= CLOSE else 4 * self._table.share
+        return max(CLOSE_SINGLE if calls.single or reading.single else 0.0, written)
 
     def _of_entries(
         self, search: SlipSearch, wrong: Sequence[int], found: Array, reading: Reading
@@ -410,12 +458,18 @@ class Examination:
                 continue
             key = reading.wanted.entries[place], tuple(found[:, place])
             if key not in known:
-                known[key] = search.slip(place)
+                known[key] = search.slip(place) or self._rounded(reading, search, place)
             slip = known[key]
             if slip is None:
                 return None
             slips.append(replace(slip, entries=(index,)))
         return merged(slips)
+
+    def _rounded(self, reading: Reading, search: SlipSearch, place: int) -> Slip | None:
+        """A part that is a whole number, which only values beyond those of ordinary size show."""
+        expected = reading.wanted.domain(SCREENING)
+        calls, found = self._values(reading, expected)
+        return None if calls.unknown else rounded_part(search.trees(place), expected, found, place)
 
     def _wrong(self, calls: Calls, found: Array, expected: Expected) -> list[int]:
         tolerance = self._tolerance(CLOSE_SINGLE if calls.single else CLOSE, expected)
@@ -462,7 +516,7 @@ class Examination:
             lost_digits=None if changing else lost_digits(expected, errors, epsilon),
             convention=reading.words,
             undefined=tuple(undefined),
-            remarks=(*indefinite, *self._remarks(reading, calls)),
+            remarks=(*indefinite, *self._remarks(reading, calls), *where_beyond_single(reading, calls, expected)),
             arguments=_said(reading.binding),
         )
 
@@ -537,7 +591,7 @@ class Examination:
             arguments=_said(reading.binding),
         )
 
-    def _with_slips(self, reading: Reading, slips: tuple[Slip, ...]) -> Diagnosis:
+    def _with_slips(self, reading: Reading, slips: tuple[Slip, ...], product: Slip | None = None) -> Diagnosis:
         """Of a function that is no function nothing is explained by an edit."""
         if any(self._changing(reading)):
             return self._unexplained(reading)
@@ -551,7 +605,7 @@ class Examination:
             convention=reading.words,
             slip="; ".join(map(str, slips)),
             slips=slips,
-            remarks=self._remarks(reading, calls),
+            remarks=(*([f"as if {product}"] if product else ()), *self._remarks(reading, calls)),
             arguments=_said(reading.binding),
         )
 
@@ -605,4 +659,5 @@ def _names(quantity: Quantity) -> set[str]:
 
 
 def _said(binding: Binding) -> tuple[str, ...]:
-    return tuple(parameter.words for parameter in binding.parameters)
+    changed = passed_as(binding.changes)
+    return tuple(parameter.words(changed) for parameter in binding.parameters)

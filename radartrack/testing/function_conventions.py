@@ -27,7 +27,7 @@ OTHER_UNITS = (
     (RADIAN, "milliradians", 1e-3), (SECOND, "milliseconds", 1e-3),
     (METRE_PER_SECOND, "km/h", 1 / 3.6), (METRE_PER_SECOND, "knots", 1852 / 3600),
 )  # fmt: skip
-AZIMUTH, ELEVATION, PREDICTED = "beta", "epsilon", "predicted_"
+AZIMUTH, ELEVATION, RANGE_RATE, PREDICTED = "beta", "epsilon", "rdot", "predicted_"
 
 
 @dataclass(frozen=True)
@@ -80,10 +80,32 @@ def argument_changes(symbols: Sequence[Variable]) -> list[ArgumentChange]:
     """Single conventions of arguments, then two of different kinds together."""
     kinds = [list(_degrees(symbols)), list(_variances(symbols)), list(_other_axes(symbols))]
     units = list(_other_units(symbols))
-    singles = [change for kind in (*kinds, units, _reciprocals(symbols)) for change in kind]
+    singles = [change for kind in (*kinds, units, _reciprocals(symbols), _opposite(symbols)) for change in kind]
     doubles = [a.beside(b) for first, second in combinations(kinds, 2) for a, b in product(first, second)]
     doubles += [a.beside(b) for a, b in product(kinds[0], units) if not a.changes.keys() & b.changes.keys()]
     return [*singles, *doubles]
+
+
+def _opposite(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
+    """Correlations, or a range rate that is positive for what comes closer, with the opposite sign."""
+    correlations = [symbol.name for symbol in symbols if symbol.is_correlation]
+    if correlations:
+        yield ArgumentChange(f"the opposite sign of {_listed(correlations)}", dict.fromkeys(correlations, _negative), 1)
+    if any(symbol.name == RANGE_RATE for symbol in symbols):
+        words = f"{RANGE_RATE} positive for what comes closer (-{RANGE_RATE})"
+        yield (closing := ArgumentChange(words, {RANGE_RATE: _negative}, 1))
+        if correlations:
+            opposite = dict.fromkeys(correlations, _negative)
+            yield closing.beside(ArgumentChange(f"the opposite sign of {_listed(correlations)}", opposite))
+
+
+def exchanged_order(words: str, order: Sequence[str], symbols: Sequence[Variable]) -> ArgumentChange:
+    """A vector in which two of one kind, such as x and y, stand in another order than usual, if it is one."""
+    places = {symbol.name: place for place, symbol in enumerate(symbols)}
+    kinds = {symbol.name: (symbol.unit, is_deviation(symbol), symbol.is_correlation) for symbol in symbols}
+    pairs = ((one, other) for one, other in combinations(order, 2) if kinds[one] == kinds[other])
+    is_usual = all(places[one] < places[other] for one, other in pairs)
+    return AS_ASKED if is_usual else ArgumentChange(f"{words} in the order {', '.join(order)}", {}, 1)
 
 
 def _reciprocals(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
@@ -421,3 +443,17 @@ def _reciprocal(value: float) -> float:
 
 def _negative(value: float) -> float:
     return -value
+
+
+PASSED_AS: Mapping[Change, str] = {
+    math.degrees: "{} in degrees",
+    _squared: "{}**2",
+    _complement: "pi/2 - {}",
+    _negative: "-{}",
+    _reciprocal: "1/{}",
+}
+
+
+def passed_as(changes: Mapping[str, Change]) -> dict[str, str]:
+    """Symbol → what is passed for it, in words, where a word says it."""
+    return {name: PASSED_AS[change].format(name) for name, change in changes.items() if change in PASSED_AS}

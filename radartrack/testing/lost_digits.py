@@ -18,9 +18,10 @@ from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.stable.term_sizes import term_sizes
 from radartrack.derive.symbolic import Expr
-from radartrack.derive.units import ONE
+from radartrack.derive.units import METRE, ONE, SECOND, Unit
 from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import LostDigits
+from radartrack.testing.diagnosis import place as at_place
 from radartrack.testing.function_conventions import deviations_of
 from radartrack.testing.wanted import Expected
 
@@ -29,6 +30,8 @@ ALLOWANCE = 2.0**12  # units of rounding of the sizes of the terms that a textbo
 DOUBLE, SINGLE = 2.0**-52, 2.0**-23
 CLEAR = 0.3  # correlation of the error with a symbol from which it is said to grow with it
 LONG = 100
+MOSTLY = 0.8  # of the points on one side, at which digits are lost there
+FEWEST, STEADY = 5, 2.0  # points, and decades of the numbers whose rounding an error is
 # By which arguments are moved, in units of a scale; steps that are whole numbers meet a regular staircase alike.
 STEPS = (-7.13, -5.39, -3.71, -2.17, 1.93, 3.37, 4.91, 6.79)
 SCALES = (DOUBLE, 2.0**-40, 2.0**-28, 2.0**-16)
@@ -95,7 +98,8 @@ def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits
     return LostDigits(
         digits,
         _where(expected, errors.max(axis=1), int(place)),
-        _subtraction(expected.wanted.entries[int(entry)], expected, int(place)),
+        _subtraction(expected.wanted.entries[int(entry)], expected, int(place))
+        or next(filter(None, (_what_is_subtracted(expected, errors, one) for one in _worst_first(errors))), ""),
         f"radartrack.generated.{quantity.module}.{quantity.function}",
     )
 
@@ -115,10 +119,12 @@ def _where(expected: Expected, errors: npt.NDArray[np.float64], place: int) -> s
     if abs(best) < CLEAR:
         at = ", ".join(f"{one} = {value:.3g}" for one, value in expected.point(place).items())
         return f"at {at}"
-    bad = _sizes(expected)[name][errors > MANY_ULP]
+    values, is_bad = _sizes(expected)[name], errors > MANY_ULP
     if best < 0:
-        return f"where {name} is small ({name} <= {bad.max():.1e})"
-    return f"where {name} is large ({name} >= {bad.min():.1e})"
+        end = max((v for v in values[is_bad] if is_bad[values <= v].mean() >= MOSTLY), default=values[is_bad].min())
+        return f"where {name} is small ({name} <= {end:.1e})"
+    end = min((v for v in values[is_bad] if is_bad[values >= v].mean() >= MOSTLY), default=values[is_bad].max())
+    return f"where {name} is large ({name} >= {end:.1e})"
 
 
 def _sizes(expected: Expected) -> dict[str, npt.NDArray[np.float64]]:
@@ -152,6 +158,40 @@ def _subtraction(entry: Expr, expected: Expected, place: int) -> str:
             text = text if len(text) <= LONG else f"{text[: LONG - 3]}..."
             worst, found = digits, f"written as it stands, {text} cancels to one part in 1e{math.floor(digits)}"
     return found
+
+
+def _worst_first(errors: Array) -> list[int]:
+    return [int(place) for place in np.argsort(-errors.max(axis=0))]
+
+
+def _what_is_subtracted(expected: Expected, errors: Array, entry: int) -> str:
+    """How large the numbers are whose rounding the error is, where the derived formula itself does not cancel."""
+    wanted = expected.wanted
+    unit, words = _natural_unit(wanted.quantity.unit(wanted.places[entry]), expected)
+    lost = errors[:, entry] > MANY_ULP
+    if unit is None or lost.sum() < FEWEST:
+        return ""
+    powers = np.log10(errors[lost, entry] * expected.scales[lost, entry] / unit[lost])
+    low, middle, high = np.percentile(powers, [15, 50, 85])
+    if high - low > STEADY:
+        return ""
+    where = at_place(wanted.places[entry]) if wanted.shape else ""
+    size = f"{10.0 ** round(middle):g}" if round(middle) else "1"
+    return f"{where}its error is that of rounding numbers near {size}{words}, whose difference is small there"
+
+
+def _natural_unit(unit: Unit, expected: Expected) -> tuple[Array | None, str]:
+    """That of an entry, made of the one length and the one time that there is: sigma_r**2/T."""
+    symbols = expected.wanted.quantity.symbols
+    made, words = np.ones(expected.count), []
+    for base, power in ((METRE, unit.metre), (SECOND, unit.second)):
+        having = [symbol for symbol in symbols if symbol.unit == base]
+        if power and len(having) != 1:
+            return None, ""
+        if power:
+            made = made * expected.points[having[0].name] ** float(power)
+            words.append(having[0].name if power == 1 else f"{having[0].name}**{power}")
+    return made, f" times {' and '.join(words)}" if words else ""
 
 
 def _sums(entry: Expr) -> Iterator[Expr]:

@@ -48,6 +48,26 @@ class ReturnedForm:
         return undone
 
 
+def remembered(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The function, which is called once with the same numbers and vectors: all forms are tried of one result."""
+    known: dict[Any, Any] = {}
+
+    def remembering(*arguments: Any, **named: Any) -> Any:
+        values = (*arguments, *named.items())
+        if not all(isinstance(value, float | np.ndarray) for value in (*arguments, *named.values())):
+            return function(*arguments, **named)
+        key = tuple((value.shape, value.tobytes()) if isinstance(value, np.ndarray) else value for value in values)
+        if key not in known:
+            known[key] = function(*arguments, **named)
+        return known[key]
+
+    for name in ("argtypes", "nin", "__signature__"):
+        if hasattr(function, name):
+            setattr(remembering, name, getattr(function, name))
+    remembering.__wrapped__ = function  # type: ignore[attr-defined]
+    return remembering
+
+
 def returned_forms(wanted: Wanted) -> Iterator[ReturnedForm]:
     """Those that a quantity allows, the likeliest first."""
     shape = wanted.shape

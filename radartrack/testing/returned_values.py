@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+import numpy.typing as npt
 
 from radartrack.testing.calling.called_function import Array, Calls
 from radartrack.testing.diagnosis import Worst
@@ -16,6 +17,7 @@ from radartrack.testing.wanted import Expected, Wanted
 EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
+SINGLE = np.finfo(np.float32)
 SHOWN = 4
 
 
@@ -32,6 +34,14 @@ def unwrapped(found: Array, expected: Expected, offsets: Array | None = None) ->
             same = turned & (np.abs(moved - exact) <= TURNED)
             found[:, column] = np.where(same, exact, np.where(turns, moved, found[:, column]))
     return found
+
+
+def beyond_single(found: Array, exact: Array) -> npt.NDArray[np.bool_]:
+    """Where single precision cannot hold the exact value, and the function has what is left: infinity, or zero."""
+    with np.errstate(all="ignore"):
+        overflown = np.isinf(found) & (np.abs(exact) > float(SINGLE.max)) & (found * exact > 0)
+        vanished = (np.abs(exact) < float(SINGLE.tiny)) & (np.abs(found - exact) <= float(SINGLE.smallest_subnormal))
+    return np.asarray(overflown | (vanished & (exact != 0)))
 
 
 def excused(reading: Reading, expected: Expected, found: Array) -> Array:
@@ -82,6 +92,17 @@ def where_undefined(calls: Calls, found: Array, expected: Expected) -> Iterator[
         at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(places[0]).items())
         there = np.isin(np.arange(expected.count), places)
         yield f"{words} {region(expected, there) if len(places) > 1 else 'at one point'}, such as {at}"
+
+
+def where_beyond_single(reading: Reading, calls: Calls, expected: Expected) -> Iterator[str]:
+    """Where what it should return is too large or too small for the precision that it returns."""
+    if not (reading.single or calls.single):
+        return
+    found = reading.arrangement.undone(calls.values)
+    places = np.flatnonzero(beyond_single(found, expected.values).any(axis=1))
+    if len(places):
+        at = ", ".join(f"{name} = {value:.6g}" for name, value in expected.point(int(places[0])).items())
+        yield f"beyond what single precision holds at {len(places)} of {expected.count} points, such as {at}"
 
 
 def where_indefinite(wanted: Wanted, expected: Expected, found: Array) -> Iterator[str]:

@@ -149,7 +149,7 @@ def _rows(wanted: Wanted) -> Iterator[Row]:
 def _all(wanted: Wanted) -> Iterator[Row]:
     names = [symbol.name for symbol in wanted.symbols]
     few = wanted.ordinary(FEW)
-    for expected in (wanted.ordinary(SCREENING), wanted.coarse(CONFIRMING), wanted.domain(DOMAIN)):
+    for expected in (wanted.ordinary(SCREENING), few, wanted.coarse(CONFIRMING), wanted.domain(DOMAIN)):
         for place in range(expected.count):
             yield _row(names, expected.point(place))
     for change in argument_changes(wanted.symbols):

@@ -7,14 +7,16 @@ import scipy.linalg
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radartrack.derive.catalogue import catalogue
 from radartrack.generated import motion
+from radartrack.testing import strategies
 from tests.examples import share
 
 SIZES = {"singer": 3, "ornstein_uhlenbeck": 2}
 STRENGTH = {"singer": "sigma_m", "ornstein_uhlenbeck": "q"}
 PERIODS = st.floats(-3, 3).map(lambda exponent: 10.0**exponent)
 RATES = st.floats(-0.5, 0.5) | st.floats(-12, -3).map(lambda exponent: 10.0**exponent)
-STATES = st.tuples(*[st.floats(-1e3, 1e3)] * 4)
+NEAR = {"x": (-1e3, 1e3), "y": (-1e3, 1e3), "T": (1e-2, 10.0)}
 POLYNOMIALS = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")
 
 
@@ -98,43 +100,40 @@ def test_a_turn_of_rate_zero_is_a_straight_flight_to_the_last_bit(kind: str, str
     np.testing.assert_array_equal(motion.turn_known_rate_transition(T=3.0, omega=0.0), motion.plane_transition(T=3.0))
 
 
-@given(state=STATES, period=st.floats(1e-2, 10), omega=RATES)
+@given(strategies.arguments("motion.turn.unknown_rate.map", within=NEAR))
 @share(0.5)
-def test_a_turn_of_unknown_rate_moves_as_one_of_known_rate(
-    state: tuple[float, ...], period: float, omega: float
-) -> None:
-    x, vx, y, vy = state
+def test_a_turn_of_unknown_rate_moves_as_one_of_known_rate(point: dict[str, float]) -> None:
+    *state, omega, period = point.values()
     known = motion.turn_known_rate_transition(T=period, omega=omega) @ state
-    moved = motion.turn_unknown_rate_map(x=x, vx=vx, y=y, vy=vy, omega=omega, T=period)
+    moved = motion.turn_unknown_rate_map(**point)
     size = np.abs(state).max() * (1 + period)
     np.testing.assert_allclose(moved, [*known, omega], rtol=1e-13, atol=1e-13 * size)
 
 
-@given(state=STATES, period=st.floats(1e-2, 10), omega=RATES | st.just(0.0))
+@given(strategies.arguments("motion.ctrv.map", within=NEAR))
 @share(0.5)
-def test_constant_turn_rate_and_velocity_moves_as_a_turn_of_unknown_rate(
-    state: tuple[float, ...], period: float, omega: float
-) -> None:
-    x, y, speed, heading = state
+def test_constant_turn_rate_and_velocity_moves_as_a_turn_of_unknown_rate(point: dict[str, float]) -> None:
+    x, y, speed, heading, omega, period = point.values()
     vx, vy = speed * np.cos(heading), speed * np.sin(heading)
     turned = motion.turn_unknown_rate_map(x=x, vx=vx, y=y, vy=vy, omega=omega, T=period)
-    moved = motion.ctrv_map(x=x, y=y, speed=speed, heading=heading, omega=omega, T=period)
+    moved = motion.ctrv_map(**point)
     ahead = moved[2] * np.cos(moved[3]), moved[2] * np.sin(moved[3])
-    size = np.abs(state).max() * (1 + period)
+    size = max(map(abs, (x, y, speed, heading))) * (1 + period)
     np.testing.assert_allclose([moved[0], ahead[0], moved[1], ahead[1]], turned[:4], atol=1e-12 * size)
 
 
-MAPS = {"turn_unknown_rate": ("x", "vx", "y", "vy", "omega"), "ctrv": ("x", "y", "speed", "heading", "omega")}
+SLOW = {**dict.fromkeys(("x", "y", "vx", "vy", "speed"), (-10.0, 10.0)), "T": (2.0, 2.0)}
 
 
-@pytest.mark.parametrize("name", MAPS)
-@given(state=st.tuples(*[st.floats(-10, 10)] * 4), omega=RATES | st.just(0.0))
+@pytest.mark.parametrize("name", ["turn_unknown_rate", "ctrv"])
+@given(data=st.data())
 @share(0.3)
-def test_derivatives_of_turns_are_those_of_the_map_and_symmetric_at_every_rate(
-    name: str, state: tuple[float, ...], omega: float
-) -> None:
-    names = MAPS[name]
-    at = dict(zip(names, (*state, omega), strict=True))
+def test_derivatives_of_turns_are_those_of_the_map_and_symmetric_at_every_rate(name: str, data: st.DataObject) -> None:
+    (quantity,) = (one for one in catalogue().values() if (one.module, one.function) == ("motion", f"{name}_map"))
+    *names, _ = (symbol.name for symbol in quantity.symbols)
+    within = {known: SLOW[known] for known in (*names, "T") if known in SLOW}
+    at = data.draw(strategies.arguments(quantity.name, within=within))
+    del at["T"]
     jacobian = getattr(motion, f"{name}_jacobian")(**at, T=2.0)
     hessian = getattr(motion, f"{name}_hessian")(**at, T=2.0)
     np.testing.assert_array_equal(hessian, np.swapaxes(hessian, 1, 2))

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from radartrack import convert as conversions
 from radartrack.convert import Converted, Method
+from radartrack.testing import strategies
 from tests import maps
 
 Floats = npt.NDArray[np.floating[Any]]
@@ -107,24 +108,24 @@ def cartesian(sensor: str, coordinates: Floats) -> Floats:
 
 # Every r is more than 15 deviations from zero, so that quadrature stays within ranges that can be measured.
 _SPREAD = {
-    "r": st.floats(1e3, 1e4),
-    "azimuth": st.floats(-7, 7),
-    "elevation": st.floats(-0.5, 0.5),
-    "range_rate": st.floats(-300, 300),
-    "u": st.floats(-0.6, 0.6),
-    "v": st.floats(-0.6, 0.6),
-    "range_std": st.floats(1, 60),
-    "azimuth_std": st.floats(1e-3, 0.4),
-    "elevation_std": st.floats(1e-3, 0.085),  # and correlated predictions and errors within 90 degrees
-    "range_rate_std": st.floats(0.1, 40),
-    "u_std": st.floats(1e-3, 5e-3),
-    "v_std": st.floats(1e-3, 5e-3),
-    "correlation": st.floats(-0.95, 0.95),
+    "r": (1e3, 1e4),
+    "azimuth": (-7.0, 7.0),
+    "elevation": (-0.5, 0.5),
+    "range_rate": (-300.0, 300.0),
+    "u": (-0.6, 0.6),
+    "v": (-0.6, 0.6),
+    "range_std": (1.0, 60.0),
+    "azimuth_std": (1e-3, 0.4),
+    "elevation_std": (1e-3, 0.085),  # and correlated predictions and errors within 90 degrees
+    "range_rate_std": (0.1, 40.0),
+    "u_std": (1e-3, 5e-3),
+    "v_std": (1e-3, 5e-3),
+    "correlation": (-0.95, 0.95),
 }
 
 
-def plots(sensor: str) -> st.SearchStrategy[Plot]:
-    return st.fixed_dictionaries({name: _SPREAD[name] for name in PLOTS[sensor]})
+def plots(sensor: Any) -> st.SearchStrategy[Plot]:
+    return strategies.plots(sensor, within={name: _SPREAD[name] for name in PLOTS[sensor]})
 
 
 def assert_agree(got: Floats, expected: Floats, scale: Any, tolerance: float) -> None:

@@ -11,20 +11,22 @@ from hypothesis import strategies as st
 
 from radartrack import consistency, convert, observe, simulate, validity
 from radartrack.convert import Converted, Method
+from radartrack.testing import strategies
 from tests.examples import share
 from tests.radartrack.plots import METHODS, OF_THE_PLOT, Floats, Plot, assert_covariances_agree
 
 PLOT: Plot = {"path": 30e3, "azimuth": 0.7, "baseline": 9e3, "path_std": 30.0, "azimuth_std": 0.02, "correlation": 0.3}
 SERIES = 2e-3  # of the deviations, which series of the fourth order leave
-PLOTS = st.fixed_dictionaries(
-    {
-        "path": st.floats(20e3, 60e3),
-        "azimuth": st.floats(-7, 7),
-        "baseline": st.floats(0, 12e3),
-        "path_std": st.floats(1, 100),
-        "azimuth_std": st.floats(1e-3, 0.03),
-        "correlation": st.floats(-0.95, 0.95),
-    }
+PLOTS = strategies.plots(
+    "bistatic",
+    within={
+        "path": (20e3, 60e3),
+        "azimuth": (-7, 7),
+        "baseline": (0, 12e3),
+        "path_std": (1, 100),
+        "azimuth_std": (1e-3, 0.03),
+        "correlation": (-0.95, 0.95),
+    },
 )
 
 

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radartrack.convert import Converted, Method
+from radartrack.testing import strategies
 from tests.examples import share
 from tests.radartrack.plots import (
     CLOSED,
@@ -152,11 +153,8 @@ def predictions(draw: st.DrawFn, sensor: str) -> tuple[Floats, Floats]:
     """With any correlations of all quantities."""
     plot = draw(plots(sensor))
     deviations = np.sqrt(np.diagonal(noise_covariance(sensor, plot)))
-    entries = draw(st.lists(st.floats(-1, 1), min_size=16, max_size=16))
-    root = np.eye(size(sensor)) + np.tril(np.reshape(entries, (4, 4))[: size(sensor), : size(sensor)], -1)
-    root /= np.linalg.norm(root, axis=1, keepdims=True)
-    root *= deviations[:, np.newaxis]
-    return centre(sensor, plot), root @ root.T
+    correlated = draw(strategies.covariances(size(sensor), deviations=deviations))
+    return centre(sensor, plot), 0.7 * correlated + 0.3 * np.diag(deviations**2)  # quadrature asks for a root
 
 
 @pytest.mark.parametrize("sensor", SENSORS)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from radartrack import convert, initiate, observe
 from radartrack.kalman import Belief
+from radartrack.testing import strategies
 from tests.examples import share
 from tests.radartrack.plots import PLOTS, SENSORS, Floats, Plot, noise_covariance, plots
 
@@ -143,25 +144,26 @@ def test_two_plots_without_range_rates_are_differenced(sensor: str, period: floa
     np.testing.assert_allclose(got.covariance, matrix @ both @ matrix.T, rtol=1e-12, atol=1e-12)
 
 
+ALONG_A_LINE = {
+    "r": (2e4, 2.2e4),
+    "azimuth": (0.0, 0.0),
+    "range_rate": (-90.0, 90.0),
+    "range_std": (1.0, 100.0),
+    "azimuth_std": (1e-9, 1e-9),
+    "range_rate_std": (0.1, 30.0),
+    "correlation": (-0.99, 0.99),
+}
+
+
 @given(
-    stds=st.tuples(*[st.floats(1, 100), st.floats(1, 100), st.floats(0.1, 30), st.floats(0.1, 30)]),
-    correlations=st.tuples(st.floats(-0.99, 0.99), st.floats(-0.99, 0.99)),
+    first=strategies.plots("polar_doppler", within=ALONG_A_LINE),
+    second=strategies.plots("polar_doppler", within=ALONG_A_LINE),
     period=st.floats(0.1, 20),
 )
 def test_along_a_line_of_sight_that_is_known_two_plots_are_least_squares(
-    stds: tuple[float, ...], correlations: tuple[float, float], period: float
+    first: Plot, second: Plot, period: float
 ) -> None:
     """Four measurements of a position and a velocity, the errors of each plot correlated."""
-    at: Plot = {"azimuth": 0.0, "azimuth_std": 1e-9}
-    first = at | {
-        "r": 2e4,
-        "range_rate": 90.0,
-        "range_std": stds[0],
-        "range_rate_std": stds[2],
-        "correlation": correlations[0],
-    }
-    second = at | {"r": 2.2e4, "range_rate": 70.0, "range_std": stds[1], "range_rate_std": stds[3]}
-    second["correlation"] = correlations[1]
     noise = np.zeros((4, 4))
     for place, plot in enumerate((first, second)):
         part = slice(2 * place, 2 * place + 2)

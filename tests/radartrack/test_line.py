@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from radartrack import line
 from radartrack.generated import line as formulas
+from radartrack.testing import strategies
 from tests.radartrack.flights import Flight, flights, wobble
 
 Array = NDArray[Any]
@@ -286,14 +287,11 @@ def test_the_deviations_of_simulated_radar_noise_are_recovered_from_a_straight_f
 
 
 @given(
-    r=st.floats(1.0, 1e6),
-    azimuth=st.floats(-7.0, 7.0),
-    elevation=st.floats(-1.5, 1.5),
+    plot=strategies.plots("spherical", within={"r": (0.0, 1e6), "azimuth": (-7.0, 7.0)}),
     site=st.tuples(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6)),
 )
-def test_plots_are_turned_about_their_site(
-    r: float, azimuth: float, elevation: float, site: tuple[float, float]
-) -> None:
+def test_plots_are_turned_about_their_site(plot: dict[str, float], site: tuple[float, float]) -> None:
+    r, azimuth, elevation = plot["r"], plot["azimuth"], plot["elevation"]
     x, y = line.to_plane(r, azimuth, elevation, site=site)
     toward = (x - site[0]) + 1j * (y - site[1])
     assert toward == pytest.approx(r * np.cos(elevation) * 1j * np.exp(-1j * azimuth), abs=1e-9 * (r + 1e6))

@@ -1,16 +1,19 @@
 """Simulated targets and radars: motions against differences, plots against what they were asked to be."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import radartrack as rt
 from radartrack import simulate
 from radartrack._conversion.sensors import SENSORS
 from radartrack.simulate import Accelerated, Radar, Straight, Target, Turning
+from radartrack.testing import strategies
+from tests.examples import share
 
 TARGETS: list[Target] = [
     Straight((40e3, -20e3), (-150.0, 90.0)),
@@ -60,6 +63,33 @@ def test_without_noise_the_conversion_leads_back_to_the_target(sensor: Any) -> N
     converted = getattr(rt.convert, sensor)(**seen.measured, **noise, method="linear")
     axes = 2 if sensor.startswith("polar") else 3
     assert converted.mean[0, :, :axes] + site[:axes] == pytest.approx(seen.states[:, :axes])
+
+
+@pytest.mark.parametrize("sensor", SENSORS)
+@pytest.mark.parametrize("motion", strategies.MOTIONS)
+@given(data=st.data())
+@share(0.2)
+def test_what_a_radar_would_measure_without_errors_leads_back_to_the_target(
+    motion: Any, sensor: Any, data: st.DataObject
+) -> None:
+    """Of targets in any motion and on any side, behind the radar and above it too."""
+    _, radar, seen = data.draw(strategies.tracks(motion, sensor))
+    measured = {name: values[np.newaxis] for name, values in seen.truth.items()}
+    assume(within_reach(seen, radar.known))
+    noise = dict.fromkeys(radar.noise, 0.0)
+    mean = getattr(rt.convert, sensor)(**measured, **radar.known, **noise, method="linear").mean[0]
+    axes = 2 if sensor in {"polar", "polar_doppler", "bistatic"} else 3
+    size = np.linalg.norm(seen.states[:, :axes], axis=1, keepdims=True)
+    scale = size + sum(radar.known.values())
+    assert (np.abs(mean[:, :axes] - seen.states[:, :axes]) <= 1e-9 * scale + 1e-9).all()
+
+
+def within_reach(seen: simulate.Plots, known: Mapping[str, float]) -> bool:
+    """Whether directions are in front, off the edge of the unit circle, and paths longer than the baseline."""
+    truth = seen.truth
+    if "u" in truth:
+        return bool((seen.states[:, 2] > 0).all() and (np.hypot(truth["u"], truth["v"]) < 0.99).all())
+    return "path" not in truth or bool((truth["path"] > 1.01 * known["baseline"]).all())
 
 
 def test_a_compass_counts_the_azimuth_from_the_y_axis() -> None:

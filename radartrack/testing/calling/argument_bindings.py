@@ -26,7 +26,7 @@ ORDERS = 120  # of the symbols in one vector
 CUSTOMARY: Mapping[str, float] = {"semi_major_axis": 6378137.0, "flattening": 1 / 298.257223563}
 
 Declared = Sequence[tuple[str, bool, bool]]  # name, whether it may be left out, whether it goes by name
-ANY_NAMES = ("**", False, True)  # of a function that takes whatever goes by name
+ANY_NAMES = ("**", True, True)  # of a function that takes whatever goes by name
 
 
 def declared(function: Callable[..., Any]) -> Declared | None:
@@ -43,12 +43,11 @@ def declared(function: Callable[..., Any]) -> Declared | None:
     kinds = inspect.Parameter
     if any(one.kind is kinds.VAR_POSITIONAL for one in parameters):
         return None
-    if [one.kind for one in parameters] == [kinds.VAR_KEYWORD]:
-        return [ANY_NAMES]
     return [
-        (one.name, one.default is not kinds.empty, one.kind is kinds.KEYWORD_ONLY)
+        ANY_NAMES
+        if one.kind is kinds.VAR_KEYWORD
+        else (one.name, one.default is not kinds.empty, one.kind is kinds.KEYWORD_ONLY)
         for one in parameters
-        if one.kind is not kinds.VAR_KEYWORD
     ]
 
 
@@ -68,13 +67,12 @@ def bindings(
         needed: the symbols on which the quantity depends where all correlations are zero.
         pairs: correlation → the two deviations that it joins.
     """
-    given = declared(function)
+    given, keys = declared(function), _keys(function, symbols, stated)
     fewer = [symbol for symbol in symbols if symbol.name in needed]
     independent = [symbol for symbol in symbols if not symbol.is_correlation]
     unusual = [symbol for symbol in symbols if symbol.name not in CUSTOMARY]
     sets = list(dict.fromkeys(map(tuple, (symbols, independent, fewer, unusual))))
-    places = [_places(given, known) for known in sets]
-    pairs_of = list(zip(places, sets, strict=True))
+    pairs_of = [(places, known) for known in sets for places in _places(given, known, keys)]
     for taken, known in pairs_of:
         yield from islice(_distinct(_numbers(taken, known, stated)), MOST)
     usual = [one for taken, known in pairs_of for one in islice(_arrays(taken, known, stated, pairs), FIRST)]
@@ -85,11 +83,40 @@ def bindings(
         yield from islice(_distinct(_arrays(taken, known, stated, pairs)), MOST)
 
 
-def _places(given: Declared | None, symbols: Sequence[Variable]) -> Declared:
-    """The parameters; where they have no names, or all names are allowed, one for each symbol."""
+def _places(given: Declared | None, symbols: Sequence[Variable], keys: Mapping[str, str]) -> list[Declared]:
+    """The parameters; where they have no names, one for each symbol, and where any name is allowed, those left too."""
     if given is None:
-        return [(f"argument {n + 1}", False, False) for n, _ in enumerate(symbols)]
-    return [(symbol.name, False, True) for symbol in symbols] if list(given) == [ANY_NAMES] else given
+        return [[(f"argument {n + 1}", False, False) for n, _ in enumerate(symbols)]]
+    if ANY_NAMES not in given:
+        return [given]
+    named = [place for place in given if place != ANY_NAMES]
+    taken = {name for place in named for name in meanings(place[0], symbols)[:1]}
+    rest = [symbol.name for symbol in symbols if symbol.name not in taken]
+    both = [*named, *((keys.get(name, name), False, True) for name in rest)]
+    if not named:
+        return [both]
+    return [both, named] if keys.keys() & set(rest) else [named, both]
+
+
+def _keys(
+    function: Callable[..., Any], symbols: Sequence[Variable], stated: Mapping[str, str | Sequence[str]]
+) -> dict[str, str]:
+    """Symbol → the name by which a function that takes any asks for it: one that is stated, or stands in its code."""
+    found = {symbol: key for key, symbol in stated.items() if isinstance(symbol, str)}
+    for word in _texts(getattr(inspect.unwrap(function), "__code__", None)):
+        free = [name for name in meanings(word, symbols) if name not in found and word not in found.values()]
+        if free:
+            found[free[0]] = word
+    return found
+
+
+def _texts(code: Any) -> Iterator[str]:
+    """The names among the constants of a function's code, and of the functions inside."""
+    for constant in getattr(code, "co_consts", ()):
+        if isinstance(constant, str) and constant.isidentifier():
+            yield constant
+        else:
+            yield from _texts(constant)
 
 
 def _in_other_forms(binding: Binding, function: Callable[..., Any], symbols: Sequence[Variable]) -> Iterator[Binding]:

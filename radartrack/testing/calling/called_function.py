@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ Array = npt.NDArray[np.float64]
 Change = Callable[[Any], Any]
 
 
+MOST = 10_000  # values that are taken of an iterator, which may have no end
 RETURNS = "it returns"  # how what is said of a result begins
 
 
@@ -56,10 +58,12 @@ class Made:
     Attributes:
         words: what that is, before the symbols.
         of: makes it of the values, in the order of the symbols.
+        is_ordered: whether it tells the values from each other by their order, not by names.
     """
 
     words: str
     of: Callable[[list[float]], Any] = field(compare=False)
+    is_ordered: bool = False
 
 
 @dataclass(frozen=True)
@@ -84,14 +88,23 @@ class Parameter:
     made: Made | None = None
 
     @property
-    def words(self) -> str:
-        """`az: beta`, `state: (x, y)`."""
-        listed = ", ".join(self.symbols)
+    def is_ordered(self) -> bool:
+        """Whether the function tells several values from each other by their order."""
+        return self.made is None or self.made.is_ordered
+
+    def words(self, changed: Mapping[str, str]) -> str:
+        """`az: beta`, `az_deg: beta in degrees`, `state: (x, y)`.
+
+        Args:
+            changed: symbol → what is passed for it, in words, where that is another thing.
+        """
+        taken = [changed.get(name, name) for name in self.symbols]
+        listed = ", ".join(taken)
         if self.correlated is not None:
             return f"{self.name}: the covariance matrix of {listed}"
         if self.made is not None:
             return f"{self.name}: {self.made.words} of {listed}"
-        return f"{self.name}: ({listed})" if self.is_vector else f"{self.name}: {self.symbols[0]}"
+        return f"{self.name}: ({listed})" if self.is_vector else f"{self.name}: {taken[0]}"
 
     def matrix(self, values: list[float]) -> Array:
         """The covariance matrix of deviations, with the correlations that come after them."""
@@ -199,7 +212,7 @@ def called(function: Callable[..., Any], binding: Binding, points: Points, shape
         try:
             with warnings.catch_warnings(), np.errstate(all="ignore"):
                 warnings.simplefilter("ignore")
-                result = function(*places, **named)
+                result = _drained(function(*places, **named))
         except NotKnown:
             calls.unknown.append(place)
             continue
@@ -240,7 +253,7 @@ def shaped(result: Any, shape: Index) -> npt.NDArray[Any] | str:
 
 def _parts(result: Any, shape: Index) -> Any:
     """The values of a dict or of the fields of an object, in their order; both parts of x + iy; else the result."""
-    if isinstance(result, dict):
+    if isinstance(result, Mapping):
         return list(result.values())
     if is_dataclass(result) and not isinstance(result, type):
         return [getattr(result, one.name) for one in fields(result)]
@@ -252,7 +265,12 @@ def _parts(result: Any, shape: Index) -> Any:
 
 def as_array(result: Any) -> npt.NDArray[Any] | None:
     """What a function returns as an array of numbers; None for what is none."""
-    return _array(_parts(result, ()))
+    return _array(_parts(_drained(result), ()))
+
+
+def _drained(result: Any) -> Any:
+    """The values of an iterator, which are computed only now; anything else as it is."""
+    return list(islice(result, MOST)) if isinstance(result, Iterator) else result
 
 
 def _array(result: Any) -> npt.NDArray[Any] | None:

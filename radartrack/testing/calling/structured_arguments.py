@@ -62,7 +62,7 @@ def structured(
         yield replace(parameter, made=Made(f"a {kind.__name__}", partial(_constructed, kind, order)))
     yield replace(parameter, made=Made("a record", partial(Record, taken)))
     if len(taken) == 2 and taken[0].unit == taken[1].unit:
-        yield replace(parameter, made=Made("the complex number", _complex))
+        yield replace(parameter, made=Made("the complex number", _complex, is_ordered=True))
 
 
 def _annotated(function: Callable[..., Any], parameter: str) -> type | None:

@@ -11,6 +11,7 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation.many_digits import evaluate
 from radartrack.derive.symbolic import Expr, Matrix, Symbol
 from radartrack.derive.tracks import fusion_weights
+from radartrack.testing import strategies
 
 SIGMA = [sp.Symbol(f"s_{j}", positive=True) for j in range(4)]
 
@@ -47,22 +48,14 @@ def matrix_weights() -> list[Matrix]:
     return fusion_weights.matrix_weights([fusion_weights.plane_covariance(1)[0], fusion_weights.plane_covariance(2)[0]])
 
 
-DEVIATION = st.floats(0.1, 50.0)
-CORRELATION = st.floats(-0.95, 0.95)
+WITHIN = {f"sigma_{axis}{track}": (0.1, 50.0) for track in (1, 2) for axis in "xy"}
+WITHIN |= {"rho_1": (-0.95, 0.95), "rho_2": (-0.95, 0.95)}
 
 
-@given(
-    deviations=st.tuples(DEVIATION, DEVIATION, DEVIATION, DEVIATION),
-    correlations=st.tuples(CORRELATION, CORRELATION),
-    seed=st.integers(0, 10**6),
-)
-def test_no_other_unbiased_matrix_weights_have_a_smaller_trace(
-    deviations: tuple[float, ...], correlations: tuple[float, float], seed: int
-) -> None:
+@given(point=strategies.arguments("fusion.matrix_weights.two", within=WITHIN), seed=st.integers(0, 10**6))
+def test_no_other_unbiased_matrix_weights_have_a_smaller_trace(point: dict[str, float], seed: int) -> None:
     (first, one), (second, two) = fusion_weights.plane_covariance(1), fusion_weights.plane_covariance(2)
-    values: dict[Symbol, float] = dict(
-        zip((*one, *two), (*deviations[:2], correlations[0], *deviations[2:], correlations[1]), strict=True)
-    )
+    values: dict[Symbol, float] = {symbol: point[symbol.name] for symbol in (*one, *two)}
 
     def numeric(matrix: Matrix) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
         return np.array([float(evaluate(entry, values)) for entry in matrix]).reshape(2, 2)

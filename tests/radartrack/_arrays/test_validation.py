@@ -29,6 +29,7 @@ from radartrack._arrays.validation import (
     require_variances,
     require_within,
 )
+from radartrack.testing import strategies
 
 METHODS = ("linear", "second_order", "unbiased")
 DOMAINS = {"range": RANGE, "angle": ANGLE, "angle_std": ANGLE_STD, "correlation": CORRELATION}
@@ -350,14 +351,10 @@ def test_what_is_no_covariance_is_refused_with_the_reason_and_the_first(
         require_covariance("covariance", np.array(matrix))
 
 
-@given(
-    entries=st.lists(st.integers(-64, 64).map(lambda part: part / 64), min_size=16, max_size=16),
-    scales=st.lists(st.floats(-8, 8), min_size=4, max_size=4),
-)
-def test_every_product_of_a_matrix_and_its_transpose_is_a_covariance(entries: list[float], scales: list[float]) -> None:
-    """However different the units of its quantities are."""
-    root = np.reshape(entries, (4, 4)) * 10.0 ** np.array(scales)[:, np.newaxis]
-    require_covariance("matrix", root @ root.T)
+@given(matrix=st.integers(1, 6).flatmap(strategies.covariances))
+def test_every_covariance_is_taken_for_one(matrix: np.ndarray) -> None:
+    """Of any rank, and however different the units of its quantities are."""
+    require_covariance("matrix", matrix)
 
 
 @given(least=st.floats(-1, -1e-6), scales=st.lists(st.floats(-8, 8), min_size=3, max_size=3))

@@ -25,7 +25,7 @@ ULP = np.finfo(float).eps
 def test_a_plot_alone_is_within_rounding_the_same_plot_in_an_array(
     sensor: str, method: Method, azimuth_from: str, data: st.DataObject
 ) -> None:
-    plot = data.draw(plots(sensor)) | {"correlation": data.draw(st.floats(-0.9, 0.9))}
+    plot = data.draw(plots(sensor))
     convention = {"azimuth_from": azimuth_from} if sensor in WITH_AZIMUTH else {}
     alone = convert(sensor, method, **plot, **convention)
     row = convert(sensor, method, **{name: [value] for name, value in plot.items()}, **convention)

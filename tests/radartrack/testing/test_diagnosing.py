@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 from collections.abc import Callable
 from random import Random
 from typing import Any
@@ -29,6 +30,7 @@ SAMPLE = (
 )  # fmt: skip
 RIGHT = ("polar.covariance.averaged", "observe.spherical.jacobian", "fusion.variance.three")
 SHARE = 0.95
+JACOBIAN = "observe.polar_doppler.jacobian"
 WRONG = {"slip", "differs", "undefined"}
 
 
@@ -109,6 +111,167 @@ def test_other_conventions_are_told_and_no_slip_is_made_of_them(function: Functi
     assert words in str(found)
 
 
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ((0, 1, -1.0), "in J K J^T, the Jacobian's entry [0, 1]: the sign of r*sin(beta)"),
+        ((0, 1, lambda _, b: -math.sin(b)), "in J K J^T, the Jacobian's entry [0, 1]: the factor r is missing"),
+        ((1, 0, lambda _, b: math.cos(b)), "in J K J^T, the Jacobian's entry [1, 0]: cos(beta) for sin(beta)"),
+        ((1, 1, lambda r, b: r * math.sin(b)), "in J K J^T, the Jacobian's entry [1, 1]: sin(beta) for cos(beta)"),
+    ],
+)  # fmt: skip
+def test_a_slip_in_a_jacobian_is_told_where_it_was_made(change: tuple[int, int, Any], words: str) -> None:
+    i, j, other = change
+
+    def converted(r: float, b: float, sr: float, sb: float, rho: float) -> Any:
+        J = np.array([[math.cos(b), -r * math.sin(b)], [math.sin(b), r * math.cos(b)]])
+        J[i, j] = other(r, b) if callable(other) else other * J[i, j]
+        return J @ np.array([[sr * sr, rho * sr * sb], [rho * sr * sb, sb * sb]]) @ J.T
+
+    found = diagnose(converted, "polar.covariance.linear")
+    assert found.verdict == "slip"
+    assert words in str(found)
+
+
+@pytest.mark.parametrize("name", ["spherical", "ruv", "polar_doppler", "bistatic"])
+def test_every_sign_in_a_jacobian_is_told(name: str) -> None:
+    """In the entry or in one that does the same; or as a convention: the sign of a correlation."""
+    quantity, jacobian = find(f"{name}.covariance.linear"), find(f"{name}.jacobian")
+    chance, model = Random(name), quantity.model
+    assert model is not None
+    places = [place for place, entry in jacobian.expression.items() if entry != 0]
+    for i, j in chance.sample(places, 2):
+
+        def converted(i: int = i, j: int = j, **at: float) -> Any:
+            J = generated(jacobian)(**{symbol.name: at[symbol.name] for symbol in jacobian.symbols}).copy()
+            J[i, j] *= -1
+            deviations = np.array([at[sigma.name] for sigma in model.deviations])
+            K = np.diag(deviations**2)
+            for (one, two), rho in model.correlations.items():
+                a, b = model.measured.index(one), model.measured.index(two)
+                K[a, b] = K[b, a] = at[rho.name] * deviations[a] * deviations[b]
+            return J @ K @ J.T
+
+        names = [symbol.name for symbol in quantity.symbols]
+        function = named(lambda *values, of=converted, names=names: of(**dict(zip(names, values, strict=True))), names)
+        found = diagnose(function, quantity.name)
+        assert found.verdict in {"slip", "convention"}, str(found)
+        assert re.search(r"the Jacobian's entry \[\d, \d\]: the sign of", str(found)) or found.convention, str(found)
+
+
+def test_matrices_that_are_multiplied_in_another_order_are_told_as_that() -> None:
+    def converted(r: float, b: float, sr: float, sb: float) -> Any:
+        J = np.array([[math.cos(b), -r * math.sin(b)], [math.sin(b), r * math.cos(b)]])
+        return J.T @ np.diag([sr * sr, sb * sb]) @ J
+
+    assert diagnose(converted, "polar.covariance.linear").slip == "J^T K J for J K J^T"
+
+
+@pytest.mark.parametrize(
+    ("function", "words"),
+    [
+        (lambda T, q: [[q * (T**3 // 3), q * T**2 / 2], [q * T**2 / 2, q * T]], "T**3/3 is rounded down"),
+        (lambda T, q: [[q * T**3 / 3, q * (T**2 // 2)], [q * (T**2 // 2), q * T]], "T**2/2 is rounded down"),
+        (lambda T, q: [[q * T**3 / 3, q * T**2 / 2], [q * T**2 / 2, q * int(T)]], "T is rounded down"),
+        (lambda T, q: [[q * T**3 / 3, q * T**2 / 2], [q * T**2 / 2, round(q * T)]], "T*q is rounded to a whole number"),
+    ],
+)  # fmt: skip
+def test_a_part_that_is_cut_to_a_whole_number_is_named(function: Function, words: str) -> None:
+    assert words in diagnose(function, "motion.constant_velocity.process_noise.continuous").slip
+
+
+@pytest.mark.parametrize("term", [1e-6, 1e-9, 1e-12])
+def test_a_constant_that_is_added_is_told_however_small_it_is(term: float) -> None:
+    def converted(r: float, b: float, sr: float, sb: float) -> Any:
+        return np.array(own.linear(r, b, sr, sb)) + term * np.eye(2)
+
+    found = diagnose(converted, "polar.covariance.linear")
+    assert found.slip == f"entries [0, 0] and [1, 1]: an extra term {term:g}"
+
+
+def test_a_constant_in_the_midst_of_a_formula_is_told() -> None:
+    def jacobian(x: float, y: float) -> Any:
+        square = x * x + y * y + 1e-6
+        return [[x / math.sqrt(square), y / math.sqrt(square)], [-y / square, x / square]]
+
+    found = diagnose(jacobian, "observe.polar.jacobian")
+    assert "an extra term 1e-06" in found.slip
+    assert "x**2 + y**2 + 1e-06" in str(found)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda r, **kw: own.to_xy(r, kw["azimuth"]),
+        lambda r, **kw: own.to_xy(r, kw.get("az")),
+        lambda **kw: own.to_xy(kw["rng"], math.radians(kw["az_deg"])),
+    ],
+    ids=["a key", "get", "degrees"],
+)  # fmt: skip
+def test_any_names_beside_named_arguments_are_those_that_the_code_asks_for(function: Function) -> None:
+    assert_derived(function, "polar.map")
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "change", "words"),
+    [
+        ("observe.polar_doppler.map", (2,), lambda f: lambda **at: f(**at | {"vy": -at["vy"]}), "the sign of vy*y"),
+        ("polar.map", (1,), lambda f: lambda r, beta: f(r=r, beta=beta + math.pi / 2), "cos(beta) for sin(beta)"),
+        ("polar.covariance.linear", (0, 0), lambda f: lambda **at: f(**at | {"rho": -at["rho"]}), "the sign of 2*r"),
+        ("polar.covariance.linear", (1, 1), lambda f: lambda **at: -f(**at), "the sign of"),
+        ("motion.constant_velocity.process_noise.piecewise", (0, 0), lambda f: lambda **at: 2 * f(**at), "2 for 4"),
+    ],
+)  # fmt: skip
+def test_slips_of_functions_in_single_precision_are_named(
+    name: str, place: tuple[int, ...], change: Callable[[Any], Any], words: str
+) -> None:
+    right = generated(find(name))
+    other, names = change(right), [symbol.name for symbol in find(name).symbols]
+
+    def single(*values: float) -> Any:
+        at = dict(zip(names, values, strict=True))
+        found = np.array(right(**at), np.float32)
+        found[place] = other(**at)[place]
+        return found
+
+    found = diagnose(named(single, names), name)
+    assert found.verdict == "slip", str(found)
+    assert words in found.slip
+
+
+def test_what_is_passed_in_another_unit_is_said_where_it_is_passed() -> None:
+    found = diagnose(lambda r, az_deg: own.to_xy(r, math.radians(az_deg)), "polar.map")
+    assert found.arguments == ("r: r", "az_deg: beta in degrees")
+
+
+def test_iterators_are_what_they_yield() -> None:
+    def to_xy(r: float, az: float) -> Any:
+        yield from own.to_xy(r, az)
+
+    assert_derived(to_xy, "polar.map")
+
+
+def test_a_state_in_which_x_and_y_are_exchanged_is_not_taken_for_right() -> None:
+    def measured(x: Any) -> Any:
+        px, py, vx, vy = x
+        return [math.hypot(px, py), math.atan2(px, py), (px * vx + py * vy) / math.hypot(px, py)]
+
+    assert diagnose(measured, "observe.polar_doppler.map").verdict == "convention"
+    found = diagnose(lambda state: own.radar_jacobian(state[1], state[0], state[3], state[2]), JACOBIAN)
+    assert found.verdict == "convention"
+    assert found.convention == "state in the order y, x, vy, vx"
+    order = {"state": ("y", "x", "vy", "vx")}
+    right = lambda state: own.radar_jacobian(state[1], state[0], state[3], state[2])[:, [1, 0, 3, 2]]  # noqa: E731
+    assert_derived(right, JACOBIAN, arguments=order)
+
+
+def test_the_opposite_sign_of_a_correlation_and_of_a_range_rate_are_told() -> None:
+    function, name = generated(find("polar_doppler.covariance.linear")), "polar_doppler.covariance.linear"
+    names = [symbol.name for symbol in find(name).symbols]
+    opposite = named(lambda *at: function(**(p := dict(zip(names, at, strict=True))) | {"rho": -p["rho"]}), names)
+    assert diagnose(opposite, name).convention == "the opposite sign of rho"
+
+
 def test_what_is_said_of_the_convention_makes_a_function_right() -> None:
     assert_derived(own.of_variances, "polar.covariance.linear", variances=True)
     assert_derived(own.in_degrees, "polar.covariance.linear", degrees=True)
@@ -147,6 +310,7 @@ def test_a_right_function_that_cancels_where_the_derived_formula_does_not_is_rig
     assert found.verdict == "loses_digits", str(found)
     assert found.lost_digits is not None
     assert found.lost_digits.digits >= 4
+    assert name.startswith("observe") or "rounding numbers near 1," in found.lost_digits.why
 
 
 def test_another_order_of_parameters_is_found_without_their_names() -> None:
@@ -294,6 +458,28 @@ def test_a_covariance_that_single_precision_makes_indefinite_is_told_as_that() -
     assert found.agrees
     assert "indefinite" in str(found)
     assert "single precision" in str(found)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["finite_sample.degree3.range.information", "finite_sample.degree3.range.covariance", "polar.covariance.truth"],
+)
+@pytest.mark.parametrize("put", [np.float32, lambda found: found.astype(np.float32).astype(float)], ids=["array", "C"])
+def test_what_single_precision_cannot_hold_is_told_and_is_not_wrong(name: str, put: Callable[[Any], Any]) -> None:
+    function = generated(find(name))
+    names = [symbol.name for symbol in find(name).symbols]
+    found = diagnose(named(lambda *values: put(function(**dict(zip(names, values, strict=True)))), names), name)
+    assert found.agrees, str(found)
+    assert ("beyond what single precision holds" in str(found)) == name.startswith("finite"), str(found)
+
+
+def test_an_intermediate_that_overflows_single_precision_is_told() -> None:
+    def to_xy(r: float, az: float) -> Any:
+        eighth = np.float32(r) ** 8
+        return np.array([r * math.cos(az), r * math.sin(az)], np.float32) * (eighth / eighth)
+
+    found = diagnose(to_xy, "polar.map")
+    assert (found.verdict, "undefined" in str(found)) == ("undefined", True), str(found)
 
 
 def test_single_precision_inside_is_rounding_and_a_constant_of_few_digits_is_none() -> None:

@@ -6,13 +6,16 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
+from radartrack.derive.catalogue import catalogue
 from radartrack.testing import CannotDiagnose, Diagnosis
 from radartrack.testing.examination import Examination
 from radartrack.testing.function_conventions import AS_ASKED
 from radartrack.testing.value_tables import points_table, tabulated
 from radartrack.testing.wanted import Wanted, wanted_by
+from radartrack.verification.subject import generated
 from tests.radartrack.testing import own_functions as own
 
 WANTED = wanted_by("polar.map", {})
@@ -125,3 +128,22 @@ def test_degrees_and_slips_are_found_in_tables() -> None:
 def test_what_is_no_table_of_the_points_is_refused_with_a_word(change: Callable[[str], str], words: str) -> None:
     with pytest.raises(CannotDiagnose, match=words):
         tabulated(WANTED, change(filled(WANTED, right)))
+
+
+@pytest.mark.parametrize("name", [name for name in catalogue() if name.endswith((".map", ".covariance.linear"))])
+def test_tables_of_every_sensor_motion_and_frame_hold_the_points_that_are_asked_for(name: str) -> None:
+    """As they are written in full, and with the few digits that other programs show."""
+    wanted = wanted_by(name, {})
+    head, *rows = (line.split(",") for line in points_table(wanted).splitlines())
+    points = {symbol: np.array([float(row[place]) for row in rows]) for place, symbol in enumerate(head)}
+    with np.errstate(all="ignore"):
+        values = np.broadcast_to(generated(wanted.quantity)(**points), (len(rows), *wanted.shape)).reshape(
+            len(rows), -1
+        )
+    for written in (repr, "{:.6g}".format):
+        cells = ([*row, *map(written, map(float, entries))] for row, entries in zip(rows, values, strict=True))
+        lines = map(",".join, cells)
+        text = "\n".join([",".join([*head, *(f"v{place}" for place in range(values.shape[1]))]), *lines])
+        taken = {f"argument {place + 1}": symbol for place, symbol in enumerate(head)}
+        found = Examination(tabulated(wanted, text), wanted, taken, AS_ASKED).diagnosis()
+        assert found.verdict in {"agrees", "loses_digits", "undefined"}, str(found)

@@ -41,6 +41,11 @@ SHORT = 400  # characters of a formula that is tried over one denominator
 POINTS, FEWEST = 18, 8  # at which edits are screened, and fewer than which say nothing
 PLAIN = 2.0  # the cost of one edit that is likelier than any other kind
 TWICE = 3.0  # the cost below which no two edits are
+FUDGE, OFFSET = 1.9, 2.6  # the cost of a constant that is added, small or not
+STEADY, LAST, VISIBLE, SLIGHT = 1e-6, 1e-13, 1e-11, 1e-2  # of itself, and of what it is added to: by how much a
+# constant may scatter, from where on it is one, and up to where it is small
+DROPPED = 1.5  # the cost of a factor or a term that is missing
+CANCELLED = 50.0  # times which a function of single precision may be off where it cancels
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
 
 Edits = Callable[[Search, Tree, Values], Iterable[Candidate]]
@@ -54,9 +59,13 @@ class SlipSearch:
         found: what the function has there, shape (points, entries).
         confirming: points in all directions.
         found_there: likewise.
+        share: of a value, by which what is found may be off, where that is more than double precision makes.
     """
 
-    def __init__(self, screening: Expected, found: Array, confirming: Expected, found_there: Array) -> None:
+    def __init__(
+        self, screening: Expected, found: Array, confirming: Expected, found_there: Array, share: float = 0.0
+    ) -> None:
+        self._share = max(share, SAME)
         self._screening, self._found = screening, found
         self._confirming, self._found_there = confirming, found_there
         wanted = screening.wanted
@@ -77,23 +86,32 @@ class SlipSearch:
             {name: tuple(values[n] for n in known) for name, values in self._here.items()}, len(known)
         )
         wanted = self._screening.wanted
-        entry = wanted.entries[place].xreplace(
-            {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
-        )
         index = wanted.places[place] if wanted.shape else ()
-        trees = _trees(entry)
+        trees = self.trees(place)
         searches = [Search(self._screen, target, self._names, tree, ()) for tree in trees]
         found: tuple[Candidate, Tree] | None = None
-        for edits, is_enough in (self._single, PLAIN), (self._forwards_and_below, TWICE), (self._double, math.inf):
+        stages: Sequence[tuple[Edits, float]] = (
+            (self._single, PLAIN),
+            (self._forwards_and_below, TWICE),
+            (self._double, math.inf),
+        )
+        for edits, is_enough in stages if self._share == SAME else ((self._roughly, math.inf),):
             found = self._likeliest(edits, searches, trees, target, place, found)
             if found is not None and found[0].cost <= is_enough:
                 break
         return None if found is None else _told(found[1], found[0], index, self._names)
 
+    def trees(self, place: int) -> list[Tree]:
+        """Ways to write an entry."""
+        wanted = self._screening.wanted
+        zero = {s: s * 0 for s in wanted.quantity.symbols if wanted.given.get(s.name) == 0}
+        return _trees(wanted.entries[place].xreplace(zero))
+
     def is_entry(self, place: int, other: int) -> bool:
         """Whether the function has in one place what belongs in another."""
         expected, scales = self._screening.values, self._screening.scales
-        near = np.abs(self._found[:, place] - expected[:, other]) <= TOLERANCE * scales[:, other]
+        share = TOLERANCE if self._share == SAME else self._share
+        near = np.abs(self._found[:, place] - expected[:, other]) <= share * scales[:, other]
         return bool(near.all())
 
     def _likeliest(
@@ -122,25 +140,53 @@ class SlipSearch:
             yield Candidate(Number("0"), "", 1.0)
         elif self._here:
             yield from search.single_edits(tree)
-            yield from self._misread_powers(tree, target)
+            yield from self._misread_powers(search, tree)
+            yield from self._with_a_constant(search, tree)
+
+    def _with_a_constant(self, search: Search, tree: Tree) -> Iterator[Candidate]:
+        """A constant added to a part, as against a division by zero or a singular matrix."""
+        for part in search.parts(tree):
+            values = self._screen(part.node)
+            if values is None or isinstance(part.node, Number):
+                continue
+            needed, own = np.array(part.needed), np.array(values)
+            size, constant = np.maximum(np.abs(needed), np.abs(own)), float(np.median(needed - own))
+            scatter = np.abs(needed - own - constant)
+            is_constant = (scatter <= STEADY * abs(constant) + LAST * size).all()
+            if is_constant and (abs(constant) > VISIBLE * size).all():
+                text = _short_number(abs(constant), float(scatter.max()))
+                term = Number(text) if constant > 0 else Negation(Number(text))
+                terms = part.node.terms if isinstance(part.node, Sum) else (part.node,)
+                edited = replace_at(tree, part.path, Sum((*terms, term)))
+                yield Candidate(edited, "", FUDGE if (abs(constant) <= SLIGHT * size).all() else OFFSET)
 
     def _forwards_and_below(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
         yield from self._forwards(tree, target)
         if self._here:
             yield from self._below_even_powers(search, tree)
 
+    def _roughly(self, _: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
+        """Of values with few digits: from what they are nothing follows for the parts, so that all edits are tried."""
+        if not any(target):
+            yield Candidate(Number("0"), "", 1.0)
+            return
+        if _near(self._screen(Negation(tree)), target, target, self._share):
+            yield Candidate(Negation(tree), "", 1.0)
+        for candidate in self._forwards(tree, target):
+            if _near(self._screen(candidate.tree), target, target, self._share):
+                yield candidate
+
     def _double(self, search: Search, tree: Tree, _: Values) -> list[Candidate]:
         """Of a number, which many things are worth, only what is plainly an edit of it is taken."""
         return search.double_edits(tree) if self._here else []
 
-    def _misread_powers(self, tree: Tree, target: Values) -> Iterator[Candidate]:
+    def _misread_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """`x*2`, `x + 2` and `2 + x` for `x**2`: the sign of a power is lost where text is taken over."""
-        for path, node in walk(tree):
-            if isinstance(node, Power):
-                for other in (Product((node.exponent, node.base)), Sum((node.base, node.exponent))):
-                    edited = replace_at(tree, path, other)
-                    if _near(self._screen(edited), target, target):
-                        yield Candidate(edited, "", 1.3)
+        for part in search.parts(tree):
+            if isinstance(part.node, Power):
+                for other in (Product((part.node.exponent, part.node.base)), Sum((part.node.base, part.node.exponent))):
+                    if _near(self._screen(other), part.needed, part.needed):
+                        yield Candidate(replace_at(tree, part.path, other), "", 1.3)
 
     def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
@@ -164,11 +210,12 @@ class SlipSearch:
         kinds = {name: self._names.dimensions[name] for name in self._here}
         quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
         for path, node in nodes if len(nodes) <= SMALL else ():
-            for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node)):
+            edits = (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node))
+            for edit in (*edits, *_without_one_of(node)):
                 edited = replace_at(tree, path, edit.tree)
                 program = Program(edited)
                 if all(
-                    _near(_each(seen, program(point)), (value,), (value,))
+                    _near(_each(seen, program(point)), (value,), (value,), self._share)
                     for point, value in zip(quick, target, strict=False)
                 ):
                     yield Candidate(edited, edit.words, edit.cost)
@@ -193,12 +240,19 @@ class SlipSearch:
     def _is_confirmed(self, tree: Tree, place: int, sound: Sequence[int]) -> bool:
         """Whether the edited formula is the function in all directions, wherever that has a value."""
         program, sizes = Program(tree), self._confirming.scales[:, place]
+        share = SAME if self._share == SAME else CANCELLED * self._share
         targets = [(n, float(self._found_there[n, place])) for n in sound]
         return all(
-            _near(program(self._wider_point(n)), (target,), (sizes[n],))
+            _near(program(self._wider_point(n)), (target,), (sizes[n],), share)
             for n, target in targets
             if math.isfinite(target)
         )
+
+
+def _short_number(value: float, scatter: float) -> str:
+    """As few digits as it may have been written with."""
+    near = (f"{value:.{digits}g}" for digits in range(1, 9))
+    return next((text for text in near if abs(float(text) - value) <= 2 * scatter + STEADY * value), f"{value:.9g}")
 
 
 def _by_cost(candidate: Candidate) -> float:
@@ -225,6 +279,17 @@ def _more(node: Tree) -> Iterator[Alternative]:
         factors = inner.factors if isinstance(inner, Product) else (inner,)
         twice = sign(Product((Number("2"), *factors)))
         yield Alternative(replace_at(node, (place,), twice), "{} should be {}", LIKELY, (term, twice))
+
+
+def _without_one_of(node: Tree) -> Iterator[Alternative]:
+    """A product without one of its factors, a sum without one of its terms."""
+    if not isinstance(node, Product | Sum):
+        return
+    parts = node.factors if isinstance(node, Product) else node.terms
+    for place in range(len(parts)):
+        rest = (*parts[:place], *parts[place + 1 :])
+        without = rest[0] if len(rest) == 1 else type(node)(rest)
+        yield Alternative(without, "{} should be {}", DROPPED, (node, without))
 
 
 def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:
