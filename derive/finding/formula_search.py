@@ -20,11 +20,8 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
 )
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
-    alternatives,
-    exchanged,
-    inside_function,
-    other_numbers,
     plain_words,
+    slips,
 )
 from radartrack.derive.evaluation.tree_values import Program
 from radartrack.derive.formula.error import FormulaError
@@ -224,7 +221,10 @@ class FormulaSearch:
         return sorted(best.values(), key=lambda one: one.difference)[:MOST_NEAR]
 
     def slipped(self, tree: Tree) -> list[Candidate]:
-        """What a formula of a number is with one slip undone, each quantity with the likeliest of its slips."""
+        """What a formula of a number is with one slip undone, each quantity with the likeliest of its slips.
+
+        A few slips, each with a few quantities: those that have a likely one must not hide the others.
+        """
         printed = _entries(tree)
         if printed is None or printed.shape:
             return []
@@ -239,7 +239,11 @@ class FormulaSearch:
                         read = _Read(family, letters, _CONVENTIONS[0], (), values or ())
                         one = replace(_candidate(edited, item, read, 0.0), slip=edit.words)
                         found[item.quantity] = edit.cost, one
-        return [one for _, one in sorted(found.values(), key=lambda pair: (pair[0], pair[1].effort))[:MOST_NEAR]]
+        ordered = [one for _, one in sorted(found.values(), key=lambda pair: (pair[0], pair[1].effort))]
+        by_slip: dict[str, list[Candidate]] = {}
+        for one in ordered:
+            by_slip.setdefault(one.slip, []).append(one)
+        return [one for alike in islice(by_slip.values(), MOST_NEAR) for one in alike[:MOST_NEAR]]
 
     def _likeliest(self, printed: Tensor[Tree]) -> Iterator[tuple[_Family, Reading]]:
         """Each family with the likeliest reading of the letters as its symbols."""
@@ -300,7 +304,7 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
     """The formula after each slip that keeps its letters."""
     letters = names(tree)
     for path, node in walk(tree):
-        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *inside_function(node)):
+        for edit in slips(node, kinds):
             changed = replace_at(tree, path, edit.tree)
             if edit.cost <= LIKELY and edit.tree != node and names(changed) == letters:
                 yield replace(edit, tree=changed, kind=plain_words(edit.words), about=())

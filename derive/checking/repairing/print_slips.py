@@ -130,6 +130,23 @@ def exchanged(node: Tree) -> Iterator[Alternative]:
         yield from (one.of(node) for one in exchanges(node))
 
 
+def slips(node: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
+    """What may have been meant by a part, each of its numbers and arguments included.
+
+    Args:
+        node: the part.
+        kinds: the symbols allowed, and what makes them alike.
+    """
+    yield from alternatives(node, kinds)
+    yield from exchanged(node)
+    yield from other_numbers(node)
+    yield from inside_function(node)
+    if isinstance(node, Product):
+        yield from _divided(node.factors)
+    if isinstance(node, Power):
+        yield Alternative(Power(node.base, Negation(node.exponent)), "the sign of the exponent of {}", 1.4, (node,))
+
+
 def other_numbers(node: Tree) -> Iterator[Alternative]:
     """The numbers for which one may stand."""
     if isinstance(node, Number):
@@ -318,6 +335,14 @@ def _power_of_part(base: Tree, exponent: Tree) -> Iterator[Alternative]:
 
 def _bracket(tree: Tree) -> Alternative:
     return Alternative(tree, "a bracket: {}", 1.4, (tree,))
+
+
+def _divided(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
+    """The product with one factor below."""
+    for place, factor in enumerate(factors):
+        rest = (*factors[:place], *factors[place + 1 :])
+        above = rest[0] if len(rest) == 1 else Product(rest)
+        yield Alternative(Quotient(above, factor), "{} below, not above", 1.4, (factor,))
 
 
 def _fewer(parts: tuple[Tree, ...], kind: str) -> Iterator[Exchange]:

@@ -13,7 +13,7 @@ from contextlib import suppress
 
 from radartrack.derive.checking.repairing.edit_search import Candidate
 from radartrack.derive.checking.repairing.matrix_slips import matrix_slips
-from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, inside_function, other_numbers
+from radartrack.derive.checking.repairing.print_slips import slips
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.functions import BINDING
@@ -84,7 +84,7 @@ def _edits_of_numbers(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Candi
     for path, node in walk(tree):
         if _is_bound(tree, path) or isinstance(node, Array):
             continue
-        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *inside_function(node)):
+        for edit in slips(node, kinds):
             if edit.cost <= LIKELY and edit.tree != node:
                 yield Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
         if not isinstance(node, Negation | Sum) and (not path or _is_entry(tree, path)):

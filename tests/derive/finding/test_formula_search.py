@@ -18,7 +18,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Name, Tree
+from radartrack.derive.formula.tree import Name, Product, Quotient, Tree
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX, TEXT
@@ -185,6 +185,22 @@ def test_a_slip_is_undone_and_never_found(slip: str, quantity: str, right: str) 
     tree = read_loosely(slip)
     assert search().candidates(tree) == []
     assert (quantity, right) in {(one.quantity, one.formula) for one in search().slipped(tree) if one.slip}
+
+
+QUOTIENTS = {
+    to_text(tree): tree
+    for quantity, place in ENTRIES
+    if isinstance(tree := to_tree(quantity.expression.entries[place]), Quotient) and len(to_text(tree)) < 60
+}
+
+
+@pytest.mark.parametrize("printed", sorted(QUOTIENTS))
+def test_what_is_above_and_should_be_below_is_told(printed: str) -> None:
+    tree = QUOTIENTS[printed]
+    slip = Product((tree.numerator, tree.denominator))
+    assert search().candidates(slip) == []
+    wanted = {one.quantity for one in search().candidates(tree)}
+    assert any(one.quantity in wanted for one in search().slipped(slip))
 
 
 @pytest.mark.parametrize(
