@@ -34,7 +34,7 @@ def read_loosely(
         notation: in which it is.
         function: of code, the function that is meant.
         shapes: of the names that stand for arrays.
-        wanted: of code, how many numbers it is to compute.
+        wanted: how many numbers it is to be.
 
     Raises:
         FormulaError: when it cannot be read whatever they mean.
