@@ -15,6 +15,7 @@ from radartrack.derive.reading.printed_text import is_printed
 from radartrack.derive.reading.tex.latex import latex_name
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_APPLIED = re.compile(r"(?P<name>[^()]+)\(\s*\\?(?P<argument>[A-Za-z_]\w*)\s*\)")
 _EULER = Constant("e")
 
 
@@ -44,12 +45,19 @@ def read_loosely(
 
 
 def plain_formulas(printed: Mapping[str, str]) -> dict[str, str]:
-    r"""Formulas by name, all as they are typed: λ and \lambda are lambda, and σθ² is sigma_theta**2.
+    r"""Formulas by name, all as they are typed: λ and \lambda are lambda, σθ² is sigma_theta**2, and F(t) = t is F.
 
     What cannot be read stays as it is.
     """
-    names = {name: (latex_name(name) or name) if "\\" in name else _plain(name) for name in printed}
+    bare = {name: _without_argument(name, text) for name, text in printed.items()}
+    names = {name: (latex_name(one) or one) if "\\" in one else _plain(one) for name, one in bare.items()}
     return {names[name]: _plain(text, names.values()) for name, text in printed.items()}
+
+
+def _without_argument(name: str, text: str) -> str:
+    """What stands before a letter in brackets, if the formula is one in this letter."""
+    found = _APPLIED.fullmatch(name)
+    return found["name"] if found and re.search(rf"(?<![\w.]){found['argument']}(?!\w)", text) else name
 
 
 def _plain(text: str, names: Collection[str] = ()) -> str:
