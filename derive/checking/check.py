@@ -72,7 +72,7 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.any_letters import plain_formulas, read_loosely
+from radartrack.derive.reading.any_letters import plain_formulas, read_loosely, without_variants
 from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
 from radartrack.derive.symbolic import Expr, Symbol, unguarded
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
@@ -143,6 +143,8 @@ def ask(
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
     conditions, definitions = plain_formulas(given or {}), plain_formulas(let or {})
+    if latex:
+        conditions, definitions = without_variants(conditions), without_variants(definitions)
     every = {**world.let, **definitions}
     definitions = {name: without_arguments(text, every) for name, text in definitions.items()}
     formula = formula if code else without_arguments(formula, every)

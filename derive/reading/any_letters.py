@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.latex_names import GREEK
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
@@ -58,6 +59,17 @@ def _without_argument(name: str, text: str) -> str:
     """What stands before a letter in brackets, if the formula is one in this letter."""
     found = _APPLIED.fullmatch(name)
     return found["name"] if found and re.search(rf"(?<![\w.]){found['argument']}(?!\w)", text) else name
+
+
+def without_variants(formulas: Mapping[str, str]) -> dict[str, str]:
+    r"""Typed formulas beside LaTeX, where \varphi is phi: varphi is phi in them too."""
+    variants = {name.removeprefix("\\"): other for name, other in GREEK.items() if name.startswith("\\var")}
+    word = re.compile(rf"(?<![\w.])(?:{'|'.join(variants)})(?![A-Za-z0-9])")
+
+    def turned(text: str) -> str:
+        return word.sub(lambda found: variants[found.group()], text)
+
+    return {turned(name): turned(text) for name, text in formulas.items()}
 
 
 def _plain(text: str, names: Collection[str] = ()) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+from radartrack.derive.checking.question.known_constants import nearly
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
@@ -106,12 +107,19 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
         case Negation(operand):
             yield Alternative(operand, "the sign of {}", 1.0, (operand,))
             yield from _sign_of_sum(operand)
+        case Number():
+            yield from _known_constants(tree, kinds)
         case Power() | Product() | Quotient():
             yield from _of_an_operation(tree)
         case Sum():
             yield from _of_a_sum(tree)
         case _:
             return
+
+
+def _known_constants(number: Number, kinds: Mapping[str, object]) -> Iterator[Alternative]:
+    for right, tree in nearly(number, kinds):
+        yield Alternative(tree, plain_words(f"{number.text} should be {right}"), 0.9)
 
 
 def exchanges(node: Sum | Product) -> Iterator[Exchange]:
