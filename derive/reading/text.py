@@ -14,10 +14,10 @@ from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_brackets, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape, shape
-from radartrack.derive.formula.tree import Call, Constant, Name, Number, Power, Tree, bound_names, children, parts
+from radartrack.derive.formula.tree import Call, Constant, Name, Power, Tree, bound_names, parts
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.reading.characters import check_characters
-from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
+from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees
 from radartrack.derive.reading.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.latex_equations import MAX_EQUATIONS
 from radartrack.derive.reading.text_hints import hint
@@ -78,31 +78,8 @@ class _TextBuilder(TreeBuilder):
     def array(self, parts: Sequence[Part]) -> Tree:
         """Entries of a vector, or rows, in any brackets or none; without square ones 0,5 may be a half."""
         if parts[0] != "[":
-            _check_decimals(parts)
+            check_decimals(parts)
         return super().array(parts)
-
-
-def _check_decimals(parts: Sequence[Part]) -> None:
-    """Refuse two numbers that only a comma parts.
-
-    Raises:
-        FormulaError: saying how a decimal is written.
-    """
-    for before, comma, after in zip(parts, parts[1:], parts[2:], strict=False):
-        if not isinstance(comma, Token) or isinstance(before, Token) or isinstance(after, Token):
-            continue
-        left, right = _outermost(before, -1), _outermost(after, 0)
-        spans = (left.span or (0, 0))[1], (right.span or (0, 0))[0]
-        if isinstance(left, Number) and isinstance(right, Number) and spans == place([comma]):
-            said = f"decimals follow a point: {left.text}.{right.text}; a vector is [{left.text}, {right.text}]"
-            raise FormulaError(said, span=place([comma]))
-
-
-def _outermost(tree: Tree, which: int) -> Tree:
-    """The first or the last part of a formula that has none itself."""
-    while below := children(tree):
-        tree = below[which]
-    return tree
 
 
 @cache

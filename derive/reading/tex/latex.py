@@ -25,7 +25,7 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import check_characters
-from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees, verb
+from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees, verb
 from radartrack.derive.reading.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
 from radartrack.derive.reading.tex.latex_equations import equations
@@ -175,10 +175,9 @@ class _LatexBuilder(TreeBuilder):
         return Call("transpose", (array,), span=place(parts))
 
     def listed(self, parts: Sequence[Part]) -> Tree:
-        """Entries of a vector between square brackets."""
-        comma = next(part for part in parts if isinstance(part, Token) and part.type == "COMMA")
-        if parts[0] == "(":
-            raise FormulaError("a comma stands only between a function's arguments", span=place([comma]))
+        """Entries of a vector, in any brackets or none; without square ones 0,5 may be a half."""
+        if parts[0] != "[":
+            check_decimals(parts)
         return Array(tuple(trees(parts)), span=place(parts))
 
     column = listed

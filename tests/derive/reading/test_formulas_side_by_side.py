@@ -9,9 +9,9 @@ import pytest
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree
-from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.printing import to_latex, to_text
 from radartrack.derive.reading.joined_equations import results
-from radartrack.derive.reading.notation import read_formula
+from radartrack.derive.reading.notation import LATEX, read_formula
 from radartrack.derive.reading.text import read_text
 
 VECTORS = {
@@ -34,6 +34,14 @@ def test_a_vector_is_the_same_with_and_without_brackets_and_as_equations(name: s
         " and ".join(f"out{place} = {entry}" for place, entry in enumerate(entries)),
     ):
         assert read_text(text, None) == bracketed, text
+
+
+@pytest.mark.parametrize("name", SHORT)
+def test_so_it_is_in_latex(name: str) -> None:
+    entries = [to_latex(read_text(entry, None)) for entry in VECTORS[name]]
+    bracketed = read_formula(rf"\left[{', '.join(entries)}\right]", LATEX, None).tree
+    for text in (", ".join(entries), "\\left(" + r",\; ".join(entries) + r"\right)", rf"$$ {', '.join(entries)}. $$"):
+        assert read_formula(text, LATEX, None).tree == bracketed, text
 
 
 def test_definitions_beside_a_formula_are_put_in_wherever_they_stand() -> None:
