@@ -39,9 +39,14 @@ def test_a_vector_is_the_same_with_and_without_brackets_and_as_equations(name: s
 @pytest.mark.parametrize("name", SHORT)
 def test_so_it_is_in_latex(name: str) -> None:
     entries = [to_latex(read_text(entry, None)) for entry in VECTORS[name]]
-    bracketed = read_formula(rf"\left[{', '.join(entries)}\right]", LATEX, None).tree
-    for text in (", ".join(entries), "\\left(" + r",\; ".join(entries) + r"\right)", rf"$$ {', '.join(entries)}. $$"):
-        assert read_formula(text, LATEX, None).tree == bracketed, text
+    symbols = [symbol.name for symbol in catalogue()[name].symbols]
+    bracketed = read_formula(rf"\left[{', '.join(entries)}\right]", LATEX, symbols).tree
+    for text in (
+        ", ".join(entries),
+        "\\left(" + r",\; ".join(entries) + r"\right)",
+        f"$$ {', '.join(entries)}. $$",
+    ):
+        assert read_formula(text, LATEX, symbols).tree == bracketed, text
 
 
 def test_definitions_beside_a_formula_are_put_in_wherever_they_stand() -> None:
