@@ -210,7 +210,10 @@ class FormulaSearch:
         if printed is None:
             return []
         best: dict[str, Candidate] = {}
+        kinds = {name: kind for row in self._rows.values() for name, kind in row["kinds"].items() if len(name) > 1}
         for read in self._readings(printed, FEW, plain=True):
+            if any(kinds.get(letter, one.symbol.unit) != one.symbol.unit for letter, one in read.letters.items()):
+                continue  # S_xx is no deviation
             for _, _, item in read.family.items:
                 if len(item.values) != len(read.values):
                     continue
