@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from itertools import chain, combinations, islice
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.assignments import ANY, Choice, assignments, choices, farther_choices
 from radartrack.derive.checking.question.letters.letter_meanings import (
     is_angle_word,
     is_known_word,
@@ -38,6 +38,7 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     names,
+    parts,
     replace_at,
     walk,
 )
@@ -75,6 +76,7 @@ class Candidate:
         let: definitions that the formula uses; none where it is found.
         rank: how far-fetched the meanings of the letters are together.
         slip: what was undone in the formula, where it is the quantity only then.
+        symbols: how many the quantity has, without correlations.
     """
 
     quantity: str
@@ -87,12 +89,13 @@ class Candidate:
     let: Mapping[str, str] = field(default_factory=dict)
     rank: int = 0
     slip: str = ""
+    symbols: int = 0
 
     @property
-    def effort(self) -> tuple[bool, bool, bool, int, int]:
-        """What has to be said of it: the less, the likelier."""
+    def effort(self) -> tuple[bool, bool, int, int, bool, int]:
+        """What has to be said of it: the less, the likelier; of the plainest quantity first."""
         is_negative = self.quantity.startswith("-")
-        return bool(self.convention), is_negative, bool(self.given), self.rank, len(self.read)
+        return bool(self.convention), is_negative, self.rank, self.symbols, bool(self.given), len(self.read)
 
 
 @dataclass(frozen=True)
@@ -107,12 +110,13 @@ class Screened:
 
 @dataclass(frozen=True)
 class _Item:
-    """An entry of a quantity, or all of them: what it is worth, and in which symbols."""
+    """An entry of a quantity, or all of them: what it is worth, and how many symbols the quantity has in all."""
 
     quantity: str
     meaning: str
     given: Mapping[str, str]
     values: tuple[Values, ...]
+    symbols: int
 
 
 @dataclass(frozen=True)
@@ -202,7 +206,8 @@ class FormulaSearch:
                     _keep_rearranged(rearranged, printed, read)
             if found or rearranged:
                 break
-        return _plainest(list(found.values())) or _first_of(rearranged)
+        likely = [one for one in found.values() if one.rank < ANY or not _is_of_letters_alone(tree)]
+        return _plainest(likely) or _first_of(rearranged)
 
     def near(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth nearly the same as, the nearest first."""
@@ -210,10 +215,16 @@ class FormulaSearch:
         if printed is None:
             return []
         best: dict[str, Candidate] = {}
+        alone = _is_of_letters_alone(tree)
         kinds = {name: kind for row in self._rows.values() for name, kind in row["kinds"].items() if len(name) > 1}
         for read in self._readings(printed, FEW, plain=True):
-            if any(kinds.get(letter, one.symbol.unit) != one.symbol.unit for letter, one in read.letters.items()):
+            if any(
+                kinds.get(letter, one.symbol.unit) != one.symbol.unit and not meanings(letter).strong
+                for letter, one in read.letters.items()
+            ):
                 continue  # S_xx is no deviation
+            if alone and sum(one.rank for one in read.letters.values()) >= ANY:
+                continue
             for _, _, item in read.family.items:
                 if len(item.values) != len(read.values):
                     continue
@@ -261,16 +272,17 @@ class FormulaSearch:
         meaning = f"{row['meaning']} ({row['source']})"
         shape = tuple(row["shape"])
         zeros = dict.fromkeys(row.get("correlations", ()), "0")
+        size = len(row["symbols"]) - len(zeros)
         for values, words, given in (("values", "used", {}), ("uncorrelated", "used_uncorrelated", zeros)):
             if values not in row:
                 continue
             used = [_used(row, word) for word in row[words]]
             if shape and None not in row[values]:
                 whole = [symbol for symbol in row["symbols"] if any(symbol in one for one in used)]
-                self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values]))))
+                self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values])), size))
             for place, (own, worth) in enumerate(zip(used, row[values], strict=True)):
                 if worth is not None:
-                    item = _Item(f"{name}{_index(place, shape)}", meaning, given, (tuple(worth),))
+                    item = _Item(f"{name}{_index(place, shape)}", meaning, given, (tuple(worth),), size)
                     self._put(row, own, (), item)
 
     def _put(self, row: Mapping[str, Any], symbols: Sequence[str], shape: tuple[int, ...], item: _Item) -> None:
@@ -311,6 +323,11 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
             changed = replace_at(tree, path, edit.tree)
             if edit.cost <= LIKELY and edit.tree != node and names(changed) == letters:
                 yield replace(edit, tree=changed, kind=plain_words(edit.words), about=())
+
+
+def _is_of_letters_alone(tree: Tree) -> bool:
+    """Whether a formula is sums and products of letters, which are many things, if they mean nothing: F*x + w."""
+    return all(isinstance(node, Name | Sum | Product | Negation) for node in parts(tree))
 
 
 def letters_of(tree: Tree) -> int | None:
@@ -473,7 +490,9 @@ def _candidate(printed: Tensor[Tree], item: _Item, read: _Read, difference: floa
     formula = to_text(array_of(printed.map(lambda entry: rebuild(entry, symbol))))
     name = item.quantity if sign > 0 else f"-{item.quantity}"
     rank = sum(choice.rank for choice in read.letters.values())
-    return Candidate(name, item.meaning, formula, renamed, words, item.given, difference, rank=rank)
+    return Candidate(
+        name, item.meaning, formula, renamed, words, item.given, difference, rank=rank, symbols=item.symbols
+    )
 
 
 def _raised(name: Name, power: int) -> Tree:

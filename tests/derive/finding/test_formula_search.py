@@ -249,3 +249,18 @@ def test_values_are_what_anyone_computes_from_the_formula(name: str) -> None:
         point = {symbol: data["symbols"][symbol.name][number] for symbol in quantity.symbols}
         for entry, values in zip(quantity.expression, data["values"], strict=True):
             assert values[number] == pytest.approx(float(entry.subs(point)), rel=1e-9, abs=1e-300)
+
+
+@pytest.mark.parametrize("formula", ["a*b + c", "F*x_k + w_k", "a*b", "a + b*(c + f)", "-a*b - c"])
+def test_sums_and_products_of_letters_without_a_meaning_are_nothing(formula: str) -> None:
+    assert search().candidates(read_loosely(formula)) == []
+    assert search().near(read_loosely(formula)) == []
+
+
+def test_the_plainest_quantity_comes_first_be_it_under_a_condition() -> None:
+    found = search().candidates(read_loosely("r^2*s_theta^2*sin(theta)^2 + s_r^2*cos(theta)^2"))
+    assert [one.quantity for one in found[:2]] == [
+        "polar.covariance.linear[0,0]",
+        "polar_doppler.covariance.linear[0,0]",
+    ]
+    assert found[0].given == {"rho": "0"}
