@@ -326,8 +326,8 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
 
 
 def _is_of_letters_alone(tree: Tree) -> bool:
-    """Whether a formula is sums and products of letters, which are many things, if they mean nothing: F*x + w."""
-    return all(isinstance(node, Name | Sum | Product | Negation) for node in parts(tree))
+    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w."""
+    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in parts(tree))
 
 
 def letters_of(tree: Tree) -> int | None:

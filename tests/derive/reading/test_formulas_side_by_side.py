@@ -92,7 +92,7 @@ def test_a_decimal_comma_is_no_vector(formula: str) -> None:
 
 @pytest.mark.parametrize("formula", ["atan2(1,2)", "[0,5]", "[1,2; 3,4]"])
 def test_arguments_and_entries_in_brackets_need_no_space(formula: str) -> None:
-    assert read_text(formula, None)
+    assert to_text(read_text(formula, None))
 
 
 @pytest.mark.parametrize("formula", ["a = b, b = a", "x = a, x = ", ", a", "a,, b", "P[0,0] = a, P[1,2] = b"])
