@@ -180,7 +180,26 @@ class Paper:
         """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
         reference, typed = self._typed(quantity)
         readings = (typed.readings() if typed else []) or [AS_TYPED]
-        return _likeliest([self._question(reference, reading) for reading in readings])
+        best = _likeliest([self._question(reference, reading) for reading in readings])
+        return self._with_undeclared(quantity, reference, typed, best) or best
+
+    def _with_undeclared(
+        self, quantity: str | Quantity, reference: Reference, typed: Typed | None, best: Question
+    ) -> Question | None:
+        """The question with declared letters read as symbols of the quantity, where so there is less to explain.
+
+        A paper that declares an angle theta for its own model calls the azimuth of ours so too.
+        """
+        own = {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
+        letters = {name for name in self.world.letters if typed and name in typed.used and name not in own}
+        if not letters or best.is_equal:
+            return None
+        kept = {name: one for name, one in self.world.letters.items() if name not in letters}
+        try:
+            other = replace(self, world=replace(self.world, letters=kept)).ask(quantity)
+        except (FormulaError, NoClosedForm):
+            return None
+        return other if other.to_explain < best.to_explain else None
 
     def ask_although_unreadable(self, quantity: str | Quantity) -> Question | None:
         """The same of a formula whose letters the quantity does not have, where it is one of another model."""
@@ -536,7 +555,8 @@ class Question:
     def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         explained = {suggestion.entry for suggestion in verdict.suggestions}
         left = [finding.entry for finding in wrong if finding.entry not in explained]
-        if verdict.convention or not left or any(suggestion.definition for suggestion in verdict.suggestions):
+        whole = any(one.definition or (self.reference.shape and not one.entry) for one in verdict.suggestions)
+        if verdict.convention or not left or whole:
             return verdict
         return replace(
             verdict, terms=differing_terms(self.printed_entry(left[0]), self.derived_entry(left[0]), left[0])

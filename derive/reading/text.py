@@ -61,7 +61,7 @@ def read_text(
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
         equations = _equations(text)
-        known = None if strangers else allowed | {name for name, _ in equations}
+        known = None if strangers else allowed | {name for name, _ in equations if name}
         tree = combined([Definition(name, _parse(right, known)) for name, right in equations], wanted)
         tree = _with_transposes(tree, shapes)
         known = allowed | bound_names(tree)
