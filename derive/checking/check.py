@@ -34,6 +34,7 @@ from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.letters.letter_readings import (
     AS_TYPED,
+    Letters,
     Reading,
     Typed,
     ambiguous,
@@ -42,7 +43,9 @@ from radartrack.derive.checking.question.letters.letter_readings import (
 )
 from radartrack.derive.checking.question.letters.undeclared_letters import undeclared_letters
 from radartrack.derive.checking.question.letters.undeclared_letters import words as assumed
-from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
+from radartrack.derive.checking.question.letters.worked_out_letters import unmeant_letters
+from radartrack.derive.checking.question.loose_definitions import without_arguments
+from radartrack.derive.checking.question.names import Names, indices_in, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,
     applying,
@@ -61,6 +64,7 @@ from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.evaluation.points import Point
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
@@ -68,9 +72,9 @@ from radartrack.derive.language.model import Model
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.any_letters import plain_formulas, read_loosely
+from radartrack.derive.reading.any_letters import plain_formulas, read_loosely, without_variants
 from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
-from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.symbolic import Expr, Symbol, unguarded
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 
@@ -139,6 +143,11 @@ def ask(
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
     conditions, definitions = plain_formulas(given or {}), plain_formulas(let or {})
+    if latex:
+        conditions, definitions = without_variants(conditions), without_variants(definitions)
+    every = {**world.let, **definitions}
+    definitions = {name: without_arguments(text, every) for name, text in definitions.items()}
+    formula = formula if code else without_arguments(formula, every)
     paper = Paper(formula, code or (LATEX if latex else TEXT), function, conditions, definitions, world, sense)
     try:
         question = paper.ask(quantity)
@@ -171,7 +180,26 @@ class Paper:
         """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
         reference, typed = self._typed(quantity)
         readings = (typed.readings() if typed else []) or [AS_TYPED]
-        return _likeliest([self._question(reference, reading) for reading in readings])
+        best = _likeliest([self._question(reference, reading) for reading in readings])
+        return self._with_undeclared(quantity, reference, typed, best) or best
+
+    def _with_undeclared(
+        self, quantity: str | Quantity, reference: Reference, typed: Typed | None, best: Question
+    ) -> Question | None:
+        """The question with declared letters read as symbols of the quantity, where so there is less to explain.
+
+        A paper that declares an angle theta for its own model calls the azimuth of ours so too.
+        """
+        own = {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
+        letters = {name for name in self.world.letters if typed and name in typed.used and name not in own}
+        if not letters or best.is_equal:
+            return None
+        kept = {name: one for name, one in self.world.letters.items() if name not in letters}
+        try:
+            other = replace(self, world=replace(self.world, letters=kept)).ask(quantity)
+        except (FormulaError, NoClosedForm):
+            return None
+        return other if other.to_explain < best.to_explain else None
 
     def ask_although_unreadable(self, quantity: str | Quantity) -> Question | None:
         """The same of a formula whose letters the quantity does not have, where it is one of another model."""
@@ -226,18 +254,39 @@ class Paper:
         is_code = self.notation in LANGUAGES
         size = math.prod(known.shape) if len(known.shape) == 1 else 1
         read = partial(self._read_loosely, wanted=size)
-        return reference, as_typed(read, known, definitions, conditions, declared, row_by_row=is_code)
+        typed = as_typed(read, known, definitions, conditions, declared, row_by_row=is_code)
+        return reference, typed or self._typed_when_worked_out(known, conditions, declared)
+
+    def _typed_when_worked_out(
+        self, reference: Reference, conditions: Mapping[Symbol, Expr], declared: Mapping[str, Variable]
+    ) -> Typed | None:
+        """What comes out of a formula in letters of its own, where something in it is worked out."""
+        read = partial(self._read_loosely, wanted=1)
+        letters = unmeant_letters(read, reference, {**self.world.let, **self.let}, declared)
+        if not letters:
+            return None
+        try:
+            printed = self._printed(reference, letters)
+            entries = printed.expressions.map(lambda entry: to_tree(unguarded(entry)))
+        except (FormulaError, NoClosedForm):
+            return None
+        return Typed(reference, entries, {}, conditions, declared, letters)
 
     def _read_loosely(self, names: Sequence[str], shapes: Mapping[str, Shape], wanted: int) -> Tree:
         return read_loosely(self.formula, names, self.notation, self.function, shapes, wanted)
 
     def _question(self, reference: Reference, reading: Reading) -> Question:
-        texts = [self.formula if self.notation == TEXT else "", *self.given.values()]
-        names = names_for(reference, self.let, self.world, texts, reading.letters)
-        reference = reference.with_symbols(names.symbols.values())
-        printed = read_printed(self.formula, names, reference.shape, self.notation, self.function)
+        printed = self._printed(reference, {**reading.vanished, **reading.letters})
+        reference = reference.with_symbols(printed.names.symbols.values())
         question = asked(reference, printed, self.given, self.world, self.sense)
         return replace(question, reading=reading)
+
+    def _printed(self, reference: Reference, letters: Letters) -> Printed:
+        """The formula with the letters read so."""
+        texts = [self.formula if self.notation == TEXT else "", *self.given.values()]
+        indices = indices_in(self.formula, {**self.world.let, **self.let}, self.notation, self.function)
+        names = names_for(reference, self.let, self.world, texts, letters, indices)
+        return read_printed(self.formula, names, reference.shape, self.notation, self.function)
 
 
 def _likeliest(questions: Sequence[Question]) -> Question:
@@ -506,7 +555,8 @@ class Question:
     def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         explained = {suggestion.entry for suggestion in verdict.suggestions}
         left = [finding.entry for finding in wrong if finding.entry not in explained]
-        if verdict.convention or not left or any(suggestion.definition for suggestion in verdict.suggestions):
+        whole = any(one.definition or (self.reference.shape and not one.entry) for one in verdict.suggestions)
+        if verdict.convention or not left or whole:
             return verdict
         return replace(
             verdict, terms=differing_terms(self.printed_entry(left[0]), self.derived_entry(left[0]), left[0])

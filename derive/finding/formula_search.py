@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from itertools import chain, combinations, islice
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.question.letters.assignments import Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.assignments import ANY, Choice, assignments, choices, farther_choices
 from radartrack.derive.checking.question.letters.letter_meanings import (
     is_angle_word,
     is_known_word,
@@ -20,11 +20,8 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
 )
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
-    alternatives,
-    exchanged,
-    inside_function,
-    other_numbers,
     plain_words,
+    slips,
 )
 from radartrack.derive.evaluation.tree_values import Program
 from radartrack.derive.formula.error import FormulaError
@@ -41,6 +38,7 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
     names,
+    parts,
     replace_at,
     walk,
 )
@@ -78,6 +76,7 @@ class Candidate:
         let: definitions that the formula uses; none where it is found.
         rank: how far-fetched the meanings of the letters are together.
         slip: what was undone in the formula, where it is the quantity only then.
+        symbols: how many the quantity has, without correlations.
     """
 
     quantity: str
@@ -90,12 +89,13 @@ class Candidate:
     let: Mapping[str, str] = field(default_factory=dict)
     rank: int = 0
     slip: str = ""
+    symbols: int = 0
 
     @property
-    def effort(self) -> tuple[bool, bool, bool, int, int]:
-        """What has to be said of it: the less, the likelier."""
+    def effort(self) -> tuple[bool, bool, int, int, bool, int]:
+        """What has to be said of it: the less, the likelier; of the plainest quantity first."""
         is_negative = self.quantity.startswith("-")
-        return bool(self.convention), is_negative, bool(self.given), self.rank, len(self.read)
+        return bool(self.convention), is_negative, self.rank, self.symbols, bool(self.given), len(self.read)
 
 
 @dataclass(frozen=True)
@@ -110,12 +110,13 @@ class Screened:
 
 @dataclass(frozen=True)
 class _Item:
-    """An entry of a quantity, or all of them: what it is worth, and in which symbols."""
+    """An entry of a quantity, or all of them: what it is worth, and how many symbols the quantity has in all."""
 
     quantity: str
     meaning: str
     given: Mapping[str, str]
     values: tuple[Values, ...]
+    symbols: int
 
 
 @dataclass(frozen=True)
@@ -205,7 +206,8 @@ class FormulaSearch:
                     _keep_rearranged(rearranged, printed, read)
             if found or rearranged:
                 break
-        return _plainest(list(found.values())) or _first_of(rearranged)
+        likely = [one for one in found.values() if one.rank < ANY or not _is_of_letters_alone(tree)]
+        return _plainest(likely) or _first_of(rearranged)
 
     def near(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth nearly the same as, the nearest first."""
@@ -213,7 +215,16 @@ class FormulaSearch:
         if printed is None:
             return []
         best: dict[str, Candidate] = {}
+        alone = _is_of_letters_alone(tree)
+        kinds = {name: kind for row in self._rows.values() for name, kind in row["kinds"].items() if len(name) > 1}
         for read in self._readings(printed, FEW, plain=True):
+            if any(
+                kinds.get(letter, one.symbol.unit) != one.symbol.unit and not meanings(letter).strong
+                for letter, one in read.letters.items()
+            ):
+                continue  # S_xx is no deviation
+            if alone and sum(one.rank for one in read.letters.values()) >= ANY:
+                continue
             for _, _, item in read.family.items:
                 if len(item.values) != len(read.values):
                     continue
@@ -224,7 +235,10 @@ class FormulaSearch:
         return sorted(best.values(), key=lambda one: one.difference)[:MOST_NEAR]
 
     def slipped(self, tree: Tree) -> list[Candidate]:
-        """What a formula of a number is with one slip undone, each quantity with the likeliest of its slips."""
+        """What a formula of a number is with one slip undone, each quantity with the likeliest of its slips.
+
+        A few slips, each with a few quantities: those that have a likely one must not hide the others.
+        """
         printed = _entries(tree)
         if printed is None or printed.shape:
             return []
@@ -239,7 +253,11 @@ class FormulaSearch:
                         read = _Read(family, letters, _CONVENTIONS[0], (), values or ())
                         one = replace(_candidate(edited, item, read, 0.0), slip=edit.words)
                         found[item.quantity] = edit.cost, one
-        return [one for _, one in sorted(found.values(), key=lambda pair: (pair[0], pair[1].effort))[:MOST_NEAR]]
+        ordered = [one for _, one in sorted(found.values(), key=lambda pair: (pair[0], pair[1].effort))]
+        by_slip: dict[str, list[Candidate]] = {}
+        for one in ordered:
+            by_slip.setdefault(one.slip, []).append(one)
+        return [one for alike in islice(by_slip.values(), MOST_NEAR) for one in alike[:MOST_NEAR]]
 
     def _likeliest(self, printed: Tensor[Tree]) -> Iterator[tuple[_Family, Reading]]:
         """Each family with the likeliest reading of the letters as its symbols."""
@@ -254,16 +272,17 @@ class FormulaSearch:
         meaning = f"{row['meaning']} ({row['source']})"
         shape = tuple(row["shape"])
         zeros = dict.fromkeys(row.get("correlations", ()), "0")
+        size = len(row["symbols"]) - len(zeros)
         for values, words, given in (("values", "used", {}), ("uncorrelated", "used_uncorrelated", zeros)):
             if values not in row:
                 continue
             used = [_used(row, word) for word in row[words]]
             if shape and None not in row[values]:
                 whole = [symbol for symbol in row["symbols"] if any(symbol in one for one in used)]
-                self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values]))))
+                self._put(row, whole, shape, _Item(name, meaning, given, tuple(map(tuple, row[values])), size))
             for place, (own, worth) in enumerate(zip(used, row[values], strict=True)):
                 if worth is not None:
-                    item = _Item(f"{name}{_index(place, shape)}", meaning, given, (tuple(worth),))
+                    item = _Item(f"{name}{_index(place, shape)}", meaning, given, (tuple(worth),), size)
                     self._put(row, own, (), item)
 
     def _put(self, row: Mapping[str, Any], symbols: Sequence[str], shape: tuple[int, ...], item: _Item) -> None:
@@ -300,10 +319,15 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
     """The formula after each slip that keeps its letters."""
     letters = names(tree)
     for path, node in walk(tree):
-        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *inside_function(node)):
+        for edit in slips(node, kinds):
             changed = replace_at(tree, path, edit.tree)
             if edit.cost <= LIKELY and edit.tree != node and names(changed) == letters:
                 yield replace(edit, tree=changed, kind=plain_words(edit.words), about=())
+
+
+def _is_of_letters_alone(tree: Tree) -> bool:
+    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w."""
+    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in parts(tree))
 
 
 def letters_of(tree: Tree) -> int | None:
@@ -466,7 +490,9 @@ def _candidate(printed: Tensor[Tree], item: _Item, read: _Read, difference: floa
     formula = to_text(array_of(printed.map(lambda entry: rebuild(entry, symbol))))
     name = item.quantity if sign > 0 else f"-{item.quantity}"
     rank = sum(choice.rank for choice in read.letters.values())
-    return Candidate(name, item.meaning, formula, renamed, words, item.given, difference, rank=rank)
+    return Candidate(
+        name, item.meaning, formula, renamed, words, item.given, difference, rank=rank, symbols=item.symbols
+    )
 
 
 def _raised(name: Name, power: int) -> Tree:

@@ -43,6 +43,7 @@ _ARGUMENT = re.compile(r"^\s*\{\d+\}|^\s*\[[^\]]*\]")
 _TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _COMMAND = re.compile(r"\\[a-zA-Z]+\*?|[{}~\\]")
 _SPACE = re.compile(r"\\(?:[,;:!]|quad|qquad|,)(?![a-zA-Z])|&|\\(?:left|right)(?=\.)")
+_STEP = re.compile(r"_\s*\{[^{}]*[a-z]\s*[+|-][^{}]*\}|\([a-z]\s*[+|-]")  # of a state from scan to scan: x_{k+1}
 _ID = re.compile(r"[^A-Za-z0-9_]+")
 _SEPARATOR = re.compile(
     r"\\[{}]|[{}()\[\]]|(?<!\\)[,;]|\\qquad|\\quad|\\(?:text|mbox|mathrm)\s*\{\s*(?:and|where|with|,)\s*\}"
@@ -317,7 +318,8 @@ def _read(equation: Equation) -> Understood:
         left = read_loosely(equation.left, notation=LATEX) if equation.left else None
     except FormulaError:
         left = None
-    defines = isinstance(left, Name) and left.name not in names(tree)
+    is_step = bool(_STEP.search(equation.left))
+    defines = isinstance(left, Name) and left.name not in names(tree) and not is_step
     return Understood(equation, tree, name=left.name if defines and isinstance(left, Name) else "")
 
 

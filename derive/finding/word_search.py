@@ -68,7 +68,8 @@ def by_words(wanted: Sequence[str], quantities: Iterable[Quantity]) -> list[Quan
     if any(sign in text for sign in "*?["):
         return [one for one in known if fnmatchcase(one.name, text)]
     if held := [one for one in known if text and _holds(one.name, text)]:
-        return held
+        families = {one.name.partition(".")[0] for one in held}
+        return held if len(families) == 1 else sorted(held, key=_plainness)
     parts = _parts(_words(text)[:MOST_WORDS])
     if not parts:
         return [] if text else known
@@ -79,7 +80,12 @@ def by_words(wanted: Sequence[str], quantities: Iterable[Quantity]) -> list[Quan
     found = [pair for pair in zip(scores, known, strict=True) if most and sum(map(bool, pair[0])) == most]
     best = max((sum(score) for score, _ in found), default=0.0)
     near = [pair for pair in found if sum(pair[0]) >= NEAR * best]
-    return [one for _, one in sorted(near, key=lambda pair: -sum(pair[0]))]
+    return [one for _, one in sorted(near, key=lambda pair: (-sum(pair[0]), _plainness(pair[1])))]
+
+
+def _plainness(quantity: Quantity) -> int:
+    """By how many symbols it has: of quantities that are alike otherwise the plainest is meant."""
+    return len(quantity.symbols)
 
 
 def missed(wanted: Sequence[str], found: Sequence[Quantity]) -> list[str]:
@@ -100,18 +106,22 @@ def _holds(name: str, text: str) -> bool:
 
 @dataclass(frozen=True)
 class _Part:
-    """A word that is looked for, and the words of the field that it is."""
+    """A word that is looked for, or several that are one of the field, and the words of the field that they are."""
 
-    word: str
+    words: Words
     field: tuple[FieldWord, ...]
+
+    @property
+    def word(self) -> str:
+        """The word, if it is one."""
+        return self.words[0] if len(self.words) == 1 else ""
 
     def weight(self, quantity: Quantity) -> float:
         """How well it fits a quantity."""
         by_field = max((FIELD * one.meaning(quantity.name) for one in self.field), default=0.0)
-        if not self.word:
-            return by_field
-        by_letter = SYMBOL if means(self.word, quantity.symbols) else 0.0
-        return max(by_field, by_letter, *(weight * _alike(self.word, words) for weight, words in _said(quantity)))
+        by_letter = SYMBOL if self.word and means(self.word, quantity.symbols) else 0.0
+        said = (weight * min(_alike(word, words) for word in self.words) for weight, words in _said(quantity))
+        return max(by_field, by_letter, *(weight if self.word else weight / 2 for weight in said))
 
 
 def _parts(words: Words) -> list[_Part]:
@@ -121,9 +131,9 @@ def _parts(words: Words) -> list[_Part]:
     while place < len(words):
         length, meant = _field_words_at(words[place:])
         if length > 1:
-            found.append(_Part("", meant))
+            found.append(_Part(words[place : place + length], meant))
         elif words[place] not in _EMPTY:
-            found.append(_Part(words[place], meant))
+            found.append(_Part(words[place : place + 1], meant))
         place += max(length, 1)
     return found
 
@@ -175,7 +185,7 @@ def _similar(word: str, other: str) -> float:
     if other.startswith(word) or (word.startswith(other) and len(word) <= len(other) + LONGEST_ENDING):
         return 0.75
     matcher = SequenceMatcher(None, word, other)
-    if matcher.real_quick_ratio() < ALIKE or matcher.ratio() < ALIKE:
+    if abs(len(word) - len(other)) > 1 or matcher.real_quick_ratio() < ALIKE or matcher.ratio() < ALIKE:
         return 0.0
     return SLIP
 

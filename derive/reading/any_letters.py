@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.latex_names import GREEK
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
@@ -15,6 +16,7 @@ from radartrack.derive.reading.printed_text import is_printed
 from radartrack.derive.reading.tex.latex import latex_name
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_APPLIED = re.compile(r"(?P<name>[^()]+)\(\s*\\?(?P<argument>[A-Za-z_]\w*)\s*\)")
 _EULER = Constant("e")
 
 
@@ -34,7 +36,7 @@ def read_loosely(
         notation: in which it is.
         function: of code, the function that is meant.
         shapes: of the names that stand for arrays.
-        wanted: of code, how many numbers it is to compute.
+        wanted: how many numbers it is to be.
 
     Raises:
         FormulaError: when it cannot be read whatever they mean.
@@ -44,12 +46,30 @@ def read_loosely(
 
 
 def plain_formulas(printed: Mapping[str, str]) -> dict[str, str]:
-    r"""Formulas by name, all as they are typed: λ and \lambda are lambda, and σθ² is sigma_theta**2.
+    r"""Formulas by name, all as they are typed: λ and \lambda are lambda, σθ² is sigma_theta**2, and F(t) = t is F.
 
     What cannot be read stays as it is.
     """
-    names = {name: (latex_name(name) or name) if "\\" in name else _plain(name) for name in printed}
+    bare = {name: _without_argument(name, text) for name, text in printed.items()}
+    names = {name: (latex_name(one) or one) if "\\" in one else _plain(one) for name, one in bare.items()}
     return {names[name]: _plain(text, names.values()) for name, text in printed.items()}
+
+
+def _without_argument(name: str, text: str) -> str:
+    """What stands before a letter in brackets, if the formula is one in this letter."""
+    found = _APPLIED.fullmatch(name)
+    return found["name"] if found and re.search(rf"(?<![\w.]){found['argument']}(?!\w)", text) else name
+
+
+def without_variants(formulas: Mapping[str, str]) -> dict[str, str]:
+    r"""Typed formulas beside LaTeX, where \varphi is phi: varphi is phi in them too."""
+    variants = {name.removeprefix("\\"): other for name, other in GREEK.items() if name.startswith("\\var")}
+    word = re.compile(rf"(?<![\w.])(?:{'|'.join(variants)})(?![A-Za-z0-9])")
+
+    def turned(text: str) -> str:
+        return word.sub(lambda found: variants[found.group()], text)
+
+    return {turned(name): turned(text) for name, text in formulas.items()}
 
 
 def _plain(text: str, names: Collection[str] = ()) -> str:

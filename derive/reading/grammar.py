@@ -26,6 +26,7 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
+    children,
     has_verbs,
     with_span,
 )
@@ -169,6 +170,29 @@ def trees(parts: Iterable[Part]) -> Iterator[Tree]:
 def place(parts: Sequence[Part]) -> Span:
     """From where the first part begins to where the last one ends."""
     return _span(parts[0])[0], _span(parts[-1])[1]
+
+
+def check_decimals(parts: Sequence[Part]) -> None:
+    """Refuse two numbers that only a comma parts.
+
+    Raises:
+        FormulaError: saying how a decimal is written.
+    """
+    for before, comma, after in zip(parts, parts[1:], parts[2:], strict=False):
+        if not isinstance(comma, Token) or isinstance(before, Token) or isinstance(after, Token):
+            continue
+        left, right = _outermost(before, -1), _outermost(after, 0)
+        spans = (left.span or (0, 0))[1], (right.span or (0, 0))[0]
+        if isinstance(left, Number) and isinstance(right, Number) and spans == place([comma]):
+            said = f"decimals follow a point: {left.text}.{right.text}; a vector is [{left.text}, {right.text}]"
+            raise FormulaError(said, span=place([comma]))
+
+
+def _outermost(tree: Tree, which: int) -> Tree:
+    """The first or the last part of a formula that has none itself."""
+    while below := children(tree):
+        tree = below[which]
+    return tree
 
 
 def finished(

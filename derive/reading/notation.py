@@ -54,7 +54,7 @@ def read_formula(
         shapes: of those that stand for arrays.
         strangers: whether names that are not known are let through.
         function: of code, the function to read.
-        wanted: of code, how many numbers it is to compute.
+        wanted: how many numbers it is to be.
 
     Raises:
         FormulaError: when it cannot be read, has two meanings, or is too large.
@@ -69,7 +69,7 @@ def read_formula(
         remarks = tuple(f"line {_line(text, one.span[0])}: {one.words}" for one in code.remarks)
     elif notation in {TEXT, LATEX, PRINTED}:
         read = {TEXT: read_text, LATEX: read_latex, PRINTED: read_printed_text}[notation]
-        tree = read(text, known, shapes, strangers=strangers)
+        tree = read(text, known, shapes, strangers=strangers, wanted=wanted)
     else:
         raise ValueError(f"notation: {notation!r} is not read; it is one of {', '.join(NOTATIONS)}")
     unknown = names(tree) - frozenset(known or ()) - bound_names(tree)

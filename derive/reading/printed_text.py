@@ -77,7 +77,12 @@ def is_printed(text: str) -> bool:
 
 
 def read_printed_text(
-    text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+    text: str,
+    names: Collection[str] | None,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
+    wanted: int = 1,
 ) -> Tree:
     """Read text that was copied from a page.
 
@@ -90,6 +95,7 @@ def read_printed_text(
         names: the symbols; None where none are known, and every name is let through.
         shapes: of those that stand for arrays.
         strangers: whether names that are not known are let through.
+        wanted: of how many numbers it is to be.
 
     Raises:
         FormulaError: when it is no such formula, is ambiguous, or too large.
@@ -104,7 +110,7 @@ def read_printed_text(
     except FormulaError as error:
         raise error.within(text) from None
     try:
-        tree = (read_text if is_typed else read_latex)(source, names, shapes, strangers=strangers)
+        tree = (read_text if is_typed else read_latex)(source, names, shapes, strangers=strangers, wanted=wanted)
     except FormulaError as error:
         raise FormulaError(error.message, text, _back(error.span, origins)) from None
     return rebuild(tree, lambda node: with_span(node, _back(node.span, origins)))

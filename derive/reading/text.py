@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cache
 from typing import cast
 
@@ -17,24 +17,37 @@ from radartrack.derive.formula.shape import NO_SHAPES, Shape, shape
 from radartrack.derive.formula.tree import Call, Constant, Name, Power, Tree, bound_names, parts
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
 from radartrack.derive.reading.characters import check_characters
-from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees
+from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees
+from radartrack.derive.reading.joined_equations import Definition, combined
+from radartrack.derive.reading.tex.latex_equations import MAX_EQUATIONS
 from radartrack.derive.reading.text_hints import hint
 
 _BRACKETS = {"(": ")", "[": "]", "{": "}"}
-_LEFT_SIDE = re.compile(r"\s*[A-Za-z_]\w*\s*(?:\[[\w\s,:]*\]\s*|\([\w\s,]*\)\s*)?=(?!=)")  # P[0,1] = …, f(x) = …
+# P[0,1] = …, f(x) = …
+_LEFT_SIDE = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\[(?P<places>[\w\s,:]*)\]\s*|\([\w\s,]*\)\s*)?=(?!=)")
+_PARTING = re.compile(r"(?P<open>[(\[{])|(?P<close>[)\]}])|(?P<comma>[,;])|(?P<line>\n|\b(?:where|with|and)\s)")
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)*)")
 
 
 def read_text(
-    text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+    text: str,
+    names: Collection[str] | None,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
+    wanted: int = 1,
 ) -> Tree:
     """Read a formula in these symbols, and `pi`, `e` and `E` where they are not among them.
+
+    Of an equation the right side is read; of several, the ones that the others define. Formulas side by side are a
+    vector, with or without brackets.
 
     Args:
         text: the formula.
         names: the symbols; None where none are known, and every name is let through.
         shapes: of those that stand for arrays.
         strangers: whether names that are not known are let through.
+        wanted: of how many numbers it is to be.
 
     Raises:
         FormulaError: when it is no such formula, or too large.
@@ -45,11 +58,12 @@ def read_text(
     check_characters(text, allowed)
     whole = text
     try:
-        if said := _LEFT_SIDE.match(text):  # at the beginning alone: a search for it would begin at every letter
-            text = " " * said.end() + text[said.end() :]
         check_brackets([(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)], _BRACKETS)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
-        tree = _with_transposes(_parse(text, None if strangers else allowed), shapes)
+        equations = _equations(text)
+        known = None if strangers else allowed | {name for name, _ in equations if name}
+        tree = combined([Definition(name, _parse(right, known)) for name, right in equations], wanted)
+        tree = _with_transposes(tree, shapes)
         known = allowed | bound_names(tree)
         return finished(tree, lambda node: _resolved(node, known, strangers=strangers), shapes, strangers=strangers)
     except FormulaError as error:
@@ -60,6 +74,12 @@ class _TextBuilder(TreeBuilder):
     def call(self, parts: Sequence[Part]) -> Tree:
         """A function and its arguments in brackets."""
         return call(SPELLINGS[str(parts[0])], trees(parts), place(parts))
+
+    def array(self, parts: Sequence[Part]) -> Tree:
+        """Entries of a vector, or rows, in any brackets or none; without square ones 0,5 may be a half."""
+        if parts[0] != "[":
+            check_decimals(parts)
+        return super().array(parts)
 
 
 @cache
@@ -72,6 +92,46 @@ def _parser() -> Lark:
         transformer=_TextBuilder(),
         lexer_callbacks={"NAME": _function_or_name},
     )
+
+
+def _equations(text: str) -> list[tuple[str, str]]:
+    """The right sides, each where it stands in the text, with the names left of them; a formula alone has none.
+
+    Commas and the like part formulas only where one of these is an equation: else they part the entries of a vector.
+
+    Raises:
+        FormulaError: for more than are read together.
+    """
+    pieces = [(start, end, _LEFT_SIDE.match(text, start, end)) for start, end in _parted(text)]
+    if not any(said for _, _, said in pieces):
+        return [("", text.rstrip().rstrip(",;"))]
+    found = []
+    for start, end, said in pieces:
+        begin = said.end() if said else start
+        found.append((_left_name(said) if said else "", " " * begin + text[begin:end]))
+    if len(found) > MAX_EQUATIONS:
+        raise FormulaError(f"at most {MAX_EQUATIONS} equations are read together")
+    return found
+
+
+def _parted(text: str) -> Iterator[Span]:
+    """From where to where the formulas go side by side, or on lines or behind words where an equation begins."""
+    start = depth = 0
+    for sign in _PARTING.finditer(text):
+        depth += (sign.lastgroup == "open") - (sign.lastgroup == "close")
+        parts = sign.lastgroup == "comma" or (sign.lastgroup == "line" and _LEFT_SIDE.match(text, sign.end()))
+        if depth == 0 and parts:
+            if text[start : sign.start()].strip():
+                yield start, sign.start()
+            start = sign.end()
+    if text[start:].strip():
+        yield start, len(text)
+
+
+def _left_name(said: re.Match[str]) -> str:
+    """The name of what stands left of an equals sign: P[0,1] is P_01."""
+    places = [place.strip() for place in (said["places"] or "").split(",")]
+    return f"{said['name']}_{''.join(places)}" if len(places) == 2 and all(map(str.isdigit, places)) else said["name"]
 
 
 def _function_or_name(token: Token) -> Token:

@@ -23,19 +23,23 @@ _FOREIGN = MappingProxyType(
         "#": "comments are not read",
         "'": "quoted text has no place in a formula",
         '"': "quoted text has no place in a formula",
-        ",": "a comma stands only between the arguments of a function or the entries of an array",
     }
 )
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Where the parser stopped: what it stopped at, the operand before that, if any, and the text around."""
+    """Where the parser stopped: what it stopped at, the operand before that, if any, the text around.
+
+    Attributes:
+        is_in_array: whether an array is open there.
+    """
 
     last: str
     before: str
     at: str
     after: str
+    is_in_array: bool = False
 
 
 def hint(before: str, at: str, after: str) -> str:
@@ -47,7 +51,7 @@ def hint(before: str, at: str, after: str) -> str:
         after: what follows.
     """
     last = _LAST.search(before.rstrip()[-200:])
-    fault = Fault(last.group() if last else "", before.rstrip()[-1:], at, after)
+    fault = Fault(last.group() if last else "", before.rstrip()[-1:], at, after, before.count("[") > before.count("]"))
     return next(said for rule in _RULES if (said := rule(fault)))
 
 
@@ -73,7 +77,8 @@ def _product(fault: Fault) -> str | None:
     left = "(...)" if fault.last in ")]|" else fault.last
     right = "(...)" if fault.at in "(|" else fault.at
     call = "(...)" if right in SPELLINGS else ""
-    return f"products are written out: {left[:40]}*{right[:40]}{call}"
+    array = f"; entries of an array stand between commas: [{left[:40]}, {right[:40]}{call}]"
+    return f"products are written out: {left[:40]}*{right[:40]}{call}{array if fault.is_in_array else ''}"
 
 
 def _index(fault: Fault) -> str | None:
@@ -92,7 +97,7 @@ def _end(fault: Fault) -> str | None:
 
 
 def _misplaced(fault: Fault) -> str:
-    if fault.at in {"+", "-", "*", "/", "^", "**", ")", "]"}:
+    if fault.at in {"+", "-", "*", "/", "^", "**", ")", "]", ",", ";"}:
         return f"a value is missing before {fault.at}"
     return f"{fault.at} has no meaning here"
 

@@ -65,7 +65,7 @@ def _drafted(found: Sequence[Understood], decider: Decider) -> list[Drafted]:
     search, known = search_over(), paper_draft.defined(found)
     drafted = []
     for one in found:
-        trees = (one.tree, paper_draft.with_definitions(one, known))  # as printed, else by its definitions
+        trees = (paper_draft.with_definitions(one, known), one.tree)  # by the paper's definitions, else as printed
         pairs = (pair for tree in trees if tree is not None for pair in proved(search.candidates(tree), decider))
         candidate = next((candidate for candidate, _ in pairs), None)
         printed = paper_draft.by_definitions(one, known, candidate) if candidate else None

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib.resources import files
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 import typer
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from radartrack.derive.formula.tree import Tree
     from radartrack.derive.language.quantity import Quantity
 
+Judged: TypeAlias = "tuple[Candidate, str, bool]"  # how a formula is a quantity, or near it, and whether it is
 PROVED = 6  # candidates that are proved, of those that are worth the same
 FOUND, ONLY_NEAR, UNREADABLE = 0, 1, 2
 
@@ -58,36 +59,44 @@ def find(
     with Decider(timeout) as decider:
         decider.start()
         search = search_over(rows_until_found(own_quantities(model).values(), tree))
-        found = list(proved(search.candidates(tree), decider, declared(model)))
-        found = found or list(_in_usual_letters(search, tree, decider))
-    for candidate, proof in found:
-        _tell(candidate, proof)
-    if found:
-        raise typer.Exit(FOUND)
+        judged = list(_judged(search.candidates(tree), decider, declared(model)))
+        if not any(is_found for *_, is_found in judged):
+            judged += _in_usual_letters(search, tree, decider)
+    found = any(is_found for *_, is_found in judged)
+    for candidate, words, is_found in judged:
+        if is_found or not found:
+            _tell(candidate, words)
+    if not judged:
+        _tell_what_is_near(search, tree)
+    raise typer.Exit(FOUND if found else ONLY_NEAR)
+
+
+def _tell_what_is_near(search: FormulaSearch, tree: Tree) -> None:
     slipped = search.slipped(tree)
     for candidate in slipped:
         _tell(candidate, f"near: {candidate.slip}; perhaps meant: {candidate.formula}")
-    near = slipped or search.near(tree)
-    if slipped:
-        raise typer.Exit(ONLY_NEAR)
+    near = [] if slipped else search.near(tree)
     for candidate in near:
         _tell(candidate, f"near: at most {candidate.difference * 100:.2g} % apart at three points")
-    if not near:
+    if not (slipped or near):
         terminal.complain("No quantity of the catalogue is this formula, nor near it.")
-    raise typer.Exit(ONLY_NEAR)
 
 
-def _in_usual_letters(search: FormulaSearch, tree: Tree, decider: Decider) -> Iterator[tuple[Candidate, str]]:
-    """Those that a formula is with the letters that are usual for functions of symbols, or a factor understood."""
+def _in_usual_letters(search: FormulaSearch, tree: Tree, decider: Decider) -> list[Judged]:
+    """What a formula is with the letters that are usual for functions of symbols, or a factor understood."""
     from radartrack.derive.finding.usual_letters import usual_forms
 
+    near: list[Judged] = []
     for usual in usual_forms(tree):
         narrow = search.among(usual.family) if usual.family else search
-        found = list(proved(narrow.candidates(usual.tree), decider))
-        for candidate, how in found:
-            yield replace(candidate, convention=f"{candidate.convention} with {usual.words}".strip()), how
-        if found:
-            return
+        said = [
+            (replace(candidate, convention=f"{candidate.convention} with {usual.words}".strip()), words, is_found)
+            for candidate, words, is_found in _judged(narrow.candidates(usual.tree), decider)
+        ]
+        if any(is_found for *_, is_found in said):
+            return said
+        near = near or said
+    return near
 
 
 def search_over(own: Mapping[str, Mapping[str, Any]] = MappingProxyType({})) -> FormulaSearch:
@@ -111,13 +120,18 @@ def rows_until_found(own: Iterable[Quantity], tree: Tree) -> dict[str, Mapping[s
     return found
 
 
-def proved(
-    candidates: Sequence[Candidate], decider: Decider, models: tuple[Mapping[str, Any], ...] = ()
-) -> Iterator[tuple[Candidate, str]]:
+def proved(candidates: Sequence[Candidate], decider: Decider) -> Iterator[tuple[Candidate, str]]:
     """Those that a formula is proved to be, or is to many digits, and which of the two; perhaps in another convention.
 
     In which convention a formula is another quantity's is what a check of it says.
     """
+    return ((candidate, words) for candidate, words, is_found in _judged(candidates, decider) if is_found)
+
+
+def _judged(
+    candidates: Sequence[Candidate], decider: Decider, models: tuple[Mapping[str, Any], ...] = ()
+) -> Iterator[Judged]:
+    """The same, and those that a formula is but for a slip that a check of it tells."""
     from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
 
     for candidate in candidates[:PROVED]:
@@ -127,10 +141,13 @@ def proved(
         except UnreadableClaim:
             continue  # an entry that the quantity of today does not have
         if record["verdict"] in {"equal", "equal_numerically"}:
-            yield candidate, "proved" if record["verdict"] == "equal" else record["reason"]
+            yield candidate, "proved" if record["verdict"] == "equal" else record["reason"], True
         elif otherwise := next((one for one in record["remarks"] if one.startswith("equal ")), ""):
             words = " ".join(part for part in (candidate.convention, otherwise.removeprefix("equal ")) if part)
-            yield replace(candidate, convention=words), "proved"
+            yield replace(candidate, convention=words), "proved", True
+        elif slips := [one for one in record["suggestions"] if one["entry"]]:
+            meant = "; ".join(f"{one['entry']}: {one['formula']}" for one in slips)
+            yield candidate, f"near: {record['reason']}; perhaps meant: {meant}", False
 
 
 def _tell(candidate: Candidate, proof: str) -> None:

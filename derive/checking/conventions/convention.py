@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, combinations
@@ -11,7 +12,7 @@ from typing import TypeVar
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.conventions.altered_question import Asked
-from radartrack.derive.checking.question.conditions import under, when_zero
+from radartrack.derive.checking.question.conditions import joined, under, when, zero
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -21,6 +22,7 @@ POLYNOMIAL = {"fading_memory", "finite_sample", "steady_state"}
 IN_DEGREES = sp.Integer(180) / sp.pi
 PER_RADIAN = RADIAN**-1
 PER_SECOND = RADIAN / SECOND
+_NUMBER = re.compile(r"_?\d+$|^(?:first|second|third)_")
 Name = TypeVar("Name")
 ONE, NOTHING = sp.Integer(1), sp.Integer(0)
 
@@ -39,6 +41,7 @@ class Convention:
         offsets: and what is added to it then.
         cost: how unlikely it is that the print follows it, on the scale of edits.
         is_slip: whether a slip may have done the same to a formula in which it changes one place.
+        alike: symbols that are the same as others: the deviations of two equal sensors.
     """
 
     replaced: tuple[str, ...] = ()
@@ -50,18 +53,28 @@ class Convention:
     offsets: Mapping[Index, Expr] = field(default_factory=dict)
     cost: float = 0.0
     is_slip: bool = False
+    alike: Mapping[Symbol, Expr] = field(default_factory=dict)
 
     @property
     def words(self) -> str:
         """The convention in words after "equal"; nothing for ours."""
         replaced = f" with {' and '.join(self.replaced)}" if self.replaced else ""
         notes = f": {'; '.join(dict.fromkeys(self.notes))}" if self.notes else ""
-        return f"{replaced}{when_zero(self.vanishing)}{notes}"
+        return f"{replaced}{when(self._conditions)}{notes}"
+
+    def conditions(self, others: Mapping[Symbol, Expr]) -> dict[Symbol, Expr]:
+        """Conditions and those of the convention; as they are where they have no value then."""
+        both = joined(others, self._conditions)
+        return dict(others) if both is None else both
+
+    @property
+    def _conditions(self) -> dict[Symbol, Expr]:
+        return {**zero(self.vanishing), **self.alike}
 
     @property
     def is_ours(self) -> bool:
         """Whether it changes nothing."""
-        return not (self.changes or self.vanishing or self.factors or self.offsets)
+        return not (self.changes or self.vanishing or self.alike or self.factors or self.offsets)
 
     def expected(self, place: Index, entry: Expr) -> Expr:
         """What is printed for an entry of what was derived."""
@@ -84,6 +97,7 @@ class Convention:
             {**other.offsets, **offsets},
             self.cost + other.cost,
             self.is_slip and other.is_slip,
+            {**self.alike, **other.alike},
         )
 
 
@@ -95,13 +109,30 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     angles, returned = [*_other_axes(asked), *_other_senses(asked)], [*_returned_angles(asked)]
     degrees, variances = [*_degrees(asked)], [*_variances(asked)]
     kinds = (angles, returned, degrees, variances)
-    singles = [OURS, *chain.from_iterable(kinds), *_scaled_derivatives(asked)]
+    singles = [OURS, *chain.from_iterable(kinds), *_scaled_derivatives(asked), *_equal_sensors(asked)]
     pairs = (a & b for first, second in combinations(kinds, 2) for a in first for b in second)
     free = asked.correlations
     for one in (*singles, *pairs):
         yield one
         if free and not _used(asked) & set(free):
             yield one & Convention(vanishing=tuple(free), cost=0.6, is_slip=True)
+
+
+def _equal_sensors(asked: Asked) -> Iterator[Convention]:
+    """One letter for what is numbered: the deviations of sensors of one kind, the covariances of plots of one radar."""
+    used = _used(asked)
+    groups: dict[tuple[str, Unit], list[Variable]] = {}
+    for symbol in asked.reference.symbols:
+        if (stem := _NUMBER.sub("", symbol.name)) != symbol.name:
+            groups.setdefault((stem, symbol.unit), []).append(symbol)
+    alike: dict[Symbol, Expr] = {}
+    for group in groups.values():
+        kept = [symbol for symbol in group if symbol in used]
+        one = kept[0] if kept else group[0]
+        if len(kept) <= 1 < len(group) and not any(symbol in asked.conditions for symbol in group):
+            alike |= {symbol: one for symbol in group if symbol != one}
+    if alike:
+        yield Convention(alike=alike, cost=0.6)
 
 
 def _used(asked: Asked) -> set[Symbol]:

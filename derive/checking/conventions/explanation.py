@@ -18,7 +18,7 @@ from radartrack.derive.algebra.principal_angles import (
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.convention import Convention, conventions
 from radartrack.derive.checking.conventions.entry_order import Arrangement, arrangements_that_fit
-from radartrack.derive.checking.question.conditions import also_zero, under
+from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.language.tensor import Index, indices
@@ -59,9 +59,8 @@ class Explanation:
 
     @cached_property
     def conditions(self) -> dict[Symbol, Expr]:
-        """Those of the question, and that correlations vanish where they do."""
-        vanishing = also_zero(self.asked.conditions, self.convention.vanishing)
-        return dict(self.asked.conditions) if vanishing is None else vanishing
+        """Those of the question and of the convention."""
+        return self.convention.conditions(self.asked.conditions)
 
     def printed(self, index: Index) -> Expr:
         """What is printed in ours."""
@@ -190,9 +189,7 @@ class _Values:
 
     def same(self, convention: Convention) -> _Same:
         """Which entries of the print and of what was derived have one value."""
-        vanishing = tuple(convention.vanishing)
-        conditions = also_zero(self._asked.conditions, vanishing) or self._asked.conditions
-        point = self._moved(self._point, conditions)
+        point = self._moved(self._point, convention.conditions(self._asked.conditions))
         changed = self._moved(point, convention.changes)
         printed = self._at("printed", self._printed, changed)
         derived = self._at("derived", self._derived, point)

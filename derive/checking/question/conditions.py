@@ -64,11 +64,20 @@ def zero(symbols: Sequence[Symbol]) -> dict[Symbol, Expr]:
 
 def also_zero(conditions: Mapping[Symbol, Expr], symbols: Sequence[Symbol]) -> dict[Symbol, Expr] | None:
     """Conditions and that all of these symbols vanish besides; None where a condition has no value then."""
-    vanishing = zero(symbols)
-    both = {symbol: under(vanishing, value) for symbol, value in conditions.items()} | vanishing
+    return joined(conditions, zero(symbols))
+
+
+def joined(conditions: Mapping[Symbol, Expr], more: Mapping[Symbol, Expr]) -> dict[Symbol, Expr] | None:
+    """Conditions and others that hold besides; None where one has no value then."""
+    both = {symbol: under(more, value) for symbol, value in conditions.items()} | dict(more)
     return both if all(map(is_real, both.values())) else None
 
 
 def when_zero(symbols: Sequence[Symbol]) -> str:
     """The same in words after a verdict: " when rho = 0"; nothing for no symbols."""
-    return " when " + " and ".join(f"{symbol} = 0" for symbol in symbols) if symbols else ""
+    return when(zero(symbols))
+
+
+def when(conditions: Mapping[Symbol, Expr]) -> str:
+    """Conditions in words after a verdict; nothing for none."""
+    return " when " + " and ".join(f"{symbol} = {value}" for symbol, value in conditions.items()) if conditions else ""

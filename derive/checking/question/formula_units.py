@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from radartrack.derive.checking.question.known_constants import has_any_unit
 from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
@@ -20,6 +21,7 @@ from radartrack.derive.formula.tree import (
     Constant,
     Name,
     Negation,
+    Number,
     Power,
     Product,
     Quotient,
@@ -158,6 +160,8 @@ def _dimension(tree: Tree, below: Sequence[Dimension]) -> Dimension:
             return _power(base, exponent, *below)
         case Call(function, arguments):
             return _call(function, arguments, below)
+        case Number() if has_any_unit(tree):
+            return ANYTHING
         case Array():
             raise WrongDimensions("an array has no dimension of its own")
         case _:

@@ -1,13 +1,14 @@
-"""Numbers that are printed for the constants of an ellipsoid: 6378137 is its semi-major axis, however it is called.
+"""Numbers that are printed for known constants: 6378137 is the semi-major axis of an ellipsoid, however it is called.
 
-They are read as the symbols of the quantity, of which they are values; so they have units, and are compared at the
-digits that are printed.
+Those of an ellipsoid are read as the symbols of the quantity, of which they are values; so they have units, and are
+compared at the digits that are printed. A number that is one of them but for a digit is told.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
 from math import isqrt
@@ -18,6 +19,8 @@ from radartrack.derive.formula.tree import Number, Tree, parts
 from radartrack.derive.reading.text import read_text
 
 FEWEST = 4  # significant digits: fewer are near to other numbers
+FEWEST_MISPRINTED = 5  # of a number that is a constant but for one of them
+MOST_APART = 20  # a number with a digit too many is ten times as large
 SCALE = 10**40
 SQUARED = "flattening*(2 - flattening)"
 SYMBOLS = ("semi_major_axis", "flattening")
@@ -60,6 +63,52 @@ ELLIPSOIDS = tuple(
 )
 
 
+@dataclass(frozen=True)
+class Constant:
+    """A number with a unit that formulas hold as a bare number."""
+
+    name: str
+    value: Fraction
+    rounded: tuple[Fraction, ...]  # as it is printed in fewer digits than tell it
+
+    def is_printed_as(self, number: Number) -> bool:
+        """Whether a number is this one at the digits that are printed."""
+        last = _last(number)
+        is_rounded = _digits(number) >= FEWEST and -last / 2 <= self.value - number.value < last
+        return is_rounded or number.value in self.rounded
+
+
+CONSTANTS = (
+    Constant("the speed of light", Fraction(299792458), (Fraction(3 * 10**8),)),
+    Constant("standard gravity", Fraction("9.80665"), (Fraction("9.81"), Fraction("9.8"))),
+)
+
+
+def has_any_unit(number: Number) -> bool:
+    """Whether a bare number stands for a constant with a unit, which the number does not show."""
+    return any(constant.is_printed_as(number) for constant in CONSTANTS)
+
+
+def nearly(number: Number, names: Collection[str]) -> Iterator[tuple[str, Tree]]:
+    """The constants that a number is but for one digit: their digits with what they are, and what they are read as.
+
+    Args:
+        number: as printed.
+        names: the symbols that a formula may have.
+    """
+    if _digits(number) < FEWEST_MISPRINTED:
+        return
+    for constant in CONSTANTS:
+        if (right := _misprint_of(number, constant.value)) is not None:
+            yield f"{right}, {constant.name}", Number(right)
+    if not all(symbol in names for symbol in SYMBOLS):
+        return
+    for ellipsoid in ELLIPSOIDS:
+        for text, value in ellipsoid.constants.items():
+            if (right := _misprint_of(number, value)) is not None:
+                yield f"{right}, {text} of {ellipsoid.name}", _tree(text)
+
+
 def with_symbols(tree: Tree, names: Collection[str]) -> tuple[Tree, tuple[str, ...]]:
     """The formula with symbols for the constants in it, and what was read as what; as it is where none are known.
 
@@ -91,6 +140,37 @@ def _read(numbers: Collection[Number], ellipsoid: Ellipsoid) -> Mapping[Number, 
 @cache
 def _tree(text: str) -> Tree:
     return read_text(text, SYMBOLS)
+
+
+def _misprint_of(number: Number, value: Fraction) -> str | None:
+    """A value as it should have been printed, where one digit is wrong, missing, too many or two are exchanged."""
+    if number.value <= 0 or not Fraction(1, MOST_APART) < number.value / value < MOST_APART:
+        return None
+    printed = _significant(number.text)
+    for count in (len(printed), len(printed) + 1, len(printed) - 1):
+        right = f"{Decimal(value.numerator) / Decimal(value.denominator):.{count - 1}e}"
+        digits = _significant(right)
+        if printed == digits:
+            return None
+        if _is_one_slip(printed, digits):
+            return f"{Decimal(right):f}"
+    return None
+
+
+def _significant(text: str) -> str:
+    return text.lower().partition("e")[0].replace(".", "").lstrip("0")
+
+
+def _is_one_slip(printed: str, right: str) -> bool:
+    """Whether one digit is another, two neighbours are exchanged, or one digit is missing or too many."""
+    shorter, longer = sorted((printed, right), key=len)
+    if len(longer) == len(shorter) + 1:
+        return any(longer[:at] + longer[at + 1 :] == shorter for at in range(len(longer)))
+    wrong = [at for at, (one, other) in enumerate(zip(printed, right, strict=True)) if one != other]
+    return len(wrong) == 1 or (
+        wrong == [*range(wrong[0], wrong[0] + 2)]
+        and printed[wrong[0]] + printed[wrong[1]] == right[wrong[1]] + right[wrong[0]]
+    )
 
 
 def _digits(number: Number) -> int:

@@ -21,6 +21,7 @@ from radartrack.derive.checking.question.formula_units import (
     in_definition,
 )
 from radartrack.derive.checking.question.known_constants import with_symbols
+from radartrack.derive.checking.question.loose_definitions import WORD, LooseDefinitions
 from radartrack.derive.checking.question.meaning import Meaning, number_of_parts, shape_of
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -40,6 +41,8 @@ from radartrack.derive.formula.unknown_names import unknown_name, unusable
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.tensor import Index, Tensor, indices
 from radartrack.derive.language.variable import Variable
+from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.joined_equations import Insertion
 from radartrack.derive.reading.notation import LATEX, TEXT, Reading, read_formula
 from radartrack.derive.reading.printed_text import is_printed
 from radartrack.derive.reading.unit_text import measured
@@ -49,7 +52,7 @@ from radartrack.derive.verbs.table import VERBS
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 QUANTITY = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+")
-WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
+_BINDING = re.compile(r"\b(?:integral|limit|sum)\b|\\(?:int|lim|sum)|[∑∫]")
 SHOWN = 40  # characters of a name that is refused
 MOST_COMPLETED = 60  # definitions of a file that another may have been meant for
 MOST_PARTS = 100_000  # of what a formula is when it is worked out
@@ -172,17 +175,26 @@ class Names(Mapping[str, Expression]):
         for word in mentioned:
             self.meaning(word)
         self._mentioned |= mentioned
-        shapes = self._shapes(words | mentioned | (self._known.keys() & set(WORD.findall(text))), tolerant=not typed)
+        opened = self.resting_on(indices_in(text, self.let, notation, function))
+        of_opened = {name: one for name, one in _loose(self.let).shapes.items() if name in opened} if opened else {}
+        known = words - opened.keys() | mentioned | (self._known.keys() & set(WORD.findall(text)))
+        shapes = self._shapes(known, tolerant=not typed) | of_opened
         found = read_formula(text, notation, {*self, *mentioned}, shapes, function=function, wanted=wanted)
-        if bound_names(found.tree) & self.let.keys():
-            found = replace(found, tree=rebuild(found.tree, self._with_own_index))
+        if bound_names(found.tree) & (self.let.keys() | _words(opened.values())):
+            found = replace(found, tree=rebuild(found.tree, lambda node: self._with_own_index(node, opened)))
         self.largeness(found.tree)
         return found
 
-    def _with_own_index(self, node: Tree) -> Tree:
-        """A sum or the like whose index is called as a definition is: within the sum the index is meant.
+    def resting_on(self, indices: Collection[str]) -> dict[str, Tree]:
+        """The definitions that rest on one of these, and no symbol of its name: F(s) under an integral over s."""
+        names = [name for name in self.let if name not in indices and self._rests_on(name) & set(indices)]
+        shapes = _loose(self.let).shapes if names else {}
+        return {name: read_loosely(self.let[name], [*self, *indices], shapes=shapes) for name in names}
 
-        Where another definition in it rests on that one, both may be meant, and nothing is changed.
+    def _with_own_index(self, node: Tree, opened: Mapping[str, Tree]) -> Tree:
+        """A sum or the like whose index is meant in all that stands in it, in definitions too.
+
+        Definitions that rest on the index are put in; where it is called as one, it gets a name of its own.
         """
         if not isinstance(node, Call) or node.function not in BINDING:
             return node
@@ -190,17 +202,19 @@ class Names(Mapping[str, Expression]):
         if not isinstance(index, Name):
             return node
         name = index.name
-        if name not in self.let or any(name in self._rests_on(one) for one in names_of(inside) - {name}):
-            return node
+        resting = {one: tree for one, tree in opened.items() if name in self._rests_on(one)}
+        inside = Insertion(resting)(inside) if resting else inside
+        if name not in self.let:
+            return replace(node, arguments=(inside, index, *ends))
         own = replace(index, name=next(one for n in count(1) if (one := f"{name}_{n}") not in self))
         return replace(node, arguments=(rebuild(inside, lambda part: own if part == index else part), own, *ends))
 
     def _rests_on(self, name: str) -> set[str]:
-        """The definitions that one mentions, and those that these mention."""
+        """The words of a definition, and those of the definitions that it mentions."""
         found: set[str] = set()
         waiting = [name]
         while waiting:
-            words = set(WORD.findall(self.let.get(waiting.pop(), ""))) & self.let.keys() - found
+            words = set(WORD.findall(self.let.get(waiting.pop(), ""))) - found
             found |= words
             waiting += words
         return found
@@ -314,7 +328,9 @@ class Names(Mapping[str, Expression]):
 
     def _needed(self, name: str) -> list[str]:
         """The definitions that one mentions and that are not known yet."""
-        words = sorted(set(WORD.findall(self.let[name])) & self.let.keys() - self._known.keys())
+        text = self.let[name]
+        functions = self.resting_on(indices_in(text, self.let))
+        words = sorted(set(WORD.findall(text)) & self.let.keys() - self._known.keys() - functions.keys())
         return [word for word in words if word != name or name not in self.symbols]
 
     def _defined(self, name: str) -> Meaning:
@@ -387,6 +403,24 @@ class Names(Mapping[str, Expression]):
     def _without(self, name: str) -> Names:
         let = {one: text for one, text in self.let.items() if one != name}
         return Names(self.symbols, let, self._world, self._known)
+
+
+def indices_in(text: str, let: Mapping[str, str], notation: str = TEXT, function: str = "") -> frozenset[str]:
+    """The indices of sums and the like in a formula, of which definitions may be functions."""
+    if not let or not _BINDING.search(text):
+        return frozenset()
+    try:
+        return bound_names(read_loosely(text, [*let], notation, function, _loose(let).shapes))
+    except (FormulaError, ValueError):  # is told where the formula is read
+        return frozenset()
+
+
+def _loose(let: Mapping[str, str]) -> LooseDefinitions:
+    """The definitions before it is known what is in them; none where they are wrong, which is told later."""
+    try:
+        return LooseDefinitions(let, ())
+    except (FormulaError, ValueError):
+        return LooseDefinitions({}, ())
 
 
 def symbols_for(
@@ -510,6 +544,10 @@ def _dimensions_of(what: str, tree: Tree, names: Names) -> Callable[[Index], Dim
 def _is_worked_out(tree: Tree) -> bool:
     """Whether there are verbs or parts of arrays in a formula."""
     return has_verbs(tree) or any(isinstance(node, Array | Entries) for node in tree_parts(tree))
+
+
+def _words(trees: Iterable[Tree]) -> set[str]:
+    return set[str]().union(*map(names_of, trees))
 
 
 def _shown(tree: Tree) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import prod
 from types import MappingProxyType
@@ -17,7 +17,7 @@ from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.letters.letter_meanings import alike, means
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
-from radartrack.derive.checking.question.names import Names, check_name, symbols_for
+from radartrack.derive.checking.question.names import Names, check_name, indices_in, symbols_for
 from radartrack.derive.checking.question.printed_shape import is_transposed, reshaped, spoken, trimmed
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
@@ -85,6 +85,7 @@ def names_for(
     world: World = CATALOGUE,
     texts: Iterable[str] = (),
     letters: Letters = NO_LETTERS,
+    indices: Collection[str] = (),
 ) -> Names:
     """The symbols that a formula may use, and the paper's names: definitions of a claim, and those of its file.
 
@@ -94,6 +95,7 @@ def names_for(
         world: the paper's.
         texts: formulas that are read in these names.
         letters: that stand for symbols, which have no other name then.
+        indices: of sums and the like in the formula, of which definitions may be functions, as of those in definitions.
 
     Raises:
         FormulaError: for a definition of the claim that cannot be read, or a name that is none.
@@ -107,9 +109,11 @@ def names_for(
     symbols |= {name: letter.symbol for name, letter in letters.items() if letter.is_symbol}
     powers = {name: _meaning(letter) for name, letter in letters.items() if not letter.is_symbol}
     names = Names(symbols, both, world, powers)
+    functions = names.resting_on({*indices, *(index for text in let.values() for index in indices_in(text, both))})
     for name in let:
         check_name(name)
-        names.meaning(name)
+        if name not in functions:
+            names.meaning(name)
     return names
 
 

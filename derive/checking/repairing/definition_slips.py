@@ -16,11 +16,8 @@ from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_search import Search
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
-    alternatives,
-    exchanged,
-    inside_function,
-    other_numbers,
     plain_words,
+    slips,
 )
 from radartrack.derive.checking.repairing.smallest_edit import AT_ONE_PLACE, values_at
 from radartrack.derive.evaluation.points import generic_points
@@ -31,7 +28,6 @@ from radartrack.derive.formula.tree import (
     Name,
     Negation,
     Number,
-    Power,
     Product,
     Quotient,
     Tree,
@@ -241,14 +237,7 @@ class _Trial:
     def _slips(self, node: Tree, name: str, *, whole: bool) -> Iterator[Alternative]:
         before = list(self._trees)[list(self._trees).index(name) :]
         kinds = {one: kind for one, kind in self._kinds.items() if one not in before}
-        yield from alternatives(node, kinds)
-        yield from exchanged(node)
-        yield from other_numbers(node)
-        yield from inside_function(node)
-        if isinstance(node, Product):
-            yield from _divided(node)
-        if isinstance(node, Power):
-            yield Alternative(Power(node.base, Negation(node.exponent)), "the sign of the exponent of {}", 1.4, (node,))
+        yield from slips(node, kinds)
         if whole:
             two = Number("2")
             yield Alternative(Product((two, node)), "a missing factor 2", 1.8)
@@ -288,11 +277,3 @@ class _Trial:
         wanted = self._wanted[place]
         found = self._printed[place](values)
         return wanted is not None and close(found, wanted[point : point + 1])
-
-
-def _divided(node: Product) -> Iterator[Alternative]:
-    """The product with one factor below."""
-    for place, factor in enumerate(node.factors):
-        rest = (*node.factors[:place], *node.factors[place + 1 :])
-        above = rest[0] if len(rest) == 1 else Product(rest)
-        yield Alternative(Quotient(above, factor), "{} below, not above", 1.4, (factor,))

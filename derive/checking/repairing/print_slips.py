@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+from radartrack.derive.checking.question.known_constants import nearly
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
@@ -106,12 +107,19 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
         case Negation(operand):
             yield Alternative(operand, "the sign of {}", 1.0, (operand,))
             yield from _sign_of_sum(operand)
+        case Number():
+            yield from _known_constants(tree, kinds)
         case Power() | Product() | Quotient():
             yield from _of_an_operation(tree)
         case Sum():
             yield from _of_a_sum(tree)
         case _:
             return
+
+
+def _known_constants(number: Number, kinds: Mapping[str, object]) -> Iterator[Alternative]:
+    for right, tree in nearly(number, kinds):
+        yield Alternative(tree, plain_words(f"{number.text} should be {right}"), 0.9)
 
 
 def exchanges(node: Sum | Product) -> Iterator[Exchange]:
@@ -128,6 +136,23 @@ def exchanged(node: Tree) -> Iterator[Alternative]:
     """A sum or product after each of its exchanges."""
     if isinstance(node, Sum | Product):
         yield from (one.of(node) for one in exchanges(node))
+
+
+def slips(node: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
+    """What may have been meant by a part, each of its numbers and arguments included.
+
+    Args:
+        node: the part.
+        kinds: the symbols allowed, and what makes them alike.
+    """
+    yield from alternatives(node, kinds)
+    yield from exchanged(node)
+    yield from other_numbers(node)
+    yield from inside_function(node)
+    if isinstance(node, Product):
+        yield from _divided(node.factors)
+    if isinstance(node, Power):
+        yield Alternative(Power(node.base, Negation(node.exponent)), "the sign of the exponent of {}", 1.4, (node,))
 
 
 def other_numbers(node: Tree) -> Iterator[Alternative]:
@@ -318,6 +343,14 @@ def _power_of_part(base: Tree, exponent: Tree) -> Iterator[Alternative]:
 
 def _bracket(tree: Tree) -> Alternative:
     return Alternative(tree, "a bracket: {}", 1.4, (tree,))
+
+
+def _divided(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
+    """The product with one factor below."""
+    for place, factor in enumerate(factors):
+        rest = (*factors[:place], *factors[place + 1 :])
+        above = rest[0] if len(rest) == 1 else Product(rest)
+        yield Alternative(Quotient(above, factor), "{} below, not above", 1.4, (factor,))
 
 
 def _fewer(parts: tuple[Tree, ...], kind: str) -> Iterator[Exchange]:

@@ -13,7 +13,7 @@ from contextlib import suppress
 
 from radartrack.derive.checking.repairing.edit_search import Candidate
 from radartrack.derive.checking.repairing.matrix_slips import matrix_slips
-from radartrack.derive.checking.repairing.print_slips import alternatives, exchanged, inside_function, other_numbers
+from radartrack.derive.checking.repairing.print_slips import slips
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.functions import BINDING
@@ -22,8 +22,11 @@ from radartrack.derive.formula.shape import NO_SHAPES, Shape, shapes
 from radartrack.derive.formula.tree import (
     Array,
     Call,
+    Name,
     Negation,
+    Number,
     Path,
+    Power,
     Product,
     Sum,
     Tree,
@@ -84,11 +87,26 @@ def _edits_of_numbers(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Candi
     for path, node in walk(tree):
         if _is_bound(tree, path) or isinstance(node, Array):
             continue
-        for edit in (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *inside_function(node)):
+        for edit in slips(node, kinds):
             if edit.cost <= LIKELY and edit.tree != node:
                 yield Candidate(replace_at(tree, path, edit.tree), edit.words, edit.cost)
+        if path and _has_entries(subtree(tree, path[:-1])) and not isinstance(node, Number):
+            yield from _with_factors(tree, path, node, kinds)
         if not isinstance(node, Negation | Sum) and (not path or _is_entry(tree, path)):
             yield Candidate(replace_at(tree, path, Negation(node)), f"the sign of {to_text(node)}", 1.0)
+
+
+def _with_factors(tree: Tree, path: Path, node: Tree, kinds: Mapping[str, object]) -> Iterator[Candidate]:
+    """An entry with a factor that it lacks: a variance of angle is one of distance times the square of the range."""
+    for name in sorted(kinds):
+        for factor in (Name(name), Power(Name(name), Number("2"))):
+            yield Candidate(
+                replace_at(tree, path, Product((factor, node))), f"a missing factor {to_text(factor)}", LIKELY
+            )
+
+
+def _has_entries(tree: Tree) -> bool:
+    return isinstance(tree, Array) or (isinstance(tree, Call) and tree.function == "diag")
 
 
 def _is_bound(tree: Tree, path: Path) -> bool:

@@ -219,6 +219,9 @@ class _CReader:
     def _assign(self, node: Node) -> None:
         left, right = field(node, "left"), field(node, "right")
         sign = text_of(field(node, "operator")) if node.child_by_field_name("operator") else "="
+        if right.type == "assignment_expression":  # a = b = c
+            self._assign(right)
+            right = field(right, "left")
         value = self.value(right)
         if sign != "=":
             value = self._changed(sign.removesuffix("="), self.value(left), value, self._span(node))

@@ -260,9 +260,10 @@ class _PythonReader:
         return self._space.name(name, span)
 
     def _name(self, node: ast.expr) -> str:
-        """A name, or that of an attribute: self.x is x, plot.x is plot_x."""
+        """A name, or that of an attribute: self.x is x, plot.x is plot_x; of a module, nothing."""
         path = _path(node)
-        return "_".join(part for part in path if part != "self") if path[0] not in _MODULES else ""
+        is_module = path[0] in _MODULES and len(path) > 1
+        return "" if is_module else "_".join(part for part in path if part != "self")
 
     def _entry(self, node: ast.Subscript, span: Span) -> Value:
         name, places = self._subscripts(node)

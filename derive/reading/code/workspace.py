@@ -28,6 +28,7 @@ from radartrack.derive.formula.tree import (
     children,
 )
 from radartrack.derive.formula.unknown_names import unknown_name
+from radartrack.derive.reading.joined_equations import results
 
 LONGEST_CONDITION = 200  # characters
 MAX_ROWS = 12
@@ -310,7 +311,7 @@ class Workspace:
     def result(self, value: Value | None = None) -> Value:
         """A value that was returned, or else what was assigned last: all entries of an array, where those were set.
 
-        Where several numbers are wanted, those that were assigned and that no other rests on, if they are as many.
+        Where several numbers are wanted, those of `results`, if they are as many.
 
         Raises:
             FormulaError: when nothing was.
@@ -321,10 +322,11 @@ class Workspace:
             raise FormulaError("no value is assigned or returned here")
         if isinstance(self._last, str):
             return self._matrix(self._last, (0, 0))
-        results = [value for name, value in self._values.items() if name not in self._used and not value.shape]
-        if self.wanted > 1 and len(results) == self.wanted and not self._last.shape:
-            spans = [value.tree.span or (0, 0) for value in results]
-            return self.array(results, (spans[0][0], spans[-1][1]))
+        numbers = {name: value for name, value in self._values.items() if not value.shape}
+        meant = [list(numbers.values())[place] for place in results(list(numbers), self._used, self.wanted)]
+        if self.wanted > 1 and len(meant) == self.wanted and not self._last.shape:
+            spans = [value.tree.span or (0, 0) for value in meant]
+            return self.array(meant, (spans[0][0], spans[-1][1]))
         return self._last
 
     def _matrix(self, name: str, span: Span) -> Value:

@@ -25,9 +25,9 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import check_characters
-from radartrack.derive.reading.grammar import Part, TreeBuilder, call, finished, place, trees, verb
+from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees, verb
+from radartrack.derive.reading.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
-from radartrack.derive.reading.tex.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.latex_equations import equations
 from radartrack.derive.reading.tex.latex_hints import hint
 from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
@@ -37,7 +37,12 @@ _OF_ANGLES = frozenset({"acos", "asin", "atan", "cos", "cot", "csc", "sec", "sin
 
 
 def read_latex(
-    text: str, names: Collection[str] | None, shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+    text: str,
+    names: Collection[str] | None,
+    shapes: Mapping[str, Shape] = NO_SHAPES,
+    *,
+    strangers: bool = False,
+    wanted: int = 1,
 ) -> Tree:
     r"""Read a formula in these symbols, or the equations of a display; what print leaves ambiguous is refused.
 
@@ -53,6 +58,7 @@ def read_latex(
         names: the symbols; None where none are known, and every name is let through.
         shapes: of those that stand for arrays.
         strangers: whether names that are not known are let through.
+        wanted: of how many numbers it is to be.
 
     Raises:
         FormulaError: when it is no such formula, is ambiguous, or too large.
@@ -71,7 +77,7 @@ def read_latex(
         spelling = Names([*letters, *filter(None, lefts)], allowed, strangers=strangers)
         defined = [spelling.of(letter) if letter else "" for letter in lefts]
         trees = [_parse(tokens.named(spelling, {*defined} - {""}), len(text)) for tokens in rights]
-        tree = combined([Definition(name, tree) for name, tree in zip(defined, trees, strict=True)])
+        tree = combined([Definition(name, tree) for name, tree in zip(defined, trees, strict=True)], wanted)
         return finished(tree, shapes=shapes, strangers=strangers)
     except FormulaError as error:
         raise error.within(text) from None
@@ -169,10 +175,9 @@ class _LatexBuilder(TreeBuilder):
         return Call("transpose", (array,), span=place(parts))
 
     def listed(self, parts: Sequence[Part]) -> Tree:
-        """Entries of a vector between square brackets."""
-        comma = next(part for part in parts if isinstance(part, Token) and part.type == "COMMA")
-        if parts[0] == "(":
-            raise FormulaError("a comma stands only between a function's arguments", span=place([comma]))
+        """Entries of a vector, in any brackets or none; without square ones 0,5 may be a half."""
+        if parts[0] != "[":
+            check_decimals(parts)
         return Array(tuple(trees(parts)), span=place(parts))
 
     column = listed

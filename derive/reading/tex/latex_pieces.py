@@ -68,7 +68,8 @@ _PIECE = re.compile(
     | (?P<left_bar> \\(?:left|[bB]igg?l)\s*(?:\||\\vert(?![A-Za-z])) )
     | (?P<right_bar> \\(?:right|[bB]igg?r)\s*(?:\||\\vert(?![A-Za-z])) )
     | (?P<bar> \||\\vert(?![A-Za-z]) )
-    | (?P<environment> \\(?:begin|end)\s*\{\s*(?P<kind>[A-Za-z]+)\s*\}(?:(?<=array\})\s*\{[lcr|\s]*\})? )
+    | (?P<environment> \\(?:begin|end)\s*\{\s*(?P<kind>[A-Za-z]+)\s*\}
+        (?:(?<=array\})\s*\{(?:[lcr|@*\d\s]|\{[^{}]*\})*\})? )
     | (?P<newline> \\\\(?:\s*\[\s*-?[\d.]+\s*[a-z]{2}\s*\])? )
     | (?P<word> \\(?:mathrm|mathit|mathsf|text|textrm|mbox|operatorname\*?)
         (?: \s*\{\s*(?P<braced>(?:[A-Za-z0-9]|\\_)+)\s*\} | \s+(?P<single>[A-Za-z]) ) )

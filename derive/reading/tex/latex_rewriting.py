@@ -33,6 +33,7 @@ def rewritten(found: list[Piece]) -> list[Piece]:
         _without_braces,
         _with_decorations,
         _with_fractions,
+        _without_whole_groups,
         _with_big_operators,
     )
     for step in steps:
@@ -112,6 +113,41 @@ def _without_braces(found: list[Piece]) -> list[Piece]:
             owed = _owed(piece, result, owed)
             result.append(piece)
     return result
+
+
+def _without_whole_groups(found: list[Piece]) -> list[Piece]:
+    r"""Groups that are all between brackets or of an entry of a matrix are no groups: \left( {a + b} \right), {{a}}."""
+    pairs = partners(found)
+    dropped: set[int] = set()
+    for opener, closer in sorted(pairs.items()):  # outer groups first
+        is_doubled = found[opener - 1].text == "{" and pairs.get(opener - 1) == closer + 1
+        is_whole = is_doubled or (_begins(found, opener, dropped) and _ends(found, closer, dropped))
+        if found[opener].text == "{" and is_whole:
+            dropped |= {opener, closer}
+    return [piece for index, piece in enumerate(found) if index not in dropped]
+
+
+def _begins(found: Sequence[Piece], index: int, dropped: set[int]) -> bool:
+    """Whether nothing stands before a piece between brackets, or in an entry."""
+    before = index - 1
+    while before in dropped:
+        before -= 1
+    return before >= 0 and (found[before].kind in _PARTS_ENTRIES or _is_bracket(found[before], "open"))
+
+
+def _ends(found: Sequence[Piece], index: int, dropped: set[int]) -> bool:
+    """Whether nothing stands behind it."""
+    after = index + 1
+    while after in dropped:
+        after += 1
+    return after < len(found) and (found[after].kind in _PARTS_ENTRIES or _is_bracket(found[after], "close"))
+
+
+def _is_bracket(piece: Piece, kind: str) -> bool:
+    return piece.kind == kind and piece.text not in {"{", "}"}
+
+
+_PARTS_ENTRIES = frozenset({"column", "newline"})
 
 
 def _owed(piece: Piece, before: Sequence[Piece], owed: int) -> int:

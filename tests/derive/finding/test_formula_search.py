@@ -18,7 +18,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Name, Tree
+from radartrack.derive.formula.tree import Name, Product, Quotient, Tree
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX, TEXT
@@ -187,6 +187,22 @@ def test_a_slip_is_undone_and_never_found(slip: str, quantity: str, right: str) 
     assert (quantity, right) in {(one.quantity, one.formula) for one in search().slipped(tree) if one.slip}
 
 
+QUOTIENTS = {
+    to_text(tree): tree
+    for quantity, place in ENTRIES
+    if isinstance(tree := to_tree(quantity.expression.entries[place]), Quotient) and len(to_text(tree)) < 60
+}
+
+
+@pytest.mark.parametrize("printed", sorted(QUOTIENTS))
+def test_what_is_above_and_should_be_below_is_told(printed: str) -> None:
+    tree = QUOTIENTS[printed]
+    slip = Product((tree.numerator, tree.denominator))
+    assert search().candidates(slip) == []
+    wanted = {one.quantity for one in search().candidates(tree)}
+    assert any(one.quantity in wanted for one in search().slipped(slip))
+
+
 @pytest.mark.parametrize(
     ("formula", "quantity"),
     [
@@ -233,3 +249,18 @@ def test_values_are_what_anyone_computes_from_the_formula(name: str) -> None:
         point = {symbol: data["symbols"][symbol.name][number] for symbol in quantity.symbols}
         for entry, values in zip(quantity.expression, data["values"], strict=True):
             assert values[number] == pytest.approx(float(entry.subs(point)), rel=1e-9, abs=1e-300)
+
+
+@pytest.mark.parametrize("formula", ["a*b + c", "F*x_k + w_k", "a + b*(c + f)", "-a*b - c"])
+def test_sums_and_products_of_letters_without_a_meaning_are_nothing(formula: str) -> None:
+    assert search().candidates(read_loosely(formula)) == []
+    assert search().near(read_loosely(formula)) == []
+
+
+def test_the_plainest_quantity_comes_first_be_it_under_a_condition() -> None:
+    found = search().candidates(read_loosely("r^2*s_theta^2*sin(theta)^2 + s_r^2*cos(theta)^2"))
+    assert [one.quantity for one in found[:2]] == [
+        "polar.covariance.linear[0,0]",
+        "polar_doppler.covariance.linear[0,0]",
+    ]
+    assert found[0].given == {"rho": "0"}

@@ -99,7 +99,18 @@ def test_a_paper_is_drafted_into_claims_that_are_equal(tmp_path: Path) -> None:
     assert by_id["eq_y"].quantity == "polar.map[1]"
     assert by_id["eq8b"].let == {"lambda": "e**(-sigma_beta**2/2)"}
     assert "lambda" in by_id["eq8b"].formula
-    assert CliRunner().invoke(app, ["audit", str(out)]).output.count(" equal ") == 5
+    assert "5 equal" in CliRunner().invoke(app, ["audit", str(out)]).output
+
+
+@pytest.mark.parametrize("step", [r"\mathbf{x}_{k+1}", r"x_{k|k-1}", r"\hat{x}(k+1)", r"x_{n - 1}"])
+def test_a_step_of_a_filter_defines_nothing_and_is_no_quantity_by_chance(step: str, tmp_path: Path) -> None:
+    source, out = tmp_path / "paper.tex", tmp_path / "paper.toml"
+    source.write_text(rf"\[ {step} = F x_k + w_k \] \[ H = \frac{{x}}{{r}}, \quad r = \sqrt{{x^2 + y^2}} \]")
+    assert CliRunner().invoke(app, ["draft", str(source), "--out", str(out)]).exit_code == 0
+    first, second, _ = read_claims(out).claims
+    assert first.undecided
+    assert second.quantity == "observe.polar.jacobian[0,0]"
+    assert second.let == {"r": "sqrt(x**2 + y**2)"}
 
 
 @pytest.mark.parametrize("text", ["", "no equation", r"\begin{equation} x \end{equation}"])

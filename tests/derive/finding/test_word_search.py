@@ -88,3 +88,29 @@ def test_a_letter_of_the_field_finds_what_has_its_symbol(letter: str, name: str)
 )
 def test_what_means_nothing_finds_nothing(nothing: str) -> None:
     assert found(nothing) == []
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("converted measurement", "polar.unbiased"),
+        ("bistatic range rate", "observe.bistatic_range_rate.map"),
+        ("range rate", "observe.polar_doppler.map"),
+        ("two point differencing", "initiation.two_plots"),
+        ("single point initiation", "initiation.one_plot"),
+        ("R matrix", "polar.covariance.linear"),
+        ("LLA to ECEF", "frames.ecef_from_geodetic.map"),
+        ("angle only", "observe.bearing"),
+        ("polar to cartesian", "polar.map"),
+        ("cartesian to spherical", "observe.spherical.map"),
+        ("track to track fusion", "fusion.cross_covariance"),
+        ("CV model", "motion.constant_velocity"),
+        ("hessian", "polar.hessian"),
+    ],
+)
+def test_what_is_alike_comes_in_the_order_of_what_is_likelier_meant_and_plainer(words: str, first: str) -> None:
+    assert found(*words.split())[0].startswith(first)
+
+
+def test_a_slip_is_one_letter() -> None:
+    assert found("gating") == []

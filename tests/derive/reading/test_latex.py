@@ -241,7 +241,6 @@ def test_what_papers_print(latex: str, text: str):
         (r"u + -v", "two signs stand side by side: put what follows in brackets", "-"),
         (r"0,5r", "decimals follow a point", ","),
         (r"0{,}5r", "decimals follow a point", ","),
-        (r"(u, v)", "a comma stands only between a function's arguments", ","),
         (r"r 2", r"a number stands behind a factor: write it before the others, or \cdot", "2"),
         (r"\cos(u) 2", "a number stands behind a factor", "2"),
         (r"\cos u (v) 2", "a number stands behind a factor", "2"),
@@ -290,3 +289,28 @@ def test_pi_stands_aside_for_a_symbol():
 
 def test_a_subscript_may_be_part_of_the_letter_or_follow_it():
     assert to_text(read_latex(r"x_1 + y_{12}", ["x1", "y_12"])) == "x1 + y_12"
+
+
+@pytest.mark.parametrize("function", ["sin", "cos", "tan"])
+@pytest.mark.parametrize("power", ["", "^2 ", "^{2}"])
+@pytest.mark.parametrize(
+    "phase", [r"\omega T", r"\Omega T", r"\omega\,\Delta t", r"\omega_k T_k", r"2\omega t", r"\omega \tau"]
+)
+def test_a_rate_and_a_time_behind_a_sine_are_its_argument(function: str, power: str, phase: str) -> None:
+    bare = read_latex(rf"a\{function}{power}{phase} + b", None)
+    assert bare == read_latex(rf"a\{function}{power}({phase}) + b", None)
+    assert read_latex(rf"\frac{{\{function}{power}{phase}}}{{a}}", None) == read_latex(
+        rf"\frac{{\{function}{power}({phase})}}{{a}}", None
+    )
+
+
+def test_a_sine_of_a_rate_and_a_time_is_divided_by_the_rate() -> None:
+    assert read_latex(r"\sin\omega T/\omega", None) == read_latex(r"\frac{\sin(\omega T)}{\omega}", None)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"\sin\omega T^2", r"\sin\omega T/2", r"\sin\theta T", r"\sin\omega r", r"\sin\omega T r"]
+)
+def test_what_else_stands_behind_a_sine_is_ambiguous(formula: str) -> None:
+    with pytest.raises(FormulaError, match="ambiguous"):
+        read_latex(formula, None)

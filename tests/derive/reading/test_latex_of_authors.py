@@ -181,3 +181,23 @@ def test_places_are_those_of_the_source():
     with pytest.raises(FormulaError) as caught:
         read_latex(source, KNOWN)
     assert (caught.value.line, source[slice(*caught.value.span or (0, 0))]) == (3, "z")
+
+
+@pytest.mark.parametrize(
+    ("mathtype", "plain"),
+    [
+        (r"\left( {{x^2} + {y^2}} \right)", "x^2 + y^2"),
+        (r"{\left( {{x^2} + {y^2}} \right)^{1/2}}", "(x^2 + y^2)^{1/2}"),
+        (r"\arctan \left( {y/x} \right)", r"\arctan(y/x)"),
+        (r"\frac{{ - y}}{{{x^2} + {y^2}}}", r"\frac{-y}{x^2 + y^2}"),
+        (
+            r"\left[ {\begin{array}{*{20}{c}} {a + b}&{ - c}\\ {\frac{a}{b}}&1 \end{array}} \right]",
+            r"\begin{bmatrix} a + b & -c \\ \frac{a}{b} & 1 \end{bmatrix}",
+        ),
+        (r"\begin{array}{@{}c|c@{}} a & b \end{array}", r"\begin{matrix} a & b \end{matrix}"),
+        (r"{{\sin }^2}\left( {2\beta } \right)", r"\sin^2(2\beta)"),
+        (r"({\sigma^2 \over 2})", r"\frac{\sigma^2}{2}"),
+    ],
+)
+def test_braces_that_group_nothing_are_dropped(mathtype: str, plain: str) -> None:
+    assert read_latex(mathtype, None) == read_latex(plain, None)

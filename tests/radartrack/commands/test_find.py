@@ -21,3 +21,21 @@ def test_a_formula_is_found_near_or_unreadable(arguments: list[str], code: int, 
     result = CliRunner().invoke(app, ["find", *arguments])
     assert result.exit_code == code
     assert said in result.output
+
+
+@pytest.mark.parametrize(
+    ("formula", "quantity", "meant"),
+    [
+        ("[[x/r, y/r], [-y/r^2, -x/r^2]]", "observe.polar.jacobian", "[1, 1]: x/"),
+        ("r*cos(b), -r*sin(b)", "polar.map", "[1]: r*sin(beta)"),
+        ("[[T^3/3, T^2/2], [T^2/2, T^2]]", "motion.constant_velocity.process_noise.continuous", "[1, 1]: q*T"),
+        ("[1, T, T^2; 0, 1, T; 0, 0, 1]", "motion.constant_acceleration.transition", "[0, 2]: T**2/2"),
+    ],
+)
+def test_an_array_with_a_slip_in_an_entry_is_near_what_it_is_else(formula: str, quantity: str, meant: str) -> None:
+    result = CliRunner().invoke(app, ["find", formula])
+    assert result.exit_code == 1
+    first = result.output.splitlines()[0]
+    assert first.startswith(quantity)
+    assert "near: " in first
+    assert meant in first

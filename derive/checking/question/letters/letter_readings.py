@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import islice
 from types import MappingProxyType
@@ -27,7 +27,7 @@ from radartrack.derive.checking.question.letters.assignments import (
 )
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
-from radartrack.derive.checking.question.names import WORD
+from radartrack.derive.checking.question.loose_definitions import LooseDefinitions
 from radartrack.derive.checking.question.printed_shape import reshaped, spoken, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
@@ -39,8 +39,6 @@ from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.reading.any_letters import read_loosely
-from radartrack.derive.reading.unit_text import measured
 from radartrack.derive.symbolic import Expr, Symbol
 
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
@@ -91,12 +89,14 @@ class Reading:
         wrong: how many entries have other values than the quantity at some points, as far as floating point tells.
         rank: how far-fetched the meanings are together.
         misfits: how many parts of the formula, or entries, have units that do not fit.
+        vanished: letters that are no part of what comes out, as they stand.
     """
 
     letters: Letters
     wrong: int = 0
     rank: int = 0
     misfits: int = 0
+    vanished: Letters = field(default_factory=dict)
 
     @property
     def fits(self) -> bool:
@@ -130,6 +130,7 @@ class Typed:
         definitions: the trees of what is defined, in their order.
         conditions: under which both are compared.
         declared: letters of which the paper says what they are; one may hide a symbol of the quantity.
+        letters: those of a formula that was worked out with them as numbers of which nothing is known.
     """
 
     reference: Reference
@@ -137,6 +138,7 @@ class Typed:
     definitions: Mapping[str, Tree]
     conditions: Mapping[Symbol, Expr]
     declared: Mapping[str, Variable]
+    letters: Letters = field(default_factory=dict)
 
     def readings(self) -> list[Reading]:
         """What the letters may stand for, the likeliest first: with the units of the quantity, where any has them.
@@ -157,7 +159,8 @@ class Typed:
         found = self._readings(unknown, fixed, doubtful)
         if words:
             raise self._unmeant(words[0], found)
-        return found
+        vanished = {name: letter for name, letter in self.letters.items() if name not in self.used}
+        return [replace(reading, vanished=vanished) for reading in found] if vanished else found
 
     def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
@@ -363,7 +366,7 @@ def as_typed(
     """
     own = list(dict.fromkeys([*(symbol.name for symbol in reference.symbols), *declared]))
     try:
-        known = _Definitions(let, own)
+        known = LooseDefinitions(let, own)
         tree, _ = with_symbols(read([*own, *let], known.shapes), own)
         tree, _ = trimmed(tree, reference.shape)
         needed = known.needed_by(tree)
@@ -382,7 +385,9 @@ def unreadable(
     """Why a formula cannot be read whatever its letters mean, or has another shape; None where it can."""
     own = [symbol.name for symbol in reference.symbols]
     try:
-        known = _Definitions(let, own)
+        known = LooseDefinitions(let, own)
+        if known.has_unread:
+            return None
         tree, _ = trimmed(read([*own, *let], known.shapes), reference.shape)
         entries = written_out(tree, known.arrays)
     except FormulaError as error:
@@ -391,62 +396,6 @@ def unreadable(
     if found == reference.shape:
         return None
     return FormulaError(f"the formula is {spoken(found)}, the quantity is {spoken(reference.shape)}")
-
-
-class _Definitions:
-    """Definitions read before it is known what the names in them mean.
-
-    Args:
-        let: the definitions, in any order.
-        own: names that are known.
-
-    Raises:
-        FormulaError: where one is defined by itself, or an array in one has no meaning.
-    """
-
-    def __init__(self, let: Mapping[str, str], own: Sequence[str]) -> None:
-        self._let, self._own = let, own
-        self._trees: dict[str, Tree | None] = {}  # None for one that is worked out, or cannot be read
-        self.arrays: dict[str, Tensor[Tree]] = {}
-        for name in let:
-            self._read(name, ())
-
-    @property
-    def shapes(self) -> dict[str, Shape]:
-        """Of those that stand for arrays."""
-        return {name: entries.shape for name, entries in self.arrays.items()}
-
-    def needed_by(self, tree: Tree) -> dict[str, Tree] | None:
-        """Those of numbers on which a formula rests, each after those that it rests on; None where one has no tree."""
-        waiting = set(names_of(tree))
-        for name in reversed(self._trees):
-            if name in waiting and (own := self._trees[name]) is not None:
-                waiting |= names_of(own)
-        if any(self._trees[name] is None for name in self._trees.keys() & waiting):
-            return None
-        found = {name: one for name, one in self._trees.items() if name in waiting and name not in self.arrays}
-        return {name: one for name, one in found.items() if one is not None}
-
-    def _read(self, name: str, path: tuple[str, ...]) -> None:
-        if name in path:
-            raise FormulaError(f"let {name}: it is defined by itself")
-        if name in self._trees:
-            return
-        if name in self._own:
-            self._trees[name] = None  # the paper's meaning hides ours, which may stand in it
-            return
-        for other in sorted(set(WORD.findall(self._let[name])) & self._let.keys()):
-            self._read(other, (*path, name))
-        try:
-            text = number.formula if (number := measured(self._let[name])) else self._let[name]
-            tree, _ = with_symbols(read_loosely(text, [*self._own, *self._let], shapes=self.shapes), self._own)
-            entries = written_out(tree, self.arrays)
-        except (FormulaError, ValueError):
-            self._trees[name] = None
-            return
-        self._trees[name] = None if entries is None else tree if entries.shape else entries.entries[0]
-        if entries is not None and entries.shape:
-            self.arrays[name] = entries
 
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:

@@ -3,6 +3,7 @@
 import pytest
 
 from radartrack.derive import check
+from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
@@ -108,3 +109,28 @@ def test_rows_for_columns_are_read_transposed_where_that_can_be_seen(name: str) 
 def test_a_convention_that_explains_everything_leaves_no_slip() -> None:
     verdict = check("observe.spherical.map[2]", "atan2(hypot(x, y), z)")
     assert verdict.reason == "not equal, but equal with the elevation from the vertical up to whole turns"
+
+
+EQUAL_SENSORS = sorted(
+    name
+    for name, quantity in catalogue().items()
+    if any(symbol.name.endswith("_2") or symbol.name.startswith("second_") for symbol in quantity.symbols)
+    and name.startswith(("fusion.", "initiation."))
+)
+
+
+@pytest.mark.parametrize("name", EQUAL_SENSORS)
+def test_one_letter_for_numbered_symbols_is_told_as_the_condition_that_they_are_equal(name: str) -> None:
+    quantity = catalogue()[name]
+    by_name = {symbol.name: symbol for symbol in quantity.symbols}
+    pairs = [("sigma_1", "sigma_2"), ("sigma_1", "sigma_3"), ("second_covariance", "first_covariance")]
+    same = {by_name[other]: by_name[one] for one, other in pairs if one in by_name and other in by_name}
+    if not same:
+        return
+    entries = quantity.expression.map(lambda entry: sp.cancel(entry.subs(same)))
+    if all(entry == right for entry, right in zip(entries, quantity.expression, strict=True)):
+        return
+    verdict = check(name, shown(entries))
+    assert verdict.verdict == "differs"
+    assert "equal when" in verdict.reason, verdict.reason
+    assert not verdict.suggestions

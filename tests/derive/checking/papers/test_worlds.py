@@ -261,3 +261,26 @@ def test_every_world_has_three_right_claims_and_three_wrong_ones():
     for path in WORLDS:
         wrong = [".wrong." in claim.id for claim in read_claims(path).claims]
         assert (wrong.count(False), wrong.count(True)) == (3, 3)
+
+
+@pytest.mark.parametrize("letter", ["theta", "phi", "az"])
+def test_a_declared_letter_is_the_symbol_of_a_quantity_of_ours_where_it_means_that(letter: str, tmp_path: Path) -> None:
+    file = tmp_path / "claims.toml"
+    file.write_text(
+        f"""paper = "P"
+[symbols]
+{letter} = {{ unit = "rad", low = -3, high = 3, meaning = "angle" }}
+[[claim]]
+id = "right"
+quantity = "polar.map"
+formula = "[r*cos({letter}), r*sin({letter})]"
+[[claim]]
+id = "wrong"
+quantity = "polar.map"
+formula = "[r*cos({letter}), -r*sin({letter})]"
+"""
+    )
+    claims = read_claims(file).claims
+    right, wrong = ([*decisions(claim, world_of([tomllib.loads(file.read_text())]))][-1] for claim in claims)
+    assert right.is_equal
+    assert wrong.suggestions[0].edit == f"the sign of r*sin({letter})"

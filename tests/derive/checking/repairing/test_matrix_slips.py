@@ -62,3 +62,18 @@ def test_no_slip_of_a_formula_of_numbers_alone_is_one_of_matrices() -> None:
     tree = read_text("a*b/c + sin(a)**2", {"a", "b", "c"})
     shape = shapes(dict.fromkeys("abc", ()))
     assert not [slip for _, node in walk(tree) for slip in matrix_slips(node, {}, shape)]
+
+
+@pytest.mark.parametrize(
+    ("formula", "let", "mended"),
+    [
+        ("A*diag(sigma_r^2, sigma_beta^2)*A.T", {}, "A*diag(sigma_r**2, r**2*sigma_beta**2)*A.T"),
+        ("A*[sigma_r^2, 0; 0, sigma_beta^2]*A.T", {}, "A*[[sigma_r**2, 0], [0, r**2*sigma_beta**2]]*A.T"),
+        ("A*S*A.T", {"S": "[sigma_r^2, 0; 0, sigma_beta^2]"}, "S = [[sigma_r**2, 0], [0, r**2*sigma_beta**2]]"),
+    ],
+)
+def test_a_factor_that_an_entry_lacks_is_told_there(formula: str, let: dict[str, str], mended: str) -> None:
+    turn = {"A": "[cos(beta), -sin(beta); sin(beta), cos(beta)]", **let}
+    verdict = check("polar.covariance.linear", formula, let=turn, given={"rho": "0"})
+    assert mended in {one.formula for one in verdict.suggestions}
+    assert not verdict.terms

@@ -304,3 +304,13 @@ def test_a_fault_is_told_with_its_line():
     assert refusal("a = x\nb = 2*^y", "python").line == 2
     assert refusal("a = x;\n\nb = y^2;", "c").line == 3
     assert refusal("a = x;\nb = [1 2; 3];", "matlab").line == 2
+
+
+@pytest.mark.parametrize("name", ["ca", "sp", "np", "math", "torch"])
+def test_a_name_that_modules_have_too_is_a_name_where_it_is_assigned(name: str) -> None:
+    assert to_text(read_code(f"{name}, b = cos(x), 2\n{name}*b", "python", ["x"]).tree) == "cos(x)*2"
+
+
+@pytest.mark.parametrize("code", ["double a, b; a = b = x*x; a + b", "Q[0] = Q[1] = x*x; Q[0] + Q[1]"])
+def test_an_assignment_has_a_value(code: str) -> None:
+    assert to_text(read_code(code, "c", ["x"]).tree) == "x*x + x*x"

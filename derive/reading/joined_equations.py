@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from radartrack.derive.formula.error import FormulaError
@@ -22,10 +22,14 @@ class Definition:
     tree: Tree
 
 
-def combined(found: Sequence[Definition]) -> Tree:
+def combined(found: Sequence[Definition], wanted: int = 1) -> Tree:
     """What several equations say together: that which no other of them uses, with the others put into it.
 
     Several of those are the entries of a matrix where they are named so (R_11, R_12), else of a vector.
+
+    Args:
+        found: the equations.
+        wanted: of how many numbers the result is to be.
 
     Raises:
         FormulaError: when a name is defined by itself, or an entry of the matrix is missing.
@@ -34,13 +38,29 @@ def combined(found: Sequence[Definition]) -> Tree:
         return found[0].tree
     defined = {one.name: one.tree for one in found if one.name}
     used = set().union(*(names(one.tree) for one in found))
-    if all(one.name in used for one in found):
+    meant = results([one.name for one in found], used, wanted)
+    if not meant:
         raise FormulaError(
             "each of these equations is used by another one: none is the result", span=found[-1].tree.span
         )
     insert = Insertion(defined)
-    results = [Definition(one.name, insert(one.tree)) for one in found if one.name not in used]
-    return results[0].tree if len(results) == 1 else _array(results)
+    made = [Definition(found[place].name, insert(found[place].tree)) for place in meant]
+    return made[0].tree if len(made) == 1 else _array(made)
+
+
+def results(defined: Sequence[str], used: Collection[str], wanted: int) -> list[int]:
+    """Which of several definitions are the result, by their places: those on which no other rests.
+
+    Where more numbers are wanted, the last ones, if all of those are among them: a range rate may rest on the range.
+
+    Args:
+        defined: the names, in order.
+        used: those on which another rests.
+        wanted: how many numbers the result is to be.
+    """
+    unused = [place for place, name in enumerate(defined) if name not in used]
+    last = range(max(len(defined) - wanted, 0), len(defined))
+    return list(last) if 0 < len(unused) < wanted == len(last) and set(unused) <= set(last) else unused
 
 
 class Insertion:
