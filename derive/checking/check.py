@@ -192,7 +192,7 @@ class Paper:
         """
         own = {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
         letters = {name for name in self.world.letters if typed and name in typed.used and name not in own}
-        if not letters or best.is_equal:
+        if not letters or best.is_equal or any(self.world.declares(part.quantity) for part in reference.parts):
             return None
         kept = {name: one for name, one in self.world.letters.items() if name not in letters}
         try:
@@ -607,7 +607,8 @@ class Question:
 
     @cached_property
     def _asked(self) -> Asked:
-        return Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions)
+        letters = {name: letter.symbol for name, letter in self.reading.letters.items()}
+        return Asked(self.reference, self.printed.expressions, self.printed.dimensions, self.conditions, letters)
 
     @cached_property
     def _print(self) -> Print:

@@ -326,8 +326,14 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
 
 
 def _is_of_letters_alone(tree: Tree) -> bool:
-    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w."""
-    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in parts(tree))
+    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w.
+
+    Not P*Q/(P + Q): what divides by letters that it has above too is hardly the same as another by chance.
+    """
+    there = [*parts(tree)]
+    if any(isinstance(node, Quotient) and names(node.numerator) & names(node.denominator) for node in there):
+        return False
+    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in there)
 
 
 def letters_of(tree: Tree) -> int | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from radartrack.derive.algebra.equality import proved_equal
@@ -25,12 +25,17 @@ Point = tuple[tuple[str, Number], ...]
 
 @dataclass(frozen=True)
 class Asked:
-    """What is printed and of what dimension, what it was compared with, and under which conditions."""
+    """What is printed and of what dimension, what it was compared with, and under which conditions.
+
+    Attributes:
+        letters: what the letters of the print that are no symbols of ours stand for, by name.
+    """
 
     reference: Reference
     printed: Tensor[Expr]
     dimensions: Tensor[Dimension | None]
     conditions: Mapping[Symbol, Expr]
+    letters: Mapping[str, Variable] = field(default_factory=dict)
 
     def may_be(self, quantity: Quantity, places: Sequence[Index]) -> bool:
         """Whether these entries of a quantity have the dimensions and the symbols that are printed."""

@@ -119,8 +119,12 @@ def conventions(asked: Asked) -> Iterator[Convention]:
 
 
 def _equal_sensors(asked: Asked) -> Iterator[Convention]:
-    """One letter for what is numbered: the deviations of sensors of one kind, the covariances of plots of one radar."""
+    """One letter for what is numbered: the deviations of sensors of one kind, the covariances of plots of one radar.
+
+    D_1 in each place where D_1 or D_2 should stand is a slip.
+    """
     used = _used(asked)
+    unnumbered = {symbol for name, symbol in asked.letters.items() if not _NUMBER.search(name)}
     groups: dict[tuple[str, Unit], list[Variable]] = {}
     for symbol in asked.reference.symbols:
         if (stem := _NUMBER.sub("", symbol.name)) != symbol.name:
@@ -129,10 +133,19 @@ def _equal_sensors(asked: Asked) -> Iterator[Convention]:
     for group in groups.values():
         kept = [symbol for symbol in group if symbol in used]
         one = kept[0] if kept else group[0]
-        if len(kept) <= 1 < len(group) and not any(symbol in asked.conditions for symbol in group):
+        free = not any(symbol in asked.conditions for symbol in group)
+        if len(kept) <= 1 < len(group) and free and (one in unnumbered or not _is_in_place_of(one, group, asked)):
             alike |= {symbol: one for symbol in group if symbol != one}
     if alike:
         yield Convention(alike=alike, cost=0.6)
+
+
+def _is_in_place_of(one: Symbol, group: Sequence[Symbol], asked: Asked) -> bool:
+    """Whether a symbol stands as often as all of a group should."""
+    derived = asked.reference.entries
+    return sum(entry.count(one) for entry in asked.printed) == sum(
+        entry.count(symbol) for entry in derived for symbol in group
+    )
 
 
 def _used(asked: Asked) -> set[Symbol]:

@@ -80,6 +80,10 @@ class World:
                 ) from None
             raise
 
+    def declares(self, quantity: Quantity) -> bool:
+        """Whether the quantity is the paper's own, in its own letters."""
+        return quantity.name in self.quantities or quantity.name in self.definitions
+
     def having(self, quantities: Iterable[Quantity]) -> World:
         """The same world with more quantities, such as those of a model."""
         return replace(self, quantities={**self.quantities, **{one.name: one for one in quantities}})
