@@ -31,6 +31,7 @@ from radartrack.derive.checking.conventions.other_quantity import other_quantiti
 from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
+from radartrack.derive.checking.question.definitions.loose_definitions import without_arguments
 from radartrack.derive.checking.question.formula_units import WrongDimensions, check_dimension
 from radartrack.derive.checking.question.letters.letter_readings import (
     AS_TYPED,
@@ -44,7 +45,6 @@ from radartrack.derive.checking.question.letters.letter_readings import (
 from radartrack.derive.checking.question.letters.undeclared_letters import undeclared_letters
 from radartrack.derive.checking.question.letters.undeclared_letters import words as assumed
 from radartrack.derive.checking.question.letters.worked_out_letters import unmeant_letters
-from radartrack.derive.checking.question.loose_definitions import without_arguments
 from radartrack.derive.checking.question.names import Names, indices_in, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import (
     Printed,

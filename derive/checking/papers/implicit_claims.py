@@ -25,8 +25,8 @@ from radartrack.derive.checking.comparing.question_domain import Domain, everywh
 from radartrack.derive.checking.papers.claims_file import Claim
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import under
+from radartrack.derive.checking.question.definitions.loose_definitions import WORD
 from radartrack.derive.checking.question.formula_units import NOTHING
-from radartrack.derive.checking.question.loose_definitions import WORD
 from radartrack.derive.checking.question.meaning import Meaning, shape_of, tensor
 from radartrack.derive.checking.question.names import Names, letters_of_catalogue, symbols_for
 from radartrack.derive.checking.question.printed_formula import conditions_for, printed

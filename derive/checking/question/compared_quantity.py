@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 
+from radartrack.derive.checking.question.definitions.loose_definitions import WORD
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDefinition, WrongDimensions, dimensions
-from radartrack.derive.checking.question.loose_definitions import WORD
 from radartrack.derive.checking.question.names import Names, each_once, symbols_for
 from radartrack.derive.checking.question.single_number import scalar_expression
 from radartrack.derive.checking.question.world import CATALOGUE, World

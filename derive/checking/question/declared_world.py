@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radartrack.derive.checking.question.paper_definitions import definition_tables, with_definitions
+from radartrack.derive.checking.question.definitions.paper_definitions import definition_tables, with_definitions
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.variable import Variable

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from radartrack.derive.checking.question.known_constants import has_any_unit
+from radartrack.derive.checking.question.definitions.known_constants import has_any_unit
 from radartrack.derive.formula.fold import Fold
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (

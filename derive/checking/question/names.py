@@ -12,6 +12,8 @@ from types import MappingProxyType
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import UnknownQuantity, catalogue, common_symbols
+from radartrack.derive.checking.question.definitions.known_constants import with_symbols
+from radartrack.derive.checking.question.definitions.loose_definitions import WORD, LooseDefinitions
 from radartrack.derive.checking.question.formula_entries import entries_of
 from radartrack.derive.checking.question.formula_units import (
     NOTHING,
@@ -20,8 +22,6 @@ from radartrack.derive.checking.question.formula_units import (
     dimensions,
     in_definition,
 )
-from radartrack.derive.checking.question.known_constants import with_symbols
-from radartrack.derive.checking.question.loose_definitions import WORD, LooseDefinitions
 from radartrack.derive.checking.question.meaning import Meaning, number_of_parts, shape_of
 from radartrack.derive.checking.question.single_number import only_scalar
 from radartrack.derive.checking.question.world import CATALOGUE, World

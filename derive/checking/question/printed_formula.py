@@ -12,8 +12,8 @@ from types import MappingProxyType
 from radartrack.derive.catalogue import common_symbols
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import resolved
+from radartrack.derive.checking.question.definitions.known_constants import with_symbols
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions
-from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.letters.letter_meanings import alike, means
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning

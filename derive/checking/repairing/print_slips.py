@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from radartrack.derive.checking.question.known_constants import nearly
+from radartrack.derive.checking.question.definitions.known_constants import nearly
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (

@@ -14,8 +14,9 @@ from itertools import islice
 from types import MappingProxyType
 
 from radartrack.derive.checking.question.compared_quantity import Reference
+from radartrack.derive.checking.question.definitions.known_constants import with_symbols
+from radartrack.derive.checking.question.definitions.loose_definitions import LooseDefinitions
 from radartrack.derive.checking.question.formula_units import Dimension, misfits
-from radartrack.derive.checking.question.known_constants import with_symbols
 from radartrack.derive.checking.question.letters.assignments import (
     STRONG,
     Choice,
@@ -27,7 +28,6 @@ from radartrack.derive.checking.question.letters.assignments import (
 )
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
-from radartrack.derive.checking.question.loose_definitions import LooseDefinitions
 from radartrack.derive.checking.question.printed_shape import reshaped, spoken, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import common_symbols
-from radartrack.derive.checking.question.loose_definitions import WORD
+from radartrack.derive.checking.question.definitions.loose_definitions import WORD
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from radartrack.derive.checking.question.compared_quantity import Reference
+from radartrack.derive.checking.question.definitions.loose_definitions import LooseDefinitions
 from radartrack.derive.checking.question.letters.letter_readings import LONGEST, NO_LETTERS, Letter, Letters
-from radartrack.derive.checking.question.loose_definitions import LooseDefinitions
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.tree import Tree, bound_names, names

@@ -5,8 +5,13 @@ from __future__ import annotations
 import pytest
 
 from radartrack.derive import check
+from radartrack.derive.checking.question.definitions.known_constants import (
+    ELLIPSOIDS,
+    has_any_unit,
+    nearly,
+    with_symbols,
+)
 from radartrack.derive.checking.question.formula_units import Dimension, misfits
-from radartrack.derive.checking.question.known_constants import ELLIPSOIDS, has_any_unit, nearly, with_symbols
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Number
 from radartrack.derive.reading.text import read_text

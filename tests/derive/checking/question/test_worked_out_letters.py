@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from radartrack.derive import check
-from radartrack.derive.checking.question.loose_definitions import without_arguments
+from radartrack.derive.checking.question.definitions.loose_definitions import without_arguments
 from radartrack.derive.reading.any_letters import plain_formulas
 
 POLAR = {"x": "R*cos(theta)", "y": "R*sin(theta)"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from radartrack.derive.checking.question.known_constants import with_symbols
+from radartrack.derive.checking.question.definitions.known_constants import with_symbols
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.tree import Tree

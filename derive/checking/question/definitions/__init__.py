@@ -1,0 +1,1 @@
+"""What names of a paper stand for: its definitions, and constants that everybody knows."""
