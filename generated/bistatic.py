@@ -213,8 +213,8 @@ def bias_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 343 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 563.
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -823,8 +823,8 @@ def bias_truth_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 343 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -1064,8 +1064,8 @@ def bias_averaged_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 343 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -2146,8 +2146,8 @@ def unbiased_estimate_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: measured, not proved: at most 4 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 861 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); with correlations up to 0.99 in size at most 18800.
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments
@@ -2811,8 +2811,8 @@ def posterior_estimate_second_order(
     Returns:
         Shape of the broadcast arguments + (2), unit m.
 
-    Accuracy: measured, not proved: at most 3.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 84.8 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 18800.
     """
     arguments = _floats(path, beta, baseline, sigma_path, sigma_beta, rho)
     path, beta, baseline, sigma_path, sigma_beta, rho = arguments

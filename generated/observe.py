@@ -1735,8 +1735,8 @@ def range_rate_difference_hessian(
         Shape of the broadcast arguments + (1, 6, 6), unit [m/s] × [1/m, 1/m, 1/m, s/m, s/m, s/m] × [1/m, 1/m,
         1/m, s/m, s/m, s/m].
 
-    Accuracy: measured, not proved: at most 4.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against the sizes of the terms.
+    Accuracy: at most 47.1 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64). Errors are measured against the sizes of the terms.
     """
     arguments = _floats(x, y, z, vx, vy, vz, receiver_x, receiver_y, receiver_z)
     x, y, z, vx, vy, vz, receiver_x, receiver_y, receiver_z = arguments

@@ -1338,8 +1338,9 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 123 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); with correlations up to 0.99 in size at most 1300; in float32, with functions
+    within 4 of its ulp, at most 326.
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho)
     r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho = arguments

@@ -1014,8 +1014,8 @@ def covariance_truth_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 98.2 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 97.7.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1225,8 +1225,8 @@ def covariance_averaged_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 7 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 178 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 191.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1424,8 +1424,9 @@ def unbiased_estimate_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: measured, not proved: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 73.7 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 123; in float32, with
+    functions within 4 of its ulp, at most 73.7.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1573,8 +1574,8 @@ def unbiased_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 103 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 103.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1908,8 +1909,8 @@ def posterior_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 7.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 98.2 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 97.7.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -2137,8 +2138,8 @@ def decorrelated_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 8 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 115 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho, predicted_sigma_r, predicted_sigma_u, predicted_sigma_v, predicted_rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho, predicted_sigma_r, predicted_sigma_u, predicted_sigma_v, predicted_rho = arguments
@@ -2295,8 +2296,8 @@ def covariance_averaged_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 9.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 330 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -2517,8 +2518,8 @@ def unbiased_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 10.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 182 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -2727,8 +2728,8 @@ def posterior_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 10.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 155 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -2948,8 +2949,8 @@ def decorrelated_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 10.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 218 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho, predicted_sigma_r, predicted_sigma_u, predicted_sigma_v, predicted_rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho, predicted_sigma_r, predicted_sigma_u, predicted_sigma_v, predicted_rho = arguments
