@@ -37,19 +37,33 @@ BASE: Mapping[str, Scale] = MappingProxyType(
         "dB": Scale(ONE, sp.Integer(1)),  # a number of them; what it is ten logarithms of is the formula's affair
         "m": Scale(METRE, sp.Integer(1)),
         "km": Scale(METRE, sp.Integer(1000)),
+        "cm": Scale(METRE, sp.Rational(1, 100)),
+        "mm": Scale(METRE, sp.Rational(1, 1000)),
+        "ft": Scale(METRE, sp.Rational(3048, 10_000)),
+        "mi": Scale(METRE, sp.Rational(1_609_344, 1000)),
+        "nmi": Scale(METRE, sp.Integer(1852)),
+        "NM": Scale(METRE, sp.Integer(1852)),
         "s": Scale(SECOND, sp.Integer(1)),
         "ms": Scale(SECOND, sp.Rational(1, 1000)),
+        "us": Scale(SECOND, sp.Rational(1, 10**6)),
+        "min": Scale(SECOND, sp.Integer(60)),
+        "h": Scale(SECOND, sp.Integer(3600)),
+        "kn": Scale(METRE / SECOND, sp.Rational(1852, 3600)),
+        "kt": Scale(METRE / SECOND, sp.Rational(1852, 3600)),
         "Hz": Scale(SECOND**-1, sp.Integer(1)),
         "kHz": Scale(SECOND**-1, sp.Integer(1000)),
+        "MHz": Scale(SECOND**-1, sp.Integer(10**6)),
         "rad": Scale(RADIAN, sp.Integer(1)),
         "mrad": Scale(RADIAN, sp.Rational(1, 1000)),
         "deg": Scale(RADIAN, sp.pi / 180),
     }
 )
+NUMBERS = {"1", "%", "dB"}
+LETTERS = {"h", "min"}  # which alone are letters: 2 h is twice a height
 _FACTOR = re.compile(
     r"\s*(?P<name>[A-Za-z]+|1|%)(?:\s*(?:\^|\*\*)\s*(?P<power>-?\d{1,2}|\(\s*-?\d{1,2}(?:\s*/\s*\d{1,2})?\s*\)))?\s*"
 )
-_MEASURED = re.compile(r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(?P<unit>[A-Za-z°1%].{0,59}?)\s*")
+_MEASURED = re.compile(r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(?P<unit>[A-Za-z°µμ1%].{0,59}?)\s*")
 _SIGN = re.compile(r"[*·/]")
 
 
@@ -62,7 +76,7 @@ def read_unit(text: str) -> Scale:
     if len(text) > LONGEST:
         raise ValueError(f"a unit has at most {LONGEST} characters, given {text[:LONGEST]!r}...")
     total = BASE["1"]
-    for sign, factor in _factors(text):
+    for sign, factor in _factors(text.replace("µ", "u").replace("μ", "u")):
         total = total * (factor ** Fraction(-1 if sign == "/" else 1))
     return total
 
@@ -78,7 +92,7 @@ class Measured:
 def measured(text: str) -> Measured | None:
     """A number with a unit, as one types it: `30deg`, `30°`, `10 km`; None for anything else."""
     found = _MEASURED.fullmatch(text)
-    if found is None or found["unit"] in {"1", "%", "dB"}:
+    if found is None or found["unit"] in NUMBERS | LETTERS:
         return None
     try:
         scale = read_unit(found["unit"].replace("°", "deg"))

@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 
 from radartrack.derive.checking.papers.printed_number import PrintedNumber
 from radartrack.derive.code_languages import LANGUAGES
+from radartrack.derive.reading.unit_text import BASE
 
 MAX_BYTES = 1_000_000
 MAX_CLAIMS = 2_000
@@ -25,7 +26,7 @@ ID = re.compile(r"[A-Za-z0-9_]+(?:[.-][A-Za-z0-9_]+)*")
 NUMBER = re.compile(r"[+-]?\d{1,40}(?:\.\d{1,40})?(?:[eE][+-]?\d{1,2})?")
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 OF_NUMBERS = {"e", "pi", "sqrt"}  # words that a number may be written with
-UNITS = ("1", "%", "dB", "m", "km", "s", "ms", "Hz", "kHz", "rad", "mrad", "deg")
+UNITS = tuple(BASE)
 OF_UNIT = re.compile(r"[^\W\d_]+")
 HIGHEST_ORDER = 12  # in the deviations
 BOUND = re.compile(rf"(?P<number>{NUMBER.pattern})\s*(?P<unit>.*)")

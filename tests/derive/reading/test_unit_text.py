@@ -18,6 +18,18 @@ SI: dict[str, tuple[Unit, Any]] = {
     "kHz": (SECOND**-1, sympy.Integer(1000)),
     "deg": (RADIAN, sympy.pi / 180),
     "mrad": (RADIAN, sympy.Rational(1, 1000)),
+    "cm": (METRE, sympy.Rational(1, 100)),
+    "mm": (METRE, sympy.Rational(1, 1000)),
+    "ft": (METRE, sympy.Rational(12 * 254, 10_000)),  # an inch is 25.4 mm
+    "mi": (METRE, sympy.Rational(5280 * 12 * 254, 10_000)),
+    "nmi": (METRE, sympy.Integer(1852)),
+    "NM": (METRE, sympy.Integer(1852)),
+    "us": (SECOND, sympy.Rational(1, 10**6)),
+    "min": (SECOND, sympy.Integer(60)),
+    "h": (SECOND, sympy.Integer(3600)),
+    "kn": (METRE / SECOND, sympy.Rational(463, 900)),
+    "kt": (METRE / SECOND, sympy.Rational(463, 900)),
+    "MHz": (SECOND**-1, sympy.Integer(10**6)),
     "%": (Unit(), sympy.Rational(1, 100)),
 }
 
@@ -63,6 +75,9 @@ def test_every_unit_that_is_offered_is_read():
         (" -2.5e3 km ", "-2.5e3*(1000)", "m"),
         ("9.81 m/s^2", "9.81", "m/s^2"),
         (".5 mrad", ".5*(1/1000)", "rad"),
+        ("60 NM", "60*(1852)", "m"),
+        ("36 km/h", "36*(5/18)", "m/s"),
+        ("3 µs", "3*(1/1000000)", "s"),
     ],
 )
 def test_a_number_with_a_unit_is_a_formula_in_si_units(text: str, formula: str, unit: str):
@@ -71,6 +86,8 @@ def test_a_number_with_a_unit_is_a_formula_in_si_units(text: str, formula: str, 
     assert (found.formula, str(found.unit)) == (formula, unit)
 
 
-@pytest.mark.parametrize("text", ["30", "deg", "30*deg", "2r", "30 deg + 1", "1e", "5 %", "__import__('os') m", ""])
+@pytest.mark.parametrize(
+    "text", ["30", "deg", "30*deg", "2r", "30 deg + 1", "1e", "5 %", "2 h", "2 min", "__import__('os') m", ""]
+)
 def test_what_is_no_number_with_a_unit_stays_a_formula(text: str):
     assert measured(text) is None
