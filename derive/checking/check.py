@@ -57,7 +57,7 @@ from radartrack.derive.checking.question.printed_formula import (
 from radartrack.derive.checking.question.sense import EXACTLY, Sense
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.repairing.least_to_explain import UNEXPLAINED, Account, Print
-from radartrack.derive.checking.repairing.rounded_decimals import meant
+from radartrack.derive.checking.repairing.rounded_decimals import Meant, as_rounded, meant
 from radartrack.derive.checking.repairing.slips_inside import Repair, Slip, has_inside
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
@@ -314,10 +314,18 @@ def asked(reference: Reference, printed: Printed, given: Mapping[str, str], worl
         sense.applied(reference, printed, names, conditions) if sense != EXACTLY else (reference, printed)
     )
     question = Question(reference, printed, conditions, sense.words)
-    exact = meant(question.printed)
-    if exact and (rounded := replace(question, printed=exact.printed)).is_equal:
-        return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
+    for exact in _exact_numbers(question):
+        if (rounded := replace(question, printed=exact.printed)).is_equal:
+            return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
     return question
+
+
+def _exact_numbers(question: Question) -> Iterator[Meant]:
+    """The formula with exact numbers for its rounded decimals."""
+    if exact := meant(question.printed):
+        yield exact
+    if not question.reference.shape and (exact := as_rounded(question.printed, question.derived_entry(()))):
+        yield exact
 
 
 def ask_identity(

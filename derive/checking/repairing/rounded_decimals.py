@@ -7,13 +7,18 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.question.printed_formula import Printed
 from radartrack.derive.checking.question.printed_formula import printed as printed_of
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
+from radartrack.derive.evaluation.exact_numbers import Exact, Undecidable, compared
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Constant, Number, Product, Tree, parts
+from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.formula.tree import Call, Constant, Negation, Number, Product, Tree, parts
+from radartrack.derive.symbolic import Expr, unguarded
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 FEWEST = 5  # significant digits; fewer are near to too many simple numbers
@@ -45,6 +50,23 @@ def meant(printed: Printed) -> Meant | None:
         return None
     said = " and ".join(f"{to_text(node)} is taken as {to_text(simple)}" for node, simple in decimals.items())
     return Meant(exact, said)
+
+
+def as_rounded(printed: Printed, derived: Expr) -> Meant | None:
+    """What was derived, where it is a number and a decimal is printed that it rounds to; None else."""
+    decimal, sign = (printed.tree.operand, -1) if isinstance(printed.tree, Negation) else (printed.tree, 1)
+    if not isinstance(decimal, Number) or "." not in decimal.text or derived.free_symbols or not is_real(derived):
+        return None
+    last = _digits(decimal.text)[1]
+    number = Exact.of(derived)
+    try:
+        beyond = [compared(number, Exact.of(sp.Rational(sign * decimal.value + side * last / 2))) for side in (-1, 1)]
+        exact = printed_of(to_tree(unguarded(derived)), printed.names, printed.entries.shape)
+    except (FormulaError, NoClosedForm, Undecidable):
+        return None
+    if beyond[0] < 0 or beyond[1] > 0:
+        return None
+    return Meant(exact, f"{to_text(printed.tree)} is what {exact.text} rounds to")
 
 
 def _simple(number: Number) -> Tree | None:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive.checking.check import check
+from radartrack.derive.checking.check import ask_identity, check
 
 fractions = st.builds(Fraction, st.integers(1, 40), st.sampled_from([3, 6, 7, 9, 12, 24, 30]))
 
@@ -63,3 +63,38 @@ def test_several_decimals_and_arrays_are_compared_together() -> None:
     verdict = check("polar.map/3", "[0.33333333*r*cos(beta), 0.666666667*r*sin(beta)/2.0]")
     assert verdict.verdict == "equal"
     assert check("polar.map/3", "[0.33333333*r*cos(beta), 0.666666667*r*sin(beta)]").verdict == "differs"
+
+
+NUMBERS = {
+    "chi2inv(0.99, 2)": 2 * math.log(100),
+    "sqrt(2)/2": math.sqrt(2) / 2,
+    "-pi^3": -(math.pi**3),
+    "exp(-1/2)*1000": 1000 * math.exp(-0.5),
+}
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+@pytest.mark.parametrize("digits", [1, 2, 3, 7])
+def test_a_decimal_alone_is_equal_to_the_number_that_it_rounds(number: str, digits: int) -> None:
+    rounded = Decimal(NUMBERS[number]).quantize(Decimal(1).scaleb(-digits))
+    assert ask_identity(number, f"{rounded}").is_equal
+    for units in (-2, 2):  # cut off instead of rounded, a long decimal may be one unit less
+        *_, verdict = ask_identity(number, f"{rounded + units * Decimal(1).scaleb(-digits)}").answers()
+        assert verdict.verdict == "differs"
+
+
+@pytest.mark.parametrize(("printed", "outcome"), [("4.33", "equal"), ("4.32", "differs"), ("-4.33", "differs")])
+def test_a_quantity_at_a_point_is_the_decimal_that_it_rounds_to(printed: str, outcome: str) -> None:
+    verdict = check("polar.map[0]", printed, given={"r": "5", "beta": "pi/6"})
+    assert verdict.verdict == outcome
+    assert verdict.printed == printed
+
+
+def test_half_a_unit_may_be_rounded_either_way() -> None:
+    for printed in ("0.2", "0.3"):
+        assert ask_identity("1/4", printed).is_equal
+    assert not ask_identity("1/4", "0.4").is_equal
+
+
+def test_a_whole_number_is_no_rounded_one() -> None:
+    assert not ask_identity("pi", "3").is_equal
