@@ -110,7 +110,10 @@ def correlated_noise(sensor: SensorName, *, within: Within = ANYWHERE) -> Search
     Raises:
         ValueError: as `plots`.
     """
-    return plots(sensor, within=within).map(lambda plot: simulate.noise_covariance(sensor, plot))
+    names = SENSORS[one_of("sensor", sensor, SENSORS)].noise
+    return plots(sensor, within=within).map(
+        lambda plot: simulate.noise_covariance(sensor, {name: plot[name] for name in names})
+    )
 
 
 @st.composite

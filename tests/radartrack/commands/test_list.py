@@ -39,8 +39,11 @@ def test_a_pattern_selects_whole_names(pattern: str):
     assert names(listed(pattern)) == [name for name in catalogue() if fnmatchcase(name, pattern)]
 
 
-def test_plain_text_selects_names_that_hold_it():
-    assert names(listed("averaged")) == [name for name in catalogue() if "averaged" in name]
+def test_plain_text_selects_names_that_hold_it_the_plainest_first():
+    found = names(listed("averaged"))
+    assert sorted(found) == sorted(name for name in catalogue() if "averaged" in name)
+    sizes = [len(catalogue()[name].symbols) for name in found]
+    assert sizes == sorted(sizes)
 
 
 def test_nothing_found_is_said_with_exit_code_one():
