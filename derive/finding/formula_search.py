@@ -206,7 +206,7 @@ class FormulaSearch:
                     _keep_rearranged(rearranged, printed, read)
             if found or rearranged:
                 break
-        likely = [one for one in found.values() if one.rank < ANY or not _is_of_letters_alone(tree)]
+        likely = [one for one in found.values() if one.rank < ANY or not is_of_letters_alone(tree)]
         return _plainest(likely) or _first_of(rearranged)
 
     def near(self, tree: Tree) -> list[Candidate]:
@@ -215,7 +215,7 @@ class FormulaSearch:
         if printed is None:
             return []
         best: dict[str, Candidate] = {}
-        alone = _is_of_letters_alone(tree)
+        alone = is_of_letters_alone(tree)
         kinds = {name: kind for row in self._rows.values() for name, kind in row["kinds"].items() if len(name) > 1}
         for read in self._readings(printed, FEW, plain=True):
             if any(
@@ -325,7 +325,7 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
                 yield replace(edit, tree=changed, kind=plain_words(edit.words), about=())
 
 
-def _is_of_letters_alone(tree: Tree) -> bool:
+def is_of_letters_alone(tree: Tree) -> bool:
     """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w.
 
     Not P*Q/(P + Q): what divides by letters that it has above too is hardly the same as another by chance.

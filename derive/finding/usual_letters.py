@@ -9,6 +9,7 @@ from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.letter_meanings import meanings, means
 from radartrack.derive.checking.reporting.derived_formula import as_printed
+from radartrack.derive.finding.formula_search import is_of_letters_alone
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.tree import Name, Number, Power, Product, Tree
 from radartrack.derive.formula.tree import names as names_of
@@ -98,6 +99,8 @@ def _may_be_of(name: str, quantity: Quantity) -> bool:
 
 
 def _with_factors(one: Usual) -> Iterator[Usual]:
+    if is_of_letters_alone(one.tree):
+        return  # a*b is many things with a factor beside it
     for name, power in UNDERSTOOD:
         if name not in names_of(one.tree):
             factor: Tree = Name(name) if power == 1 else Power(Name(name), Number(str(power)))

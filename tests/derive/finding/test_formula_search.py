@@ -220,6 +220,11 @@ def test_letters_that_are_functions_and_factors_that_are_understood_are_put_in(f
     )
 
 
+@pytest.mark.parametrize("nothing", ["a*b", "A*B*C", "b*c + d", "a/c"])
+def test_letters_without_a_meaning_are_nothing_with_a_factor_beside_them(nothing: str) -> None:
+    assert not [form for form in usual_forms(read_loosely(nothing)) if search().candidates(form.tree)]
+
+
 @pytest.mark.parametrize(
     "nothing",
     [
