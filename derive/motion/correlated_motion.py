@@ -29,7 +29,7 @@ from radartrack.derive.motion.polynomial_motion import units
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.units import METRE, SECOND
 
-CROSSING = 3  # the largest x for which products are better: at 3 either form loses less than three bits, there most
+CROSSING = 2  # the largest x for which products are better: there either form loses three bits, at 3 products lose four
 
 alpha = Variable("alpha", "one over the time constant", SECOND**-1, 1e-6, 1.0)
 sigma_m = Variable("sigma_m", "standard deviation of the acceleration", METRE / SECOND**2, 1e-6, 1e3)
