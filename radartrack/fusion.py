@@ -538,6 +538,9 @@ def fuse_lines(
     """
     layer: FirstLayer = one_of("first_layer", first_layer, get_args(FirstLayer))
     between = _read({"radar_weights": radar_weights}, {"radar_weights": WEIGHT})["radar_weights"]
+    for name, given in (("t", t), ("x", x), ("y", y)):
+        if not isinstance(given, Sequence) and not (isinstance(given, np.ndarray) and given.ndim):
+            raise TypeError(f"{name} must be a list of arrays, one a radar; got {given!r}"[:200])
     if not len(t) == len(x) == len(y):
         raise ValueError(f"t, x and y must be given for the same radars; got {len(t)}, {len(x)} and {len(y)}")
     if not len(t):

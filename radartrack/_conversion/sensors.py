@@ -189,7 +189,7 @@ def _of_triangle(
     share = (baseline + MARGIN * np.asarray(values["sigma_path"])) / path
     yield f"(baseline + {MARGIN} path_std)/path{of}", np.asarray(share), TRIANGLE
     with np.errstate(divide="ignore", over="ignore"):  # without a baseline the pole is at infinity
-        pole = np.arccosh(path / np.asarray(baseline))
+        pole = np.arccosh(path / (np.asarray(baseline) + 0.0))  # of a zero with a sign the ratio would be negative
     turned = MARGIN * np.asarray(values["sigma_beta"]) / pole
     yield f"{MARGIN} azimuth_std/arccosh(path/baseline){of}", np.asarray(turned), ROUND_THE_BASELINE
 

@@ -200,3 +200,11 @@ def test_a_missing_elevation_bends_the_track_and_part_of_it_counts_as_scatter() 
 def test_bad_arguments_are_named(call: Callable[[], object], error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
         call()
+
+
+@pytest.mark.parametrize("name", ["t", "x", "y"])
+@pytest.mark.parametrize("wrong", [1.0, None, {1.0, 2.0}, np.float32(3)])
+def test_what_is_no_list_of_radars_is_refused_by_name(name: str, wrong: Any) -> None:
+    plots: dict[str, Any] = {one: [[0.0, 1.0, 2.0], [0.0, 1.5, 3.0]] for one in "txy"}
+    with pytest.raises(TypeError, match=f"^{name} must be a list of arrays"):
+        fusion.fuse_lines(**{**plots, name: wrong}, radar_weights=[0.5, 0.5])
