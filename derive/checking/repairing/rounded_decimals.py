@@ -58,13 +58,17 @@ def as_rounded(printed: Printed, derived: Expr) -> Meant | None:
     if not isinstance(decimal, Number) or "." not in decimal.text or derived.free_symbols or not is_real(derived):
         return None
     last = _digits(decimal.text)[1]
-    number = Exact.of(derived)
+    ends = [sign * decimal.value + side * last / 2 for side in (-1, 1)]
     try:
-        beyond = [compared(number, Exact.of(sp.Rational(sign * decimal.value + side * last / 2))) for side in (-1, 1)]
+        beyond = [compared(Exact.of(derived), Exact.of(sp.Rational(end))) for end in ends]
         exact = printed_of(to_tree(unguarded(derived)), printed.names, printed.entries.shape)
     except (FormulaError, NoClosedForm, Undecidable):
         return None
-    if beyond[0] < 0 or beyond[1] > 0:
+    if 0 in beyond:  # midway: up, as schools teach, or to the even digit
+        holds = decimal.value > abs(ends[beyond.index(0)]) or decimal.value / last % 2 == 0
+    else:
+        holds = beyond == [1, -1]
+    if not holds:
         return None
     return Meant(exact, f"{to_text(printed.tree)} is what {exact.text} rounds to")
 

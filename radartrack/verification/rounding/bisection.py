@@ -76,7 +76,9 @@ class _Case:
         return [max(found, key=lambda name: box[name][1] - box[name][0])] if found else self._not_idle(box)
 
     def _decisive(self, box: Ends, names: Collection[str]) -> list[str]:
-        return [name for name in names if any(self._bound(line) > USELESS for line in _lines(box, name))]
+        """In the order of the box: what is chosen of equal ones does not depend on how names are hashed."""
+        there = (name for name in box if name in names)
+        return [name for name in there if any(self._bound(line) > USELESS for line in _lines(box, name))]
 
     @property
     def tree(self) -> str:

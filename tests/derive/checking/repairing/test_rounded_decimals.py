@@ -96,5 +96,20 @@ def test_half_a_unit_may_be_rounded_either_way() -> None:
     assert not ask_identity("1/4", "0.4").is_equal
 
 
+@pytest.mark.parametrize(
+    ("exact", "printed", "holds"),
+    [
+        ("7/20", "0.4", True),
+        ("7/20", "0.3", False),
+        ("-7/20", "-0.4", True),
+        ("-7/20", "-0.3", False),
+        ("-1/4", "-0.2", True),
+        ("-1/4", "-0.3", True),
+    ],
+)
+def test_half_a_unit_is_not_cut_off_to_an_odd_digit(exact: str, printed: str, holds: bool) -> None:
+    assert ask_identity(exact, printed).is_equal is holds
+
+
 def test_a_whole_number_is_no_rounded_one() -> None:
     assert not ask_identity("pi", "3").is_equal
