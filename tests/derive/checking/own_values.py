@@ -33,7 +33,8 @@ from radartrack.derive.formula.tree import (
 from radartrack.derive.language.variable import Variable
 
 DIGITS = (80, 200, 500)
-SAME = 1e-45  # relative: more than rounding, less than any slip
+SAME = 1e-45  # relative: more than the rounding of fifty digits, less than any slip
+ROUNDING = 1e-100  # relative: of what two precisions settle
 LARGEST = 1e5  # of exponents
 Point = dict[str, float]
 
@@ -60,10 +61,16 @@ def worth(tree: Tree, point: Mapping[str, float]) -> Any:
     return No.UNKNOWN
 
 
-def same(first: Any, second: Any, *, beside: Any = 0) -> bool:
-    """Whether two values are the same but for rounding, themselves or beside a larger one."""
+def same(first: Any, second: Any, *, beside: Any = 0, within: float = SAME) -> bool:
+    """Whether two values are the same within a share of themselves, or of a larger one beside them."""
     with mpmath.workdps(DIGITS[-1]):
-        return bool(abs(first - second) <= SAME * max(abs(first), abs(second), abs(beside)))
+        return bool(abs(first - second) <= within * max(abs(first), abs(second), abs(beside)))
+
+
+def soon_same(first: Tree, second: Tree, point: Mapping[str, float]) -> bool:
+    """Whether two trees have the same real value in the fewest digits already: what rounding makes agrees never."""
+    values = [_with_digits(tree, point, DIGITS[0], exact=True) for tree in (first, second)]
+    return all(isinstance(value, mpmath.mpf) for value in values) and same(*values)
 
 
 def inside(symbols: Sequence[Variable], point: Mapping[str, float]) -> bool:
