@@ -42,6 +42,13 @@ from radartrack.chi_square import quantile, upper_quantile
 from radartrack.convert import Converted, Method
 from radartrack.simulate import noise_covariance, scatter
 
+__all__ = ["Consistency", "band", "chi_square_quantile", "experiment", "gate", "nees", "nis"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Given: TypeAlias = Literal["truth", "measurement", "prediction"]
 
 MINIMUM = 2

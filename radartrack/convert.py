@@ -27,6 +27,22 @@ from radartrack._conversion.prediction import Prediction
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor
 from radartrack._conversion.way import Way
 
+__all__ = [
+    "Converted",
+    "Method",
+    "bistatic",
+    "polar",
+    "polar_doppler",
+    "ruv",
+    "spherical",
+    "spherical_doppler",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Method: TypeAlias = Literal["linear", "second_order", "averaged", "unbiased", "posterior", "decorrelated"]
 
 

@@ -72,6 +72,11 @@ __all__ = [
     "weights",
 ]
 
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Floats: TypeAlias = NDArray[np.float64]
 FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 

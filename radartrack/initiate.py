@@ -36,6 +36,13 @@ from radartrack.convert import Converted
 from radartrack.generated import initiation as formulas
 from radartrack.kalman import Belief
 
+__all__ = ["one_plot", "two_plots"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 VELOCITY_STD = Domain(" m/s", 1e6, 1e6, "no target is so fast", smallest=1e-3)
 PERIOD = Domain(" s", 1e9, 1e9, "plots farther apart belong to no track", smallest=1e-6)
 _WITHOUT_RATE: Mapping[SensorName, SensorName] = {"polar_doppler": "polar", "spherical_doppler": "spherical"}

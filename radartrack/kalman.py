@@ -59,6 +59,11 @@ __all__ = [
     "update_with",
 ]
 
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Order: TypeAlias = Literal[1, 2]
 
 POLYNOMIAL = ("constant_position", "constant_velocity", "constant_acceleration", "constant_jerk")

@@ -32,6 +32,13 @@ from radartrack._arrays.validation import (
 from radartrack.generated import line as formulas
 from radartrack.generated import spherical
 
+__all__ = ["Fit", "Interval", "MeasurementStd", "fit", "measurement_std", "to_plane"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Method: TypeAlias = Literal["ordinary", "perpendicular", "reweighted"]
 StdMethod: TypeAlias = Literal["consistent", "printed"]
 Floats: TypeAlias = NDArray[np.float64]

@@ -28,6 +28,27 @@ from radartrack._arrays.validation import (
 from radartrack._conversion.sensors import AzimuthFrom
 from radartrack._observation.sights import SIGHTS, Sight, SightName, site_of
 
+__all__ = [
+    "Observed",
+    "Projected",
+    "bearing",
+    "bistatic",
+    "bistatic_range_rate",
+    "polar",
+    "polar_doppler",
+    "project",
+    "range_difference",
+    "range_rate_difference",
+    "ruv",
+    "spherical",
+    "spherical_doppler",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Order: TypeAlias = Literal["linear", "second_order"]
 
 BLOCK = 2048  # states; their second derivatives stay in the cache

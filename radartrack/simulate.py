@@ -34,6 +34,13 @@ from radartrack._arrays.validation import (
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, Sensor, SensorName
 from radartrack._observation.sights import SIGHTS
 
+__all__ = ["Accelerated", "Plots", "Radar", "Straight", "Target", "Turning", "noise_covariance", "plots"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Seed: TypeAlias = int | Sequence[int]
 
 AXES = 3

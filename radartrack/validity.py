@@ -15,6 +15,13 @@ from numpy.typing import ArrayLike
 from radartrack._arrays.validation import Domain, RealArray, one_of, real_arrays, require_within
 from radartrack._conversion.sensors import SENSORS, AzimuthFrom, SensorName
 
+__all__ = ["bistatic", "polar", "polar_doppler", "ruv", "spherical", "spherical_doppler"]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
 Formulas: TypeAlias = Literal["linear", "second_order"]
 
 SMALLEST, LARGEST = 1e-30, 1e30

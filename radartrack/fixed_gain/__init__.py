@@ -8,3 +8,7 @@ from radartrack.fixed_gain.fixed_gain_filter import FixedGainFilter
 from radartrack.fixed_gain.known_gains import alpha_beta, alpha_beta_gamma, fading_memory, tracking_index
 
 __all__ = ["FixedGainFilter", "alpha_beta", "alpha_beta_gamma", "fading_memory", "tracking_index"]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -31,3 +31,7 @@ __all__ = [
     "geodetic_from_ecef",
     "geodetic_jacobian",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

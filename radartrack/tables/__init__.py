@@ -9,3 +9,7 @@ from radartrack.tables.bad_rows import BadRows
 from radartrack.tables.frame_conversion import convert
 
 __all__ = ["BadRows", "convert"]
+
+
+def __dir__() -> list[str]:
+    return __all__

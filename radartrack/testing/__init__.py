@@ -6,3 +6,7 @@ from radartrack.testing.diagnosing import CannotDiagnose, assert_derived, diagno
 from radartrack.testing.diagnosis import Diagnosis, LostDigits, Slip, Worst
 
 __all__ = ["CannotDiagnose", "Diagnosis", "LostDigits", "Slip", "Worst", "assert_derived", "diagnose"]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -16,11 +16,9 @@ A_YEAR = re.compile(r"[A-Z][\w.-]+(?: [A-Z][\w.-]+)*,? (?:et al\. )?\d{4}|Prosov
 
 
 def functions(module: ModuleType) -> Iterator[tuple[str, Callable[..., Any]]]:
-    """What a module offers: the names it lists, or else what it defines."""
-    listed = getattr(module, "__all__", None)
+    """What a module offers."""
     for name, value in inspect.getmembers(module, inspect.isfunction):
-        if name in listed if listed else not name.startswith("_") and value.__module__ == module.__name__:
-            yield f"{module.__name__.removeprefix('radartrack.')}.{name}", value
+        yield f"{module.__name__.removeprefix('radartrack.')}.{name}", value
 
 
 PUBLIC = {name: function for module in MODULES for name, function in functions(module)}
