@@ -15,6 +15,7 @@ from radartrack.derive.catalogue import UnknownQuantity, catalogue
 from radartrack.derive.checking.comparing.canonical_terms import differing_terms
 from radartrack.derive.checking.comparing.counterexample import (
     MATTERS,
+    TELLS,
     Relative,
     counterexample,
     find_difference,
@@ -667,9 +668,10 @@ def _without_proof(entry: Index, comparison: Comparison, domain: Domain) -> Find
     if not points:
         return Finding(entry, Outcome.UNDECIDED, reason="no point of the domain was found where it can be compared")
     found = [comparison.at(point, thorough=True) for point in points]
-    for kind in (Values, Imaginary):
-        if (values := next((one for one in found if isinstance(one, kind)), None)) is not None:
-            return Finding(entry, Outcome.DIFFERS, values)
+    if differing := [one for one in found if isinstance(one, Values)]:
+        return Finding(entry, Outcome.DIFFERS, max(differing, key=lambda one: (one.relative <= TELLS, one.relative)))
+    if (imaginary := next((one for one in found if isinstance(one, Imaginary)), None)) is not None:
+        return Finding(entry, Outcome.DIFFERS, imaginary)
     agree, unknown = found.count(Here.AGREE), found.count(Here.UNKNOWN)
     if not agree:
         return Finding(entry, Outcome.UNDECIDED, reason="at no point of the domain do both have a real value")

@@ -11,6 +11,7 @@ from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, SECOND
 
 Point = dict[str, float]
 Range = Callable[[float], float]  # a value for a fraction between 0 and 1
+BEFORE_THE_END = 0.95
 SMALL = 1e-3  # where the scales of what may be zero begin
 
 # What stands in an example: a target 50 km away, a deviation of 50 m and of one degree.
@@ -69,6 +70,22 @@ def domain_points(symbols: Sequence[Variable], count: int) -> list[Point]:
 def scattered_points(symbols: Sequence[Variable], count: int) -> list[Point]:
     """Points all over the domain on every scale: of lengths with a sign, small ones beside large ones too."""
     return list(_spread(symbols, count, _on_any_scale, first=1000))
+
+
+def corner_points(symbols: Sequence[Variable]) -> Iterator[Point]:
+    """Corners of the domain: of any three symbols every combination of their lowest and highest values.
+
+    They are an orthogonal array of strength three: signs are products of the digits of the corner's number, and of the
+    columns that count its first digit no three depend on each other.
+    """
+    columns = range(1, 2 * len(symbols), 2)
+    for number in range(2 ** max(columns, default=0).bit_length()):
+        point: Point = {}
+        for symbol, column in sorted(zip(symbols, columns, strict=True), key=lambda pair: bool(pair[0].at_most)):
+            bound = point.get(symbol.at_most.name) if symbol.at_most else None
+            inside = symbol if bound is None else symbol.below(bound)
+            point[symbol.name] = _end(inside, high=(number & column).bit_count() % 2 == 1)
+        yield _ordered(symbols, {symbol.name: point[symbol.name] for symbol in symbols})
 
 
 def ordinary_points(symbols: Sequence[Variable], count: int) -> list[Point]:
@@ -166,6 +183,12 @@ def _ordinary_inside(symbol: Variable) -> tuple[float, float]:
     if high <= symbol.low:
         return symbol.low, min(3 * symbol.low, symbol.high)
     return max(low, symbol.low), min(high, symbol.high)
+
+
+def _end(symbol: Variable, *, high: bool) -> float:
+    """The highest or the lowest value; of an angle one before its end, where sines and cosines vanish."""
+    value = symbol.high if high else symbol.low
+    return BEFORE_THE_END * value if symbol.is_angle and symbol.low < 0 else value
 
 
 def _ordered(symbols: Sequence[Variable], point: Point) -> Point:

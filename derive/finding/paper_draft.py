@@ -8,23 +8,26 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations, islice, pairwise
 
+from radartrack.derive.checking.question.letters.assignments import ANY
 from radartrack.derive.finding.formula_search import Candidate
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Name, Tree, names
+from radartrack.derive.formula.tree import Name, Negation, Sum, Tree, names
 from radartrack.derive.reading.any_letters import read_loosely
 from radartrack.derive.reading.notation import LATEX
+from radartrack.derive.reading.tex import latex_equations
 from radartrack.derive.reading.tex.author_macros import Macro, defined_macros, expanded
-from radartrack.derive.reading.tex.latex_equations import without_braces
+from radartrack.derive.reading.tex.latex import latex_name
 
 MOST_CHARACTERS = 4_000_000
 MOST_EQUATIONS = 1_500  # fewer than a claims file holds
 DEEPEST = 8  # definitions of definitions
+MOST_PUT_IN = 3  # definitions of which each choice is tried
 NOTE = 600  # characters of a formula that are quoted
 
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
@@ -33,23 +36,20 @@ _DISPLAY = re.compile(
     r"|\\\[(?P<bracket>.*?)\\\]|(?<!\\)\$\$(?P<dollars>.*?)\$\$",
     re.DOTALL,
 )
-_INNER = re.compile(r"\\begin\{(aligned|split|gathered)\}(.*?)\\end\{\1\}", re.DOTALL)
+_INLINE = re.compile(r"(?<![\\$])\$(?!\$)([^$]+)(?<!\\)\$(?!\$)|\\\((.+?)\\\)", re.DOTALL)
 _MATRIX = re.compile(r"\\begin\{([a-zA-Z]*matrix|array|cases)\}.*?\\end\{\1\}", re.DOTALL)
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
-_TAG = re.compile(r"\\tag\*?\s*\{([^{}]*)\}")
+_TAG = re.compile(r"\\(?:tag\*?\s*\{|l?eqno\s*[({])([^{}()]*)[)}]")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![a-zA-Z])")
 _ARGUMENT = re.compile(r"^\s*\{\d+\}|^\s*\[[^\]]*\]")
 _TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _COMMAND = re.compile(r"\\[a-zA-Z]+\*?|[{}~\\]")
-_SPACE = re.compile(r"\\(?:[,;:!]|quad|qquad|,)(?![a-zA-Z])|&|\\(?:left|right)(?=\.)")
 _STEP = re.compile(r"_\s*\{[^{}]*[a-z]\s*[+|-][^{}]*\}|\([a-z]\s*[+|-]")  # of a state from scan to scan: x_{k+1}
 _ID = re.compile(r"[^A-Za-z0-9_]+")
-_SEPARATOR = re.compile(
-    r"\\[{}]|[{}()\[\]]|(?<!\\)[,;]|\\qquad|\\quad|\\(?:text|mbox|mathrm)\s*\{\s*(?:and|where|with|,)\s*\}"
-)
-_OPEN, _CLOSE = frozenset({"{", "(", "[", "\\{"}), frozenset({"}", ")", "]", "\\}"})
-_LINE, _HIDDEN = "\\\\", "\x00"
+_LINE = re.compile(r"\\\\")
+_RELATED = re.compile(latex_equations.RELATION, re.VERBOSE)
+_HIDDEN = "\x00"
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,16 @@ class Equation:
     Attributes:
         number: in print, where it has one.
         label: by which the source refers to it.
-        left: what is set; empty where nothing is.
+        left: what is set.
         right: to what, as LaTeX.
+        display: how many displays were before its own.
     """
 
     number: str
     label: str
     left: str
     right: str
+    display: int = -1
 
 
 @dataclass(frozen=True)
@@ -79,11 +81,19 @@ class Printed:
 
 @dataclass(frozen=True)
 class Drafted:
-    """An equation, the quantity that it is, if one was found, and the formula by the paper's own definitions."""
+    """An equation and what was found of it.
+
+    Attributes:
+        understood: the equation.
+        candidate: the quantity that it is.
+        printed: the formula by the paper's own definitions, where it uses some.
+        near: the quantity that it is but for a slip.
+    """
 
     understood: Understood
     candidate: Candidate | None = None
     printed: Printed | None = None
+    near: Candidate | None = None
 
 
 @dataclass(frozen=True)
@@ -102,25 +112,51 @@ def equations(source: str) -> list[Equation]:
     Raises:
         ValueError: when the source is too long.
     """
-    if len(source) > MOST_CHARACTERS:
-        raise ValueError(f"a source has at most {MOST_CHARACTERS} characters; given {len(source)}")
     found: list[Equation] = []
     count = 0
-    macros, text = defined_macros(_COMMENT.sub("", source))
-    for display in _DISPLAY.finditer(_with_environments(text, macros)):
+    macros, text = _without_macros(source)
+    for place, display in enumerate(_DISPLAY.finditer(text)):
         environment = display["env"] or ""
         body = next(text for text in (display["body"], display["bracket"], display["dollars"]) if text is not None)
-        with suppress(FormulaError):  # of what cannot be put in, the equations cannot be read, and say so
-            body = expanded(body, macros)
+        body = _expanded(body, macros)
         numbered = bool(environment) and not environment.endswith("*")
         several = environment.rstrip("*") in {"align", "alignat", "gather", "eqnarray", "flalign"}
-        for line in _lines(body) if several else [body]:
-            tag = _TAG.search(line)
-            counts = numbered and not tag and not _UNNUMBERED.search(line)
+        for rows in _rows(_ARGUMENT.sub("", body)) if several else [[body]]:
+            joined = "".join(rows)
+            tag = _TAG.search(joined)
+            counts = numbered and not tag and not all(_UNNUMBERED.search(row) for row in rows)
             count += counts
-            number = tag[1].strip() if tag else str(count) if counts else ""
-            found += _split(line, number)
+            found += _split(joined, tag[1].strip() if tag else str(count) if counts else "", place)
     return found[:MOST_EQUATIONS]
+
+
+def equations_in_text(source: str) -> list[Equation]:
+    """The equations within the sentences of a source, which say what letters stand for.
+
+    Raises:
+        ValueError: when the source is too long.
+    """
+    macros, text = _without_macros(source)
+    sentences = _DISPLAY.sub(" ", text)
+    formulas = ((one[1] or one[2]).strip() for one in _INLINE.finditer(sentences))
+    found = (equation for formula in formulas if "=" in formula for equation in _split(_expanded(formula, macros)))
+    return list(islice(found, MOST_EQUATIONS))
+
+
+def _without_macros(source: str) -> tuple[dict[str, Macro], str]:
+    """The author's commands, and the source without them and without comments."""
+    if len(source) > MOST_CHARACTERS:
+        raise ValueError(f"a source has at most {MOST_CHARACTERS} characters; given {len(source)}")
+    macros, text = defined_macros(_COMMENT.sub("", source))
+    return macros, _with_environments(text, macros)
+
+
+def _expanded(formula: str, macros: dict[str, Macro]) -> str:
+    """A formula by what the author's commands stand for; as it is where they cannot be put in, as reading it tells."""
+    try:
+        return expanded(formula, macros)
+    except FormulaError:
+        return formula
 
 
 def _with_environments(source: str, macros: Mapping[str, Macro]) -> str:
@@ -139,29 +175,74 @@ def title(source: str) -> str:
     return "".join(sign for sign in words if sign.isprintable()) or "untitled"
 
 
-def defined(everything: Sequence[Understood]) -> dict[str, Tree]:
-    """What the paper defines by name."""
-    return {one.name: one.tree for one in everything if one.name and one.tree is not None}
+def beside(one: Understood, everything: Iterable[Understood]) -> frozenset[str]:
+    """The names that are defined in the display of an equation."""
+    return frozenset(other.name for other in everything if other.equation.display == one.equation.display)
 
 
-def understood(found: Iterable[Equation]) -> list[Understood]:
-    """Each equation read, with earlier definitions' names known."""
-    return [_read(one) for one in found]
+def defined(everything: Iterable[Understood]) -> dict[str, Tree]:
+    """What the paper defines by name; a number is the value of one example."""
+    return {one.name: one.tree for one in everything if one.name and one.tree is not None and names(one.tree)}
 
 
-def with_definitions(one: Understood, known: Mapping[str, Tree]) -> Tree | None:
-    """What an equation says, with the paper's own names replaced by what they are defined as."""
+def understood(found: Sequence[Equation]) -> list[Understood]:
+    """Each equation read; what the paper sets is named with all that decorates it: lambda' is another than lambda."""
+    set_by = [_set_name(one) for one in found]
+    known = {name for name in set_by if name}
+    return [_read(one, name, known) for one, name in zip(found, set_by, strict=True)]
+
+
+def readings(
+    one: Understood, known: Mapping[str, Tree], beside: Collection[str] = ()
+) -> Iterator[tuple[Tree, Mapping[str, Tree]]]:
+    """What an equation says with the paper's definitions put in, and with which: most first, in the end none.
+
+    Some are best left: rho_m = rho + error says what is measured, Lambda = T**2*sigma_w/sigma_v is a symbol here too.
+
+    Args:
+        one: the equation.
+        known: the paper's definitions.
+        beside: the names of those that stand in the same display; where all go in a circle, it may be these.
+    """
+    used = _needed(one, known)
+    likely = [name for name in used if not _is_sum_of_names(known[name])]
+    sizes = range(len(likely), 0, -1) if len(likely) <= MOST_PUT_IN else [len(likely)]
+    choices = [tuple(used), *(chosen for size in sizes for chosen in combinations(likely, size))]
+    choices.append(tuple(name for name in used if name in beside))
+    seen = {one.tree, None}
+    for chosen in choices:
+        put_in = {name: known[name] for name in chosen}
+        tree = _with_definitions(one, put_in)
+        if tree is not None and tree not in seen:
+            seen.add(tree)
+            yield tree, put_in
+    if one.tree is not None:
+        yield one.tree, {}
+
+
+def _is_sum_of_names(tree: Tree) -> bool:
+    return isinstance(tree, Sum) and all(isinstance(part, Name | Negation) for part in tree.terms)
+
+
+def _with_definitions(one: Understood, known: Mapping[str, Tree]) -> Tree | None:
+    """What an equation says, with names replaced by what they are defined as; nothing where that goes in a circle."""
     tree = one.tree
     for _ in range(DEEPEST):
         used = names(tree) & known.keys() - {one.name} if tree is not None else frozenset[str]()
         if tree is None or not used:
             return tree
         tree = _replaced(tree, {name: known[name] for name in used})
-    return None  # in a circle
+    return None
 
 
 def _replaced(tree: Tree, by_name: Mapping[str, Tree]) -> Tree:
     return rebuild(tree, lambda node: by_name.get(node.name, node) if isinstance(node, Name) else node)
+
+
+def is_credible(candidate: Candidate, known: Mapping[str, Tree], put_in: Mapping[str, Tree]) -> bool:
+    """Whether no letter that the paper defines stands for a symbol that it never means: r for a forgetting."""
+    left = candidate.read.keys() & known.keys() - put_in.keys()
+    return candidate.rank < ANY or all(_is_sum_of_names(known[letter]) for letter in left)
 
 
 def by_definitions(one: Understood, known: Mapping[str, Tree], candidate: Candidate) -> Printed | None:
@@ -219,11 +300,17 @@ def _fields(name: str, drafted: Drafted) -> Iterator[tuple[str, str]]:
         if candidate.given:
             yield "given", _table(candidate.given)
     else:
-        defines = f"it defines {one.name}, and is no quantity of the catalogue" if one.name else ""
-        yield "undecided", _quoted(one.reason or defines or "it is no quantity of the catalogue")
+        yield "undecided", _quoted(_open_question(one, drafted.near))
     if one.equation.number:
         yield "equation", _quoted(one.equation.number)
     yield "note", _quoted(" ".join(_remarks(one, candidate)))
+
+
+def _open_question(one: Understood, near: Candidate | None) -> str:
+    if near is not None:
+        return f"it is near {near.quantity}: {near.slip}; perhaps meant: {near.formula}"
+    is_none = "is no quantity of the catalogue"
+    return one.reason or (f"it defines {one.name}, and {is_none}" if one.name else f"it {is_none}")
 
 
 def _table(pairs: Mapping[str, str]) -> str:
@@ -241,86 +328,44 @@ def _remarks(one: Understood, candidate: Candidate | None) -> Iterator[str]:
         yield f"({candidate.convention})"
 
 
-def _lines(body: str) -> list[str]:
-    """The lines of several equations; those of a matrix belong to it."""
-    hidden = _MATRIX.sub(lambda found: found[0].replace(_LINE, _HIDDEN), _ARGUMENT.sub("", body))
-    return [line.replace(_HIDDEN, _LINE) for line in hidden.split(_LINE)]
-
-
-def _split(line: str, number: str) -> Iterator[Equation]:
-    """The equation of a line, or those of an inner environment, of which each has the number."""
-    line = line if (opened := without_braces(line)) == line else f"\\begin{{split}}{opened}\\end{{split}}"
-    inner = _INNER.search(line)
-    label = _LABEL.search(line)
-    lines = _lines(inner[2]) if inner else [line]
-    for one in (part for line in lines for part in _apart(line)):
-        text = _cleaned(one)
-        left, sign, right = _at_equals(text)
-        if sign and right:
-            yield Equation(number, label[1].strip() if label else "", left, right)
-
-
-def _apart(line: str) -> list[str]:
-    r"""The equations of one line: `x = a, \quad y = b` are two; what is no equation belongs to the one before."""
-    hidden = _MATRIX.sub(lambda found: _HIDDEN * len(found[0]), line)
-    parts: list[str] = []
-    start = 0
-    for end in [*_separators(hidden), len(line)]:
-        if parts and "=" not in hidden[start:end]:
-            parts[-1] += line[start:end]
+def _rows(body: str) -> list[list[str]]:
+    """The rows of each of several equations; one that sets nothing goes on with the equation before it."""
+    hidden = _MATRIX.sub(lambda found: _HIDDEN * len(found[0]), body)
+    ends = [*(found.start() for found in _LINE.finditer(hidden)), len(body)]
+    rows: list[list[str]] = []
+    for start, end in pairwise([0, *ends]):
+        if rows and not _RELATED.search(hidden, start, end):
+            rows[-1].append(body[start:end])
         else:
-            parts.append(line[start:end])
-        start = end
-    return parts
+            rows.append([body[start:end]])
+    return rows
 
 
-def _separators(line: str) -> Iterator[int]:
-    """Where a comma, a semicolon, a wide space or a word parts equations, in no brackets."""
-    depth = 0
-    for found in _SEPARATOR.finditer(line):
-        depth += (found[0] in _OPEN) - (found[0] in _CLOSE)
-        if depth == 0 and found[0] not in _OPEN | _CLOSE:
-            yield found.end()
-
-
-def _cleaned(line: str) -> str:
-    """A line without what is no formula: labels, numbers, alignment outside of matrices, the comma after it."""
-    for pattern in (_LABEL, _TAG, _UNNUMBERED):
-        line = pattern.sub(" ", line)
-    kept: list[str] = []
-    end = 0
-    for matrix in _MATRIX.finditer(line):
-        kept += [_SPACE.sub(" ", line[end : matrix.start()]), matrix[0]]
-        end = matrix.end()
-    kept.append(_SPACE.sub(" ", line[end:]))
-    return " ".join("".join(kept).split()).rstrip(".,; ")
-
-
-def _at_equals(text: str) -> tuple[str, str, str]:
-    """Both sides of the last sign of equality that stands in no brackets; of a chain, what is set and the end of it."""
-    depth = 0
-    places = []
-    for place, sign in enumerate(text):
-        depth += (sign in "{[(") - (sign in "}])")
-        if sign == "=" and depth == 0:
-            places.append(place)
-    if not places:
-        return "", "", text
-    return text[: places[0]].strip(), "=", text[places[-1] + 1 :].strip()
-
-
-def _read(equation: Equation) -> Understood:
+def _split(text: str, number: str = "", display: int = -1) -> Iterator[Equation]:
+    """The equations of a line or of an inner environment, of which each has the number."""
+    label = _LABEL.search(text)
     try:
-        tree = read_loosely(equation.right, notation=LATEX)
+        found = latex_equations.equations(text)
+    except FormulaError:  # the reader will say what is wrong with it
+        found = [latex_equations.Equation("", text)]
+    for one in found:
+        left, right = (" ".join(side.split()) for side in (one.left, one.right))
+        if left and right:
+            yield Equation(number, label[1].strip() if label else "", left, right, display)
+
+
+def _set_name(equation: Equation) -> str:
+    """The name of what an equation sets, if it is one letter and no step of a state from scan to scan."""
+    name = latex_name(equation.left) if equation.left and not _STEP.search(equation.left) else None
+    return name or ""
+
+
+def _read(equation: Equation, name: str, known: Collection[str]) -> Understood:
+    try:
+        tree = read_loosely(equation.right, known, notation=LATEX)
     except FormulaError as error:
         return Understood(equation, None, f"it cannot be read: {error.message}"[:NOTE])
-    try:
-        left = read_loosely(equation.left, notation=LATEX) if equation.left else None
-    except FormulaError:
-        left = None
-    is_step = bool(_STEP.search(equation.left))
-    defines = isinstance(left, Name) and left.name not in names(tree) and not is_step
-    return Understood(equation, tree, name=left.name if defines and isinstance(left, Name) else "")
+    return Understood(equation, tree, name="" if name in names(tree) else name)
 
 
 def _identifier(equation: Equation, place: int, used: set[str]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -16,6 +16,7 @@ from radartrack.commands.seconds import seconds
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.finding.paper_draft import Drafted, Understood
+    from radartrack.derive.formula.tree import Tree
 
 CANNOT = 2
 
@@ -37,7 +38,9 @@ def draft(
     output_files.refuse_unwritable({"--out": out})
     try:
         source = paper.read_bytes().decode("utf-8", errors="replace")
-        found = paper_draft.understood(paper_draft.equations(source))
+        said, displayed = paper_draft.equations_in_text(source), paper_draft.equations(source)
+        everything = paper_draft.understood([*said, *displayed])
+        known, found = paper_draft.defined(everything), everything[len(said) :]
     except (OSError, ValueError) as error:
         terminal.complain(f"{paper}: {error}")
         raise typer.Exit(CANNOT) from None
@@ -46,7 +49,7 @@ def draft(
         raise typer.Exit(CANNOT)
     with Decider(timeout) as decider:
         decider.start()
-        drafted = _drafted(found, decider)
+        drafted = _drafted(found, known, decider)
     text = paper_draft.claims(paper_draft.title(source), drafted)
     if out is None:
         terminal.say(text.rstrip())
@@ -58,18 +61,27 @@ def draft(
     terminal.complain(f"{len(found)} equations: {counted}")
 
 
-def _drafted(found: Sequence[Understood], decider: Decider) -> list[Drafted]:
+def _drafted(found: Sequence[Understood], known: Mapping[str, Tree], decider: Decider) -> list[Drafted]:
     """Each equation as the quantity that it is, by the paper's definitions where it uses any."""
     from radartrack.derive.finding import paper_draft
 
-    search, known = search_over(), paper_draft.defined(found)
+    search = search_over()
     drafted = []
     for one in found:
-        trees = (paper_draft.with_definitions(one, known), one.tree)  # by the paper's definitions, else as printed
-        pairs = (pair for tree in trees if tree is not None for pair in proved(search.candidates(tree), decider))
-        candidate = next((candidate for candidate, _ in pairs), None)
-        printed = paper_draft.by_definitions(one, known, candidate) if candidate else None
-        if candidate and printed:
+        readings = [*paper_draft.readings(one, known, paper_draft.beside(one, found))]
+        pairs = (
+            (candidate, put_in)
+            for tree, put_in in readings
+            for candidate, _ in proved(search.candidates(tree), decider)
+            if paper_draft.is_credible(candidate, known, put_in)
+        )
+        candidate, put_in = next(pairs, (None, {}))
+        if candidate is None:
+            near = next((near for tree, _ in readings for near in search.slipped(tree)), None)
+            drafted.append(paper_draft.Drafted(one, near=near))
+            continue
+        printed = paper_draft.by_definitions(one, put_in, candidate)
+        if printed:
             itself = replace(candidate, formula=printed.formula, let=printed.let)
             printed = printed if any(proved([itself], decider)) else None
         drafted.append(paper_draft.Drafted(one, candidate, printed))

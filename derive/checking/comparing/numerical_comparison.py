@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 from functools import cached_property
@@ -102,10 +102,15 @@ class Comparison:
         found = self.at(point)
         return found if isinstance(found, Values) else None
 
-    def agree_at(self, points: Sequence[Point]) -> bool:
+    def agree_at(self, points: Iterable[Point]) -> bool:
         """Whether the formulas agree at all of these points that are no points outside."""
-        found = [self.at(point) for point in points]
-        return Here.AGREE in found and all(one is Here.AGREE or one is Here.OUTSIDE for one in found)
+        agree = False
+        for point in points:
+            found = self.at(point)
+            if found is not Here.AGREE and found is not Here.OUTSIDE:
+                return False
+            agree = agree or found is Here.AGREE
+        return agree
 
     def _evaluated(self, point: Point, more_digits: int = 0, *, noise: int = 0) -> tuple[Number, Number] | Here:
         try:

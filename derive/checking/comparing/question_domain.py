@@ -11,12 +11,23 @@ import mpmath
 
 from radartrack.derive.checking.comparing.working_domain import working, works
 from radartrack.derive.evaluation.many_digits import Evaluator
-from radartrack.derive.evaluation.points import Point, domain_points, ordinary_points, round_points, scattered_points
+from radartrack.derive.evaluation.points import (
+    Point,
+    corner_points,
+    domain_points,
+    ordinary_points,
+    round_points,
+    scattered_points,
+)
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
 
-ORDINARY, SPREAD, SCATTERED = 20, 40, 40  # points that a formula without proof is compared at, beside the round ones
+ORDINARY, SPREAD, SCATTERED = (
+    20,
+    40,
+    40,
+)  # points that a formula without proof is compared at, beside round ones and corners
 DIGITS = 30
 ROUNDING = 1e-12
 
@@ -59,10 +70,14 @@ class Domain:
         """Points all over the domain."""
         return filter(self.contains, domain_points(self.limited, count))
 
+    def corners(self) -> Iterator[Point]:
+        """Where symbols are largest or smallest together: a branch may end only there."""
+        return filter(self.contains, corner_points(self.limited))
+
     def sample(self) -> list[Point]:
         """All of these, each once."""
         scattered = filter(self.contains, scattered_points(self.limited, SCATTERED))
-        points = chain(self.round(), self.ordinary(ORDINARY), self.spread(SPREAD), scattered)
+        points = chain(self.round(), self.ordinary(ORDINARY), self.spread(SPREAD), scattered, self.corners())
         return list({tuple(point.values()): point for point in points}.values())
 
     def contains(self, point: Point) -> bool:

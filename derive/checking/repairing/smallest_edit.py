@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
@@ -196,4 +197,4 @@ def _plain(node: Tree) -> Tree:
 
 def _confirmed_by_numbers(expression: Expr, derived: Expr, domain: Domain) -> bool:
     comparison = Comparison(expression, derived, domain.symbols)
-    return comparison.agree_at([*domain.ordinary(ENOUGH), *domain.spread(EVERYWHERE)])
+    return comparison.agree_at(chain(domain.ordinary(ENOUGH), domain.spread(EVERYWHERE), domain.corners()))

@@ -26,6 +26,7 @@ _SET = re.compile(
     rf"""
     (?P<kept> \\\\ | \\[%$] )
     | (?P<comment> %[^\n]* )
+    | (?P<word> \\(?:text|mbox|mathrm|textrm)\s*\{{[\s,]*(?:(?:and|where|with|or)[\s,]*|,\s*)\}} )
     | (?P<end> \\end\s*\{{\s*(?:{_DISPLAY})\*?\s*\}} | \\\] | \$\$ )
     | (?P<begin> \\begin\s*\{{\s*(?:{_DISPLAY})\*?\s*\}}
         (?: (?<=at\}})\s*\{{\d+\}} | (?<=array\}})\s*\{{[lcrLCR]+\}} | (?<=(?:ed|it)\}})\s*\[[tcb]\] )? | \\\[ )
@@ -34,19 +35,19 @@ _SET = re.compile(
     """,
     re.VERBOSE,
 )
-_RELATION = (
+RELATION = (
     r"\\stackrel\s*\{[^{}]*\}\s*\{\s*=\s*\} | \\(?:triangleq|coloneqq|coloneq|doteq|approx|equiv|simeq|cong|eqdef)"
     r"(?![A-Za-z]) | \\overset\s*\{[^{}]*\}\s*\{\s*=\s*\} | :\s*= | ="
 )
 _PART = re.compile(
     rf"""
-    (?P<relation> {_RELATION} )
+    (?P<relation> {RELATION} )
     | (?P<open> \\begin\s*\{{\s*[A-Za-z]+\s*\}} | (?<!\\)\{{ )
     | (?P<close> \\end\s*\{{\s*[A-Za-z]+\s*\}} | (?<!\\)\}} )
     | (?P<row> \\\\(?:\s*\[\s*-?[\d.]+\s*[a-z]{{2}}\s*\])? )
     | (?P<left> [(\[] | \\\{{ | \\lbrace(?![A-Za-z]) )
     | (?P<right> [)\]] | \\\}} | \\rbrace(?![A-Za-z]) )
-    | (?P<comma> [,;] )
+    | (?P<comma> [,;] | \\q?quad(?![A-Za-z]) )
     | (?P<column> & )
     | \\[A-Za-z]+ | \\.
     """,
@@ -66,7 +67,7 @@ _SYSTEM = re.compile(
     r"(?P<body>(?:(?!\\(?:begin|end)\s*\{(?P=name)\}).)*)(?P<end>\\end\s*\{(?P=name)\})(?P<close>\s*\\right\s*\.)?",
     re.DOTALL,
 )
-_RELATED = re.compile(rf"(?:{_RELATION})\s*$", re.VERBOSE)
+_RELATED = re.compile(rf"(?:{RELATION})\s*$", re.VERBOSE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,23 +92,25 @@ def equations(source: str) -> list[Equation]:
 
 
 def _without_setting(source: str) -> str:
-    """The source without delimiters and comments; a display that ends, ends a line."""
+    """The source without delimiters and comments; a display that ends, ends a line, a word between two is a comma."""
 
     def replaced(found: re.Match[str]) -> str:
         if found["kept"]:
             return found.group()
         blank = " " * len(found.group())
+        if found["word"]:
+            return "," + blank[1:]
         return "\\\\" + blank[2:] if found["end"] else blank
 
     bare = _SET.sub(replaced, source)
-    bare = without_braces(bare)
+    bare = _without_braces(bare)
     sides = [found["side"] for found in _NULL.finditer(bare)]
     if sides.count("left") == sides.count("right"):  # brackets that go over two lines
         bare = _NULL.sub(lambda found: " " * len(found.group()), bare)
     return bare
 
 
-def without_braces(text: str) -> str:
+def _without_braces(text: str) -> str:
     """A text where equations under each other behind a brace stand without it, each place as it was."""
     return _SYSTEM.sub(_without_brace, text)
 
@@ -151,21 +154,23 @@ def _lines(bare: str, *, aligned: bool) -> Iterator[tuple[list[Span], list[Span]
         else:
             joined.append([(start, end)])
     for stretches in joined:
-        for one in _parted(bare, stretches, relations, commas):
+        for one in _parted(stretches, relations, commas):
             ends = (one[0][0], one[-1][1])
             breaks = [span for span in rows + marks if ends[0] <= span[0] < ends[1]]
             yield breaks, list(_sides(ends, _within(relations, ends)))
 
 
-def _parted(bare: str, stretches: list[Span], relations: list[Span], commas: list[Span]) -> Iterator[list[Span]]:
-    """Equations side by side, x = a, y = b; only where each part has a relation."""
+def _parted(stretches: list[Span], relations: list[Span], commas: list[Span]) -> list[list[Span]]:
+    """Equations side by side, x = a, y = b; what has no relation belongs to its neighbour."""
     whole = (stretches[0][0], stretches[-1][1])
     cuts = [whole[0], *(end for _, end in _within(commas, whole)), whole[1]]
-    parts = [(start, end) for start, end in pairwise(cuts) if not _BLANK.fullmatch(bare, start, end)]
-    if len(parts) > 1 and all(_within(relations, part) for part in parts):
-        yield from ([part] for part in parts)
-    else:
-        yield [whole]
+    parts: list[Span] = []
+    for start, end in pairwise(cuts):
+        if parts and not (_within(relations, parts[-1]) and _within(relations, (start, end))):
+            parts[-1] = (parts[-1][0], end)
+        else:
+            parts.append((start, end))
+    return [[part] for part in parts]
 
 
 def _outer(bare: str) -> Iterator[tuple[str, Span]]:

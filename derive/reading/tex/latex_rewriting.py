@@ -91,7 +91,7 @@ _SWITCHES = frozenset({"\\bf", "\\rm", "\\it", "\\cal", "\\sf"})  # they hold to
 
 
 def _without_braces(found: list[Piece]) -> list[Piece]:
-    r"""Groups of one symbol, or of a function and its power, are no groups, unless they are somebody's argument."""
+    r"""Groups of nothing, of one symbol, or of a function and its power are no groups, unless somebody takes them."""
     partners(found)
     result: list[Piece] = []
     waiting: list[tuple[int, bool, int]] = []  # where a brace stands, whether it is an argument, how many more follow
@@ -104,7 +104,11 @@ def _without_braces(found: list[Piece]) -> list[Piece]:
         elif piece.text == "}":
             start, is_argument, owed = waiting.pop()
             inside = result[start + 1 :]
-            if is_argument or not _is_one(inside):
+            is_of_function = bool(start) and result[start - 1].kind == "function"
+            if not inside and (is_of_function or not is_argument):  # it keeps a space or a sign: \sin{} x, {}+ b
+                del result[start:]
+                owed = int(is_of_function)
+            elif is_argument or not _is_one(inside):
                 result.append(piece)
             else:
                 result[start:] = inside

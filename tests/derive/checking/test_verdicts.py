@@ -124,6 +124,12 @@ def _decidable(question: Question, derived: Tree) -> str:
     return "" if unknown or not points else "lost: undecided though both have a value at all points"
 
 
+def _differs_anywhere(question: Question, derived: Tree) -> bool:
+    random = Random(0)
+    points = [anywhere(question.reference.symbols, random) for _ in range(POINTS)]
+    return not any(soon_same(derived, question.printed.tree, point) for point in points)
+
+
 def _all(question: Question, point: dict[str, float]) -> dict[str, float]:
     """The point with a value for the symbols that fell out of both formulas; not the middle, which is often 0."""
     return {symbol.name: 0.4 * symbol.low + 0.6 * symbol.high for symbol in question.reference.symbols} | point
@@ -138,8 +144,10 @@ def _no_counterexample(question: Question, derived: Tree, finding: Finding) -> s
     right, found = (worth(tree, _all(question, point)) for tree in (derived, question.printed.tree))
     if found is No.UNKNOWN or right is No.UNKNOWN:
         return ""
-    if isinstance(right, No) or found is No.UNDEFINED:
+    if isinstance(right, No) or (found is No.UNDEFINED and not _differs_anywhere(question, derived)):
         return f"called different where {found} stands against {right}, at {point}"
+    if found is No.UNDEFINED:  # a quotient of two zeros, which is told by what it is beside the point
+        return ""
     if isinstance(finding.values, Imaginary):
         return "" if found is No.UNREAL else f"called not real, but {found} at {point}"
     if found is No.UNREAL or same(right, found, within=ROUNDING):

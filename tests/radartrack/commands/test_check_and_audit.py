@@ -103,7 +103,7 @@ def test_check_says_what_differs_and_what_was_meant() -> None:
         (
             ("observe.polar.map[1]", "2*atan2(y, x + sqrt(x**2 + y**2))"),
             0,
-            "equal to 50 digits at 101 points, not proved\n",
+            "equal to 50 digits at 105 points, not proved\n",
         ),
         (("polar.map[0]", "r*sin(beta)"), 1, "differs: not equal: sin should be cos"),
         (("polar.map[0]", "r**2*cos(beta)"), 1, "wrong dimensions: the formula has the unit m^2"),

@@ -130,7 +130,7 @@ _WEAK = {
     "vy": "dy yd v",
     "vz": "dz zd w",
     "period": "t h delta Delta",
-    "intensity": "Q S S_w N_0 Sw",
+    "intensity": "Q S S_w N_0 Sw Phi Phi_s",
     "count": "n N m",
     "index": "i l",
     "turn_rate": "w W",
@@ -145,6 +145,7 @@ _LITTLE = (
     "radians deg degrees meters metres polar"
 )
 _SAYS_LITTLE = frozenset(_LITTLE.split())
+_INDICES = frozenset("ijklmnt")  # of a scan, a plot or what is measured
 _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z])")
 # Words of the meanings of symbols that tell none apart from another.
 _COMMON = (
@@ -186,6 +187,8 @@ def meanings(name: str) -> Meanings:
             of = next((part for part in found.groupdict().values() if part), "")
             words = _words(of, _STRONG_WORDS) | _words(of, _WEAK_WORDS)
             if role is Role.CORRELATION:
+                if of in _INDICES or of in _SAYS_LITTLE:
+                    continue  # rho_k is a range at scan k
                 return Meanings(frozenset(), frozenset(), role)
             if of and not words and not _SPELT_OUT.match(plain):
                 continue  # a word that only begins so

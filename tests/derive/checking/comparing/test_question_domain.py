@@ -10,6 +10,8 @@ from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.check import ask
 from radartrack.derive.checking.comparing.question_domain import Domain
+from radartrack.derive.checking.question.compared_quantity import refer
+from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
@@ -151,3 +153,21 @@ def test_limits_are_those_of_the_variables() -> None:
     assert Domain([FRACTION]).contains({"x": 0.5})
     assert not Domain([FRACTION]).contains({"x": inf})
     assert not Domain([FRACTION]).contains({"x": pi})
+
+
+ENDS_IN_A_CORNER = [
+    ("polar_doppler.covariance.linear[0,0]", "atan(tan(sigma_beta - rho))/(sigma_beta - rho)"),
+    ("polar_doppler.covariance.linear[0,0]", "asin(sin(sigma_beta + rho))/(sigma_beta + rho)"),
+    ("spherical.covariance.linear[2,2]", "atan(tan(sigma_beta + sigma_epsilon))/(sigma_beta + sigma_epsilon)"),
+    ("spherical.covariance.linear[2,2]", "asin(sin(rho - sigma_beta))/(rho - sigma_beta)"),
+    ("polar.covariance.linear[0,0]", "sqrt((1.9 + rho - sigma_beta)**2)/(1.9 + rho - sigma_beta)"),
+    ("polar.covariance.linear[0,0]", "abs(2.9 - rho**2 - 2*sigma_beta)/(2.9 - rho**2 - 2*sigma_beta)"),
+]
+
+
+@pytest.mark.parametrize(("entry", "factor"), ENDS_IN_A_CORNER)
+def test_what_is_right_but_in_a_corner_differs_and_nothing_as_wrong_is_suggested(entry: str, factor: str) -> None:
+    verdict = check(entry, f"({shown(refer(entry).entries)})*{factor}")
+    assert verdict.verdict == "differs", verdict.reason
+    assert verdict.counterexample is not None
+    assert not [one.formula for one in verdict.suggestions if factor in one.formula]
