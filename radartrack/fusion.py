@@ -23,6 +23,7 @@ from radartrack import line
 from radartrack._arrays.validation import (
     ANGLE,
     ANGLE_STD,
+    COVARIANCE,
     RANGE,
     Domain,
     broadcast_shape,
@@ -81,7 +82,6 @@ Floats: TypeAlias = NDArray[np.float64]
 FirstLayer: TypeAlias = Literal["equal", "reweighted"]
 
 STD = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
-COVARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 SHARE = Domain("", 1.0, 1.0, "a weight is a share of the whole")
 POSITIVE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow, and a deviation weighs", smallest=1e-30)
 WEIGHING = ANGLE_STD._replace(reason="an azimuth weighs, by one over its variance", smallest=1e-30)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
-    Domain,
+    COVARIANCE,
     RealArray,
     broadcast_shape,
     one_of,
@@ -52,7 +52,6 @@ def __dir__() -> list[str]:
 Order: TypeAlias = Literal["linear", "second_order"]
 
 BLOCK = 2048  # states; their second derivatives stay in the cache
-PROJECTED = Domain("", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 
 
 class Observed(NamedTuple):
@@ -347,7 +346,7 @@ def project(
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused below
         projected = _moments(observed, arrays["covariance"], second=second)
     for part, values in projected._asdict().items():
-        require_within(f"projected {part}", values, PROJECTED)
+        require_within(f"projected {part}", values, COVARIANCE)
     return projected
 
 

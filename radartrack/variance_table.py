@@ -22,8 +22,8 @@ from radartrack._arrays import bounded_archive
 from radartrack._arrays.bounded_archive import ArchiveError, Stored
 from radartrack._arrays.validation import (
     ANGLE,
+    COVARIANCE,
     RANGE,
-    Domain,
     broadcast_shape,
     real_arrays,
     require_covariance,
@@ -39,7 +39,7 @@ Columns: TypeAlias = Mapping[str, NDArray[Any]]
 
 FORMAT = "radartrack variance table"
 VERSION = 1
-VARIANCE = Domain(" m^2", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
+VARIANCE = COVARIANCE._replace(unit=" m^2")
 ROUNDING = 1e-9  # beside it, rounding errors of 1e-16 are nothing: of 1 - leverage, and of a correlation of 1
 MOST_CELLS = 2**20
 LARGEST_SUM = 1e250  # of squares of deviations below 1e100; sums of these do not overflow

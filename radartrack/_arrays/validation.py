@@ -63,6 +63,7 @@ DIRECTION_COSINE = Domain("", 1.0, 1.0, "no cosine is larger", signed=True)
 DIRECTION_COSINE_STD = Domain("", 1.0, 1.0, "no cosine is larger")
 PATH = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow, and a path has a length", smallest=1e-30)
 PATH_AZIMUTH_STD = Domain(" rad", 0.5, 0.5, "of a larger deviation the series of fourth order leaves a per cent")
+COVARIANCE = Domain("", 1e200, 1e20, "squares of larger deviations overflow", signed=True)
 CORRELATION = Domain("", 1.0, 1.0, "no correlation is larger", signed=True)
 
 

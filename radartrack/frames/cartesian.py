@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from radartrack._arrays.validation import (
     ANGLE,
+    COVARIANCE,
     RANGE_RATE,
     SINGLE,
     Domain,
@@ -127,6 +128,7 @@ class Frame:
         size = values.shape[-1]
         require_trailing_shape("covariance", errors, (size, size))
         require_covariance("covariance", errors)
+        require_within("covariance", errors, COVARIANCE)
         broadcast_shape({"mean": moved[..., 0], "covariance": errors[..., 0, 0]})
         jacobian = self.jacobian(other, size)
         turned = jacobian @ errors @ np.swapaxes(jacobian, -1, -2)

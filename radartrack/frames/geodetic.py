@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
     ANGLE,
+    COVARIANCE,
     ELEVATION,
     SINGLE,
     Domain,
@@ -254,6 +255,7 @@ def _read_covariance(covariance: ArrayLike, position: RealArray) -> RealArray:
     errors = np.asarray(real_arrays({"covariance": covariance})["covariance"], np.float64)
     require_trailing_shape("covariance", errors, (3, 3))
     require_covariance("covariance", errors)
+    require_within("covariance", errors, COVARIANCE)
     broadcast_shape({"position": position[..., 0], "covariance": errors[..., 0, 0]})
     return errors
 

@@ -220,3 +220,18 @@ def test_errors_name_the_argument_and_what_is_allowed(call: Callable[[], object]
 def test_text_is_no_latitude():
     with pytest.raises(TypeError, match="latitude must be real numbers"):
         frames.ecef_from_geodetic("55N", 0.0)
+
+
+@pytest.mark.parametrize("variance", [1.1e200, 1e300, 1.7e308])
+@pytest.mark.parametrize(
+    "moved",
+    [
+        lambda covariance: frames.ecef_from_geodetic(0.5, 0.3, 100.0, covariance),
+        lambda covariance: frames.geodetic_from_ecef([6e6, 1e6, 1e6], covariance),
+        lambda covariance: frames.enu(0.5, 0.3).to(frames.ECEF, [1.0, 2.0, 3.0], covariance),
+    ],
+    ids=["to ECEF", "from ECEF", "between frames"],
+)
+def test_a_covariance_that_would_overflow_is_refused(moved: Callable[[np.ndarray], object], variance: float):
+    with pytest.raises(ValueError, match=r"covariance must be from -1e\+200 to 1e\+200"):
+        moved(variance * np.eye(3))
