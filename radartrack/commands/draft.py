@@ -15,7 +15,8 @@ from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
     from radartrack.derive.checking.papers.deadline import Decider
-    from radartrack.derive.finding.paper_draft import Drafted, Understood
+    from radartrack.derive.finding.paper_draft import Drafted
+    from radartrack.derive.finding.paper_readings import Understood
     from radartrack.derive.formula.tree import Tree
 
 CANNOT = 2
@@ -33,14 +34,14 @@ def draft(
     Exit 2 when the source cannot be read or holds no displayed equation.
     """
     from radartrack.derive.checking.papers.deadline import Decider
-    from radartrack.derive.finding import paper_draft
+    from radartrack.derive.finding import paper_draft, paper_equations, paper_readings
 
     output_files.refuse_unwritable({"--out": out})
     try:
         source = paper.read_bytes().decode("utf-8", errors="replace")
-        said, displayed = paper_draft.equations_in_text(source), paper_draft.equations(source)
-        everything = paper_draft.understood([*said, *displayed])
-        known, found = paper_draft.defined(everything), everything[len(said) :]
+        said, displayed = paper_equations.equations_in_text(source), paper_equations.equations(source)
+        everything = paper_readings.understood([*said, *displayed])
+        known, found = paper_readings.defined(everything), everything[len(said) :]
     except (OSError, ValueError) as error:
         terminal.complain(f"{paper}: {error}")
         raise typer.Exit(CANNOT) from None
@@ -50,7 +51,7 @@ def draft(
     with Decider(timeout) as decider:
         decider.start()
         drafted = _drafted(found, known, decider)
-    text = paper_draft.claims(paper_draft.title(source), drafted)
+    text = paper_draft.claims(paper_equations.title(source), drafted)
     if out is None:
         terminal.say(text.rstrip())
     else:
@@ -63,24 +64,24 @@ def draft(
 
 def _drafted(found: Sequence[Understood], known: Mapping[str, Tree], decider: Decider) -> list[Drafted]:
     """Each equation as the quantity that it is, by the paper's definitions where it uses any."""
-    from radartrack.derive.finding import paper_draft
+    from radartrack.derive.finding import paper_draft, paper_readings
 
     search = search_over()
     drafted = []
     for one in found:
-        readings = [*paper_draft.readings(one, known, paper_draft.beside(one, found))]
+        readings = [*paper_readings.readings(one, known, paper_readings.beside(one, found))]
         pairs = (
             (candidate, put_in)
             for tree, put_in in readings
             for candidate, _ in proved(search.candidates(tree), decider)
-            if paper_draft.is_credible(candidate, known, put_in)
+            if paper_readings.is_credible(candidate, known, put_in)
         )
         candidate, put_in = next(pairs, (None, {}))
         if candidate is None:
             near = next((near for tree, _ in readings for near in search.slipped(tree)), None)
             drafted.append(paper_draft.Drafted(one, near=near))
             continue
-        printed = paper_draft.by_definitions(one, put_in, candidate)
+        printed = paper_readings.by_definitions(one, put_in, candidate)
         if printed:
             itself = replace(candidate, formula=printed.formula, let=printed.let)
             printed = printed if any(proved([itself], decider)) else None
