@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 HEAVY = ("lark", "mpmath", "narwhals", "pandas", "pint", "pyarrow", "rich", "scipy", "stonesoup", "sympy", "typer")
-MOST_CALLS = 0.6  # of what NumPy makes: 0.4 of it with some versions of Python and NumPy, 0.46 with others
+MOST_CALLS = 0.6  # of what NumPy makes: from 0.32 to 0.46 of it, by the versions of Python and NumPy
 EVERYTHING = "from radartrack import *"  # parts load when they are named
 CALLS = """
 import sys
