@@ -27,6 +27,7 @@ from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
 from radartrack.derive.checking.conventions.altered_question import Asked
+from radartrack.derive.checking.conventions.limiting_case import limiting_case
 from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
 from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
 from radartrack.derive.checking.question.conditions import under
@@ -454,6 +455,7 @@ class Question:
             yield "another convention", self._with_convention
             yield "another quantity", self._with_other_quantities
             yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst)
+            yield "a limit in which it is right", self._with_limit
             yield "another quantity that was perhaps meant", self._with_siblings
             yield "the terms that differ", lambda verdict: self._with_terms(verdict, wrong)
 
@@ -504,7 +506,10 @@ class Question:
         return ""
 
     def _with_derived(self, verdict: Verdict) -> Verdict:
-        return replace(verdict, derived=shown(self.reference.entries.map(lambda entry: under(self.conditions, entry))))
+        """With the derived formula under the conditions, or without them where it has no value then."""
+        entries = self.reference.entries
+        conditioned = entries.map(lambda entry: under(self.conditions, entry))
+        return replace(verdict, derived=shown(conditioned if all(map(is_real, conditioned)) else entries))
 
     def _with_worst(self, verdict: Verdict, finding: Finding) -> Verdict:
         if not isinstance(finding.values, Values):
@@ -559,6 +564,14 @@ class Question:
     def _with_siblings(self, verdict: Verdict) -> Verdict:
         near = verdict.suggestions or verdict.convention or verdict.remarks
         return verdict if near else replace(verdict, suggestions=tuple(self._print.of_siblings()))
+
+    def _with_limit(self, verdict: Verdict) -> Verdict:
+        """With the limit in which the formula is right, where it is nothing else but another model's."""
+        explained = verdict.convention or any(one.startswith("equal ") for one in verdict.remarks)
+        if explained or not all(self._is_rival(one.formula) for one in verdict.suggestions) or self.sense:
+            return verdict
+        where = limiting_case(self._asked)
+        return replace(verdict, remarks=(*verdict.remarks, f"equal{where}")) if where else verdict
 
     def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         explained = {suggestion.entry for suggestion in verdict.suggestions}

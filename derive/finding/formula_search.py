@@ -7,10 +7,18 @@ from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from itertools import chain, combinations, islice
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.question.letters.assignments import ANY, Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.assignments import (
+    ANY,
+    HALF,
+    Choice,
+    assignments,
+    choices,
+    farther_choices,
+)
 from radartrack.derive.checking.question.letters.letter_meanings import (
     is_angle_word,
     is_known_word,
@@ -28,6 +36,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
+    Call,
     Constant,
     Name,
     Negation,
@@ -223,7 +232,7 @@ class FormulaSearch:
                 for letter, one in read.letters.items()
             ):
                 continue  # S_xx is no deviation
-            if alone and sum(one.rank for one in read.letters.values()) >= ANY:
+            if alone and _rank(read.letters):
                 continue
             for _, _, item in read.family.items:
                 if len(item.values) != len(read.values):
@@ -260,12 +269,13 @@ class FormulaSearch:
         return [one for alike in islice(by_slip.values(), MOST_NEAR) for one in alike[:MOST_NEAR]]
 
     def _likeliest(self, printed: Tensor[Tree]) -> Iterator[tuple[_Family, Reading]]:
-        """Each family with the likeliest reading of the letters as its symbols."""
+        """Each family with the likeliest reading of the letters as its symbols; none of letters that mean nothing."""
         letters = sorted(frozenset[str]().union(*map(names, printed)))
+        alone = all(map(is_of_letters_alone, printed))
         for (size, of_shape, _), family in self._families.items():
             if size == len(letters) and of_shape == printed.shape:
                 reading = next(_assigned(letters, family, farther=False, strict=True), None)
-                if reading is not None:
+                if reading is not None and not (alone and _rank(reading)):
                     yield family, reading
 
     def _add(self, name: str, row: Mapping[str, Any]) -> None:
@@ -495,15 +505,29 @@ def _candidate(printed: Tensor[Tree], item: _Item, read: _Read, difference: floa
     renamed = {letter: str(choice) for letter, choice in read.letters.items() if letter != str(choice)}
     formula = to_text(array_of(printed.map(lambda entry: rebuild(entry, symbol))))
     name = item.quantity if sign > 0 else f"-{item.quantity}"
-    rank = sum(choice.rank for choice in read.letters.values())
     return Candidate(
-        name, item.meaning, formula, renamed, words, item.given, difference, rank=rank, symbols=item.symbols
+        name,
+        item.meaning,
+        formula,
+        renamed,
+        words,
+        item.given,
+        difference,
+        rank=_rank(read.letters),
+        symbols=item.symbols,
     )
 
 
-def _raised(name: Name, power: int) -> Tree:
+def _rank(reading: Reading) -> int:
+    """How far-fetched the meanings of the letters are together."""
+    return sum(choice.rank for choice in reading.values())
+
+
+def _raised(name: Name, power: Fraction | int) -> Tree:
     if power == 1:
         return name
+    if power == HALF:
+        return Call("sqrt", (name,))
     return Power(name, Number(str(power))) if power > 0 else Quotient(Number("1"), name)
 
 

@@ -243,16 +243,16 @@ def _part(quantity: Quantity, index: str | None) -> Part:
 
 
 def _positions(quantity: Quantity, index: str) -> list[int | range]:
-    """A number along each axis, or those of a slice: `0`, `:`, `0:2`."""
+    """A number along each axis, or those of a slice: `0`, `:`, `0:2`; an axis that is not said is taken whole."""
     found = [_POSITION.fullmatch(part.strip()) for part in index.split(",")]
-    if len(found) == len(quantity.shape):
-        positions = [_position(one, size) for one, size in zip(found, quantity.shape, strict=True) if one]
-        fits = len(positions) == len(found) and all(
+    if len(found) <= len(quantity.shape):
+        said = [_position(one, size) for one, size in zip(found, quantity.shape, strict=False) if one]
+        fits = len(said) == len(found) and all(
             bool(one) and one[-1] < size if isinstance(one, range) else one < size
-            for one, size in zip(positions, quantity.shape, strict=True)
+            for one, size in zip(said, quantity.shape, strict=False)
         )
         if fits:
-            return positions
+            return [*said, *map(range, quantity.shape[len(said) :])]
     shape = list(quantity.shape)
     raise UnknownEntry(f"{quantity.name}[{index}]: the quantity has shape {shape}, indices count from 0")
 

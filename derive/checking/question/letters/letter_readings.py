@@ -9,10 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from itertools import islice
 from types import MappingProxyType
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.definitions.known_constants import with_symbols
 from radartrack.derive.checking.question.definitions.loose_definitions import LooseDefinitions
@@ -49,7 +51,7 @@ KEPT = 5  # assignments of a wrong formula that are looked at closely
 
 @dataclass(frozen=True)
 class Letter(Choice[Variable]):
-    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant.
+    """What a letter stands for: a symbol, its square or root if it is a variance or a deviation, or its inverse.
 
     Attributes:
         function: of symbols for which the letter stands instead; then the symbol only says its unit and meaning.
@@ -60,7 +62,7 @@ class Letter(Choice[Variable]):
     @property
     def value(self) -> Expr:
         """The same as an expression."""
-        return self.symbol**self.power if self.function is None else self.function
+        return self.symbol ** sp.Rational(self.power) if self.function is None else self.function
 
     @property
     def is_symbol(self) -> bool:
@@ -226,7 +228,7 @@ class Typed:
 
     def _assignments(self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False) -> Iterator[Letters]:
         """What the letters may stand for; farther, also what they seldom do."""
-        taken = frozenset((name, 1) for name in fixed)
+        taken = frozenset[tuple[str, Fraction | int]]((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
         candidates = {name: self._choices(name, symbols) for name in unknown}
         if farther:
