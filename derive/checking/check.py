@@ -29,7 +29,14 @@ from radartrack.derive.checking.comparing.question_domain import Domain, everywh
 from radartrack.derive.checking.conventions.altered_question import Asked
 from radartrack.derive.checking.conventions.limiting_case import limiting_case
 from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
-from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
+from radartrack.derive.checking.question.compared_quantity import (
+    Reference,
+    UnknownEntry,
+    is_formula,
+    of_formula,
+    refer,
+    refer_to,
+)
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.definitions.loose_definitions import without_arguments
@@ -54,6 +61,7 @@ from radartrack.derive.checking.question.printed_formula import (
     doubtful_angles,
     names_for,
     read_printed,
+    symbol_called,
 )
 from radartrack.derive.checking.question.sense import EXACTLY, Sense
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -66,6 +74,7 @@ from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample
 from radartrack.derive.evaluation.points import Point
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
@@ -143,6 +152,8 @@ def ask(
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
+    if isinstance(quantity, str) and is_formula(quantity) and not (latex or code):
+        return ask_identity(quantity, formula, given=given, let=let, world=world, sense=sense)
     conditions, definitions = plain_formulas(given or {}), plain_formulas(let or {})
     if latex:
         conditions, definitions = without_variants(conditions), without_variants(definitions)
@@ -310,6 +321,10 @@ def asked(reference: Reference, printed: Printed, given: Mapping[str, str], worl
     names = printed.names
     both = {**applying(world.given, reference, printed), **given} if world.given else given
     conditions = conditions_for(reference, both, names)
+    if sense == EXACTLY and (limit := _limit_of(reference, conditions)):
+        rest = {name: text for name, text in both.items() if str(symbol_called(name, names, reference)) not in limit}
+        with suppress(FormulaError, NoClosedForm):
+            return asked(reference, printed, rest, world, Sense(limit=limit))
     printed = replace(printed, remarks=(*printed.remarks, *doubtful_angles(reference, both, names)))
     reference, printed = (
         sense.applied(reference, printed, names, conditions) if sense != EXACTLY else (reference, printed)
@@ -319,6 +334,17 @@ def asked(reference: Reference, printed: Printed, given: Mapping[str, str], worl
         if (rounded := replace(question, printed=exact.printed)).is_equal:
             return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
     return question
+
+
+def _limit_of(reference: Reference, conditions: Mapping[Symbol, Expr]) -> dict[str, str]:
+    """Where symbols go, of conditions under which what was derived has no value, only perhaps a limit."""
+    numbers = {symbol: value for symbol, value in conditions.items() if not value.free_symbols}
+    singular = {
+        symbol: value
+        for symbol, value in numbers.items()
+        if not all(is_real(under({symbol: value}, entry)) for entry in reference.entries)
+    }
+    return {str(symbol): to_text(to_tree(value)) for symbol, value in singular.items()}
 
 
 def _exact_numbers(question: Question) -> Iterator[Meant]:

@@ -25,11 +25,13 @@ from radartrack.derive.checking.repairing.print_slips import (
     exchanged,
     exchanges,
     other_numbers,
+    undoes,
 )
 from radartrack.derive.evaluation.tree_values import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.tree import (
     Call,
+    Constant,
     Name,
     Negation,
     Number,
@@ -59,6 +61,8 @@ LIKELY = 1.2  # the cost of an edit that may be one of two
 PLAIN = 2.0  # the cost of one edit that is likelier than any two
 SCATTERED = 0.6  # the cost of each different symbol of a factor after the second: without it, a factor of many symbols
 # that fits by chance goes before the sign that was lost
+FRACTION_BELOW = 2.0  # the cost of a fraction as a divisor: nobody prints one; a factor 2 above was lost instead
+ODD_FRACTION = 1.6  # and of 25/6 for 6, where the numbers of a fraction may have changed places
 LARGE = 60  # nodes from which two edits at once are not looked for: their number grows with the square
 HUGE = 500  # nodes from which one edit in one place is enough: all edits of the longest covariance take ten seconds
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
@@ -93,6 +97,11 @@ class Part:
     parent: Tree | None
     needed: Values
     is_all: bool
+
+    @property
+    def is_below(self) -> bool:
+        """Whether it is what something is divided by."""
+        return isinstance(self.parent, Quotient) and self.path[-1] == 1
 
     @property
     def is_shared(self) -> bool:
@@ -272,11 +281,11 @@ class Search:
         monomial = self._fitter.fit(part.needed)
         if monomial is not None and monomial.is_number and monomial.number != _value(part.node):
             tree = number_tree(monomial.number)
-            cost = 1.0 if monomial.number > 0 else 1.6
-            yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
+            yield Alternative(tree, "{} should be {}", _cost_of_number(part, monomial.number), (part.node, tree))
 
     def _sign_or_factor(self, part: Part, ratio: Monomial) -> Iterator[Alternative]:
-        if part.is_shared or ratio.complexity > MOST_COMPLEX:
+        is_base = isinstance(part.node, Constant) and isinstance(part.parent, Power)  # of e to a power nothing is lost
+        if part.is_shared or is_base or ratio.complexity > MOST_COMPLEX:
             return
         node = part.node
         signed = node
@@ -330,12 +339,17 @@ def _size(tree: Tree) -> int:
 
 
 def _small(found: Iterable[Candidate], tree: Tree) -> list[Candidate]:
-    """Those that are an edit of the formula and not another one in its place, likely ones first."""
+    """Those that are an edit of the formula and not another one in its place, likely ones first.
+
+    Nobody means a function of its inverse: an edit that makes one has found the values by a detour.
+    """
     size_of = Fold[int](lambda _, below: 1 + sum(below))
+    detours = Fold[int](lambda node, below: undoes(node) + sum(below))
     size = size_of(tree)
     most = size + max(size, 1 if isinstance(tree, Number) else SMALL)
     small = [one for one in found if tree == Number("0") or size_of(one.tree) <= most]  # a zero lacks its terms
-    return sorted(small, key=lambda candidate: candidate.cost)
+    plain = [one for one in small if not detours(one.tree) or detours(one.tree) < detours(tree)]
+    return sorted(plain, key=lambda candidate: candidate.cost)
 
 
 def _rounded(values: Values | None) -> Values | None:
@@ -344,6 +358,16 @@ def _rounded(values: Values | None) -> Values | None:
 
 def _terms(tree: Tree) -> tuple[Tree, ...]:
     return tree.terms if isinstance(tree, Sum) else (tree,)
+
+
+def _cost_of_number(part: Part, number: Fraction) -> float:
+    """How unlikely it is that another number was meant: a sign less, a fraction that nobody would print so least."""
+    if number.denominator > 1 and not isinstance(part.parent, Power):
+        if part.is_below:
+            return FRACTION_BELOW
+        if isinstance(part.node, Number) and part.node.value.denominator == 1 and number.numerator > 1:
+            return ODD_FRACTION
+    return 1.0 if number > 0 else 1.6
 
 
 def _is_number(tree: Tree) -> bool:
