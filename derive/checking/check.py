@@ -596,7 +596,7 @@ class Question:
         explained = verdict.convention or any(one.startswith("equal ") for one in verdict.remarks)
         if explained or not all(self._is_rival(one.formula) for one in verdict.suggestions) or self.sense:
             return verdict
-        where = limiting_case(self._asked)
+        where = limiting_case(self._asked, lacking=bool(verdict.suggestions))
         return replace(verdict, remarks=(*verdict.remarks, f"equal{where}")) if where else verdict
 
     def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:

@@ -56,6 +56,7 @@ from radartrack.derive.language.tensor import Index, Tensor
 
 SAME = 1e-8  # relative difference at generic points below which formulas are worth a proof
 NEAR = 0.4  # and below which they are near: a coefficient of 1/3 for 1/2 is
+NEAR_ANY = 0.02  # where letters that mean nothing are read as what fits best
 FEW = 12  # readings of one set of symbols; by more of them, what is near is near by chance
 MOST_CANDIDATES = 12
 MOST_KEPT = 200  # before the plainest of them are chosen
@@ -234,12 +235,13 @@ class FormulaSearch:
                 continue  # S_xx is no deviation
             if alone and _rank(read.letters):
                 continue
+            most = NEAR if _rank(read.letters) < ANY else NEAR_ANY
             for _, _, item in read.family.items:
                 if len(item.values) != len(read.values):
                     continue
                 difference = _difference(read.values, item.values)
                 known = best.get(item.quantity)
-                if difference <= NEAR and (known is None or difference < known.difference):
+                if difference <= most and (known is None or difference < known.difference):
                     best[item.quantity] = _candidate(printed, item, read, difference)
         return sorted(best.values(), key=lambda one: one.difference)[:MOST_NEAR]
 
@@ -336,14 +338,15 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
 
 
 def is_of_letters_alone(tree: Tree) -> bool:
-    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w.
+    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w, r^2*s^2.
 
     Not P*Q/(P + Q): what divides by letters that it has above too is hardly the same as another by chance.
     """
     there = [*parts(tree)]
     if any(isinstance(node, Quotient) and names(node.numerator) & names(node.denominator) for node in there):
         return False
-    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in there)
+    bare = rebuild(tree, lambda node: node.base if isinstance(node, Power) and isinstance(node.base, Name) else node)
+    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in parts(bare))
 
 
 def letters_of(tree: Tree) -> int | None:

@@ -91,7 +91,9 @@ def _in_usual_letters(search: FormulaSearch, tree: Tree, decider: Decider) -> li
         narrow = search.among(usual.family) if usual.family else search
         said = [
             (replace(candidate, convention=f"{candidate.convention} with {usual.words}".strip()), words, is_found)
-            for candidate, words, is_found in _judged(narrow.candidates(usual.tree), decider)
+            for candidate, words, is_found in _judged(
+                [one for one in narrow.candidates(usual.tree) if not usual.own & one.read.keys()], decider
+            )
         ]
         if any(is_found for *_, is_found in said):
             return said

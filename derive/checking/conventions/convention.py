@@ -22,6 +22,7 @@ from radartrack.derive.units import RADIAN, SECOND, Unit
 
 POLYNOMIAL = {"fading_memory", "finite_sample", "steady_state"}
 IN_DEGREES = sp.Integer(180) / sp.pi
+SEVERAL = 2
 PER_RADIAN = RADIAN**-1
 PER_SECOND = RADIAN / SECOND
 _NUMBER = re.compile(r"_?\d+$|^(?:first|second|third)_")
@@ -115,10 +116,17 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     singles = [OURS, *chain.from_iterable(kinds), *scaled, *divided, *_equal_sensors(asked)]
     pairs = (a & b for first, second in combinations((*kinds, scaled, divided), 2) for a in first for b in second)
     free = asked.correlations
+    vanish = bool(free) and _are_hardly_used(free, asked)
     for one in (*singles, *pairs):
         yield one
-        if free and not _used(asked) & set(free):
+        if vanish:
             yield one & Convention(vanishing=tuple(free), cost=0.6, is_slip=True)
+
+
+def _are_hardly_used(correlations: Sequence[Symbol], asked: Asked) -> bool:
+    """Whether a print has none of these; one entry of several that has one may be the slip."""
+    having = sum(bool(entry.free_symbols & set(correlations)) for entry in asked.printed)
+    return not having or (having == 1 and len(asked.printed.entries) > SEVERAL)
 
 
 def _equal_sensors(asked: Asked) -> Iterator[Convention]:

@@ -13,7 +13,6 @@ from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import SECOND
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
@@ -25,10 +24,14 @@ SHRINKS = 0.1  # to less than this part of it from the one to the other
 Pair = tuple[Expr, Expr]
 
 
-def limiting_case(asked: Asked) -> str:
+def limiting_case(asked: Asked, *, lacking: bool) -> str:
     """The limit in which all that is printed is what was derived, in words; nothing where there is none.
 
     What is said of small deviations is the order of the difference, which is told anyway.
+
+    Args:
+        asked: what is printed, and what it was compared with.
+        lacking: whether only of symbols that the print lacks.
     """
     both = zip(asked.printed, asked.reference.entries, strict=True)
     pairs = [(under(asked.conditions, ours), under(asked.conditions, theirs)) for ours, theirs in both]
@@ -36,19 +39,22 @@ def limiting_case(asked: Asked) -> str:
     if len(str(pairs)) > LONGEST:
         return ""
     symbols = asked.reference.symbols
-    found = (f" where {one} goes to {_spoken(end)}" for one, end in _ends(asked) if _is_right(pairs, symbols, one, end))
+    found = (
+        f" where {one} goes to {_spoken(end)}"
+        for one, end in _ends(asked, lacking=lacking)
+        if _is_right(pairs, symbols, one, end)
+    )
     return next(found, "")
 
 
-def _ends(asked: Asked) -> Iterator[tuple[Variable, Expr]]:
-    """The ends of what a print may neglect: first of symbols that it lacks, last of times, which all goes with."""
+def _ends(asked: Asked, *, lacking: bool) -> Iterator[tuple[Variable, Expr]]:
+    """The ends of what a print may neglect: of symbols that it lacks, and of rates and counts that it has."""
     used = set[Symbol]().union(*(entry.free_symbols for entry in asked.reference.entries)) - asked.conditions.keys()
-    parameters = [
-        one
-        for one in asked.reference.symbols
-        if one in used and not one.is_correlation and not one.is_angle and "sigma" not in one.name
-    ]
-    for symbol in sorted(parameters, key=lambda one: (asked.uses([one]), one.unit == SECOND)):
+    for symbol in sorted(asked.reference.symbols, key=lambda one: asked.uses([one])):
+        if symbol not in used or symbol.is_correlation or symbol.is_angle or "sigma" in symbol.name:
+            continue
+        if asked.uses([symbol]) and (lacking or not (symbol.whole or symbol.unit.second < 0)):
+            continue
         if not symbol.whole:
             yield symbol, sp.Integer(0)
         yield symbol, sp.oo

@@ -65,6 +65,7 @@ FRACTION_BELOW = 2.0  # the cost of a fraction as a divisor: nobody prints one; 
 ODD_FRACTION = 1.6  # and of 25/6 for 6, where the numbers of a fraction may have changed places
 LARGE = 60  # nodes from which two edits at once are not looked for: their number grows with the square
 HUGE = 500  # nodes from which one edit in one place is enough: all edits of the longest covariance take ten seconds
+EVEN = {"abs", "cos", "cosh"}
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
 MOST_COMPLEX = 6  # powers and numbers in a missing factor; longer ones fit anything, and nobody loses them in print
 
@@ -97,6 +98,17 @@ class Part:
     parent: Tree | None
     needed: Values
     is_all: bool
+
+    @property
+    def has_either_sign(self) -> bool:
+        """Whether its sign is lost in what it is part of: what is needed is known but for that."""
+        match self.parent:
+            case Power(_, Number() as exponent):
+                return self.path[-1] == 0 and exponent.value % 2 == 0
+            case Call(function):
+                return function in EVEN
+            case _:
+                return False
 
     @property
     def is_below(self) -> bool:
@@ -174,8 +186,14 @@ class Search:
             if edited is not tree and self._is_worth(edited, self._target):
                 yield Candidate(edited, edit.words, edit.cost)
 
-    def _is_worth(self, tree: Tree, needed: Values) -> bool:
-        return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
+    def _is_worth(self, tree: Tree, needed: Values, *, either_sign: bool = False) -> bool:
+        found = self._quick(tree)
+        if not close(
+            _sizes(found) if either_sign else found, _sizes(needed[:QUICK]) if either_sign else needed[:QUICK]
+        ):
+            return False
+        found = self._screen(tree)
+        return close(_sizes(found), _sizes(needed)) if either_sign else close(found, needed)
 
     def _single(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Candidate]:
         for part in self.parts(tree, besides):
@@ -217,7 +235,7 @@ class Search:
 
     def _replacements(self, part: Part) -> Iterator[Alternative]:
         for edit in alternatives(part.node, self._kinds):
-            if self._is_worth(edit.tree, part.needed):
+            if self._is_worth(edit.tree, part.needed, either_sign=part.has_either_sign):
                 yield edit
         yield from self._exchanges(part)
         yield from self._number(part)
@@ -238,6 +256,10 @@ class Search:
         """Other neighbouring terms or factors, weighed by what the rest of them make together."""
         node = part.node
         if not isinstance(node, Sum | Product):
+            return
+        if part.has_either_sign:
+            every = (one.of(node) for one in exchanges(node))
+            yield from (edit for edit in every if self._is_worth(edit.tree, part.needed, either_sign=True))
             return
         before, after = self._quick.running(node)
         for one in exchanges(node):
@@ -350,6 +372,11 @@ def _small(found: Iterable[Candidate], tree: Tree) -> list[Candidate]:
     small = [one for one in found if tree == Number("0") or size_of(one.tree) <= most]  # a zero lacks its terms
     plain = [one for one in small if not detours(one.tree) or detours(one.tree) < detours(tree)]
     return sorted(plain, key=lambda candidate: candidate.cost)
+
+
+def _sizes(values: Values | None) -> Values | None:
+    """The absolute values."""
+    return values and tuple(map(abs, values))
 
 
 def _rounded(values: Values | None) -> Values | None:

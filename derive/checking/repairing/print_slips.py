@@ -410,7 +410,10 @@ def _signs(terms: tuple[Tree, ...]) -> Iterator[Exchange]:
     for place, term in enumerate(terms):
         bare = term.operand if isinstance(term, Negation) else term
         other = bare if isinstance(term, Negation) else Negation(term)
-        yield Exchange(place, place + 1, (other,), "the sign of {}", 1.0, (bare,))
+        cost = (
+            1.0 if place or isinstance(term, Negation) else 1.05
+        )  # a sign is lost, not put before all that is printed
+        yield Exchange(place, place + 1, (other,), "the sign of {}", cost, (bare,))
 
 
 def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Exchange]:

@@ -20,6 +20,7 @@ from radartrack.derive.checking.question.definitions.known_constants import with
 from radartrack.derive.checking.question.definitions.loose_definitions import LooseDefinitions
 from radartrack.derive.checking.question.formula_units import Dimension, misfits
 from radartrack.derive.checking.question.letters.assignments import (
+    HALF,
     STRONG,
     Choice,
     assignments,
@@ -167,7 +168,9 @@ class Typed:
     def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
         if not any(reading.is_right for reading in found):
-            farther = self._judged(self._assignments(unknown, fixed, farther=True))
+            farther = [
+                one for one in self._judged(self._assignments(unknown, fixed, farther=True)) if self._may_be(one)
+            ]
             least = min((reading.misfits for reading in found), default=math.inf)
             found = [one for one in farther if one.is_right or one.misfits < least] or found
         if doubtful and not any(reading.fits for reading in found):
@@ -177,6 +180,11 @@ class Typed:
         fitting = [reading for reading in found if reading.misfits == least_misfits]
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
+
+    def _may_be(self, reading: Reading) -> bool:
+        """Whether a reading may be told: a letter is the root of a variance where most entries have its unit then."""
+        has_root = any(letter.power == HALF for letter in reading.letters.values())
+        return not has_root or 2 * reading.misfits <= len(self.entries.entries)
 
     def _means(self, name: str) -> bool:
         """Whether a name has a meaning by which it is a symbol of the quantity, or a function of these."""

@@ -320,7 +320,7 @@ def test_a_part_of_a_matrix_is_a_slice(place: str) -> None:
     assert check(f"observe.polar_doppler.jacobian[{place}]", formula, let=let).verdict in EQUAL
 
 
-@pytest.mark.parametrize("place", ["0:2,0:5", "2:1,0", "-1,0", "0:2", "3:,0"])
+@pytest.mark.parametrize("place", ["0:2,0:5", "2:1,0", "-1,0", "3", "0,0,0", "3:,0"])
 def test_a_slice_that_there_is_not_is_refused(place: str) -> None:
     with pytest.raises(UnknownEntry, match="has shape"):
         check(f"observe.polar_doppler.jacobian[{place}]", "x")
