@@ -480,8 +480,9 @@ class Question:
             yield "the order of the difference", lambda verdict: self._with_order(verdict, worst)
             yield "another convention", self._with_convention
             yield "another quantity", self._with_other_quantities
+            yield "what is neglected", lambda verdict: self._with_limit(verdict, lacking=True)
             yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst)
-            yield "a limit in which it is right", self._with_limit
+            yield "a limit in which it is right", lambda verdict: self._with_limit(verdict, lacking=False)
             yield "another quantity that was perhaps meant", self._with_siblings
             yield "the terms that differ", lambda verdict: self._with_terms(verdict, wrong)
 
@@ -570,7 +571,10 @@ class Question:
         count = len(self.printed.entries.entries)
         others = verdict.suggestions
         known = others and self._is_rival(others[0].formula)
-        if known and count > 1:
+        limit = next((one for one in verdict.remarks if one.startswith("equal where ") and " goes to " in one), "")
+        if limit and not known:
+            return replace(verdict, reason=f"{verdict.reason}, but {limit}")
+        if known and (count > 1 or limit):
             return replace(verdict, reason=f"{verdict.reason}, but {others[0].edit}")
         account = self._account
         likely = account.suggestions and account.cost <= LIKELY
@@ -591,12 +595,14 @@ class Question:
         near = verdict.suggestions or verdict.convention or verdict.remarks
         return verdict if near else replace(verdict, suggestions=tuple(self._print.of_siblings()))
 
-    def _with_limit(self, verdict: Verdict) -> Verdict:
-        """With the limit in which the formula is right, where it is nothing else but another model's."""
-        explained = verdict.convention or any(one.startswith("equal ") for one in verdict.remarks)
+    def _with_limit(self, verdict: Verdict, *, lacking: bool) -> Verdict:
+        """With the limit in which the formula is right, where it is nothing else but perhaps another model's."""
+        explained = verdict.convention or _is_explained(verdict)
         if explained or not all(self._is_rival(one.formula) for one in verdict.suggestions) or self.sense:
             return verdict
-        where = limiting_case(self._asked, lacking=bool(verdict.suggestions))
+        if verdict.suggestions and not lacking:
+            return verdict
+        where = limiting_case(self._asked, lacking=lacking)
         return replace(verdict, remarks=(*verdict.remarks, f"equal{where}")) if where else verdict
 
     def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
@@ -669,6 +675,11 @@ class Question:
         if values.relative < MATTERS <= worst.relative:
             values = Comparison(*pair, self.symbols).differ_at(worst.point) or values
         return counterexample(values, entry, worst, self.symbols, measured_against(beside))
+
+
+def _is_explained(verdict: Verdict) -> bool:
+    """Whether it is said how the formula is right."""
+    return any(remark.startswith("equal ") for remark in verdict.remarks)
 
 
 def _is_plain_entry(quantity: str) -> bool:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from itertools import islice
 
 from radartrack.derive.finding.formula_search import Candidate
 from radartrack.derive.formula.error import FormulaError
@@ -33,6 +34,7 @@ _DISPLAY = re.compile(
     r"|\\\[(?P<bracket>.*?)\\\]|(?<!\\)\$\$(?P<dollars>.*?)\$\$",
     re.DOTALL,
 )
+_INLINE = re.compile(r"(?<!\\)\$(?P<dollars>[^$]{3,300})(?<!\\)\$|\\\((?P<bracket>.{3,300}?)\\\)", re.DOTALL)
 _INNER = re.compile(r"\\begin\{(aligned|split|gathered)\}(.*?)\\end\{\1\}", re.DOTALL)
 _MATRIX = re.compile(r"\\begin\{([a-zA-Z]*matrix|array|cases)\}.*?\\end\{\1\}", re.DOTALL)
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{")
@@ -121,6 +123,18 @@ def equations(source: str) -> list[Equation]:
             number = tag[1].strip() if tag else str(count) if counts else ""
             found += _split(line, number)
     return found[:MOST_EQUATIONS]
+
+
+def definitions_in_text(source: str) -> list[Understood]:
+    r"""What is defined by a formula between dollars in the text, as $\lambda = e^{-\sigma^2/2}$ is; no bare number."""
+    macros, text = defined_macros(_COMMENT.sub("", source[:MOST_CHARACTERS]))
+    found: list[Understood] = []
+    for inline in islice(_INLINE.finditer(_DISPLAY.sub(" ", _with_environments(text, macros))), MOST_EQUATIONS):
+        line = inline["dollars"] or inline["bracket"]
+        with suppress(FormulaError):
+            line = expanded(line, macros)
+        found += (one for one in map(_read, _split(line, "")) if one.name and one.tree is not None and names(one.tree))
+    return found
 
 
 def _with_environments(source: str, macros: Mapping[str, Macro]) -> str:

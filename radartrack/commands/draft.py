@@ -46,7 +46,7 @@ def draft(
         raise typer.Exit(CANNOT)
     with Decider(timeout) as decider:
         decider.start()
-        drafted = _drafted(found, decider)
+        drafted = _drafted(found, paper_draft.definitions_in_text(source), decider)
     text = paper_draft.claims(paper_draft.title(source), drafted)
     if out is None:
         terminal.say(text.rstrip())
@@ -58,11 +58,11 @@ def draft(
     terminal.complain(f"{len(found)} equations: {counted}")
 
 
-def _drafted(found: Sequence[Understood], decider: Decider) -> list[Drafted]:
-    """Each equation as the quantity that it is, by the paper's definitions where it uses any."""
+def _drafted(found: Sequence[Understood], in_text: Sequence[Understood], decider: Decider) -> list[Drafted]:
+    """Each equation as the quantity that it is, by the paper's definitions, displayed or in its text."""
     from radartrack.derive.finding import paper_draft
 
-    search, known = search_over(), paper_draft.defined(found)
+    search, known = search_over(), paper_draft.defined([*in_text, *found])
     drafted = []
     for one in found:
         trees = (paper_draft.with_definitions(one, known), one.tree)  # by the paper's definitions, else as printed

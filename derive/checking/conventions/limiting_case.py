@@ -16,6 +16,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.limit import limit
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
+LETTERS = 4  # of a coordinate: vx, rdot; parameters have words for names
 LONGEST = 4000  # characters of all entries: a limit of a longer formula is not worked out in a second
 NEAR, NEARER = 1e4, 1e6  # how far towards the limit
 CLOSE = 1e-2  # relative difference that is left there
@@ -31,7 +32,7 @@ def limiting_case(asked: Asked, *, lacking: bool) -> str:
 
     Args:
         asked: what is printed, and what it was compared with.
-        lacking: whether only of symbols that the print lacks.
+        lacking: whether of symbols that the print lacks, or of others.
     """
     both = zip(asked.printed, asked.reference.entries, strict=True)
     pairs = [(under(asked.conditions, ours), under(asked.conditions, theirs)) for ours, theirs in both]
@@ -48,16 +49,17 @@ def limiting_case(asked: Asked, *, lacking: bool) -> str:
 
 
 def _ends(asked: Asked, *, lacking: bool) -> Iterator[tuple[Variable, Expr]]:
-    """The ends of what a print may neglect: of symbols that it lacks, and of rates and counts that it has."""
+    """The ends of what a print may neglect: rates, counts and parameters; of what is measured nothing is."""
     used = set[Symbol]().union(*(entry.free_symbols for entry in asked.reference.entries)) - asked.conditions.keys()
-    for symbol in sorted(asked.reference.symbols, key=lambda one: asked.uses([one])):
-        if symbol not in used or symbol.is_correlation or symbol.is_angle or "sigma" in symbol.name:
-            continue
-        if asked.uses([symbol]) and (lacking or not (symbol.whole or symbol.unit.second < 0)):
+    for symbol in asked.reference.symbols:
+        is_rate = symbol.unit.second < 0 and not symbol.unit.metre
+        is_parameter = is_rate or symbol.whole or len(symbol.name) > LETTERS
+        if symbol not in used or not is_parameter or "sigma" in symbol.name or asked.uses([symbol]) is lacking:
             continue
         if not symbol.whole:
             yield symbol, sp.Integer(0)
-        yield symbol, sp.oo
+        if not lacking or symbol.whole:
+            yield symbol, sp.oo
 
 
 def _is_right(pairs: list[Pair], symbols: tuple[Variable, ...], symbol: Variable, end: Expr) -> bool:

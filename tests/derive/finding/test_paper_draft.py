@@ -16,6 +16,7 @@ from radartrack.derive.finding.paper_draft import (
     Drafted,
     claims,
     defined,
+    definitions_in_text,
     equations,
     title,
     understood,
@@ -144,3 +145,14 @@ def test_equations_beside_each_other_are_two(between: str) -> None:
 def test_what_is_no_equation_stays_with_the_one_before_it() -> None:
     (found,) = equations(r"\[ P = \begin{bmatrix} a, & b \\ b, & c = 1 \end{bmatrix}, \quad j, k \]")
     assert found.left == "P"
+
+
+@pytest.mark.parametrize("inline", ["$%s$", r"\(%s\)"])
+def test_what_is_defined_in_the_text_is_known_and_no_equation(inline: str) -> None:
+    said = inline % r"\lambda = e^{-\sigma_\theta^2/2}"
+    source = (
+        rf"With {said}, where $k = 1, \ldots, n$, $T = 10$ and $P$: \[ x^u = \lambda^{{-1}} r\cos\theta \] costs \$5"
+    )
+    assert [one.left for one in equations(source)] == ["x^u"]
+    found = defined(definitions_in_text(source))
+    assert {name: to_text(tree) for name, tree in found.items()} == {"lambda": "e**(-sigma_theta**2/2)"}
