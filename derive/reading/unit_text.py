@@ -35,6 +35,12 @@ class Scale:
         above = "*".join([str(self.number.numerator)] * (self.number.numerator != 1 or not powers) + powers)
         return above if self.number.denominator == 1 else f"{above}/{self.number.denominator}"
 
+    @property
+    def size(self) -> float:
+        """The same in floating point."""
+        roots = (float(base) ** float(power) for base, power in self.roots.items())
+        return math.prod(roots, start=float(self.number) * math.pi ** float(self.pi))
+
     def __mul__(self, other: Scale) -> Scale:
         number, roots = self.number * other.number, {}
         for base in {**self.roots, **other.roots}:

@@ -11,7 +11,6 @@ from radartrack.derive.checking.comparing.counterexample import Relative, counte
 from radartrack.derive.checking.comparing.difference_scale import squared_scale
 from radartrack.derive.checking.comparing.error_bound import largest_error, proved_within
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
-from radartrack.derive.checking.papers.claim_setting import size_of
 from radartrack.derive.checking.papers.claims_file import BOUND
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension
@@ -70,7 +69,7 @@ def _read(bound: str) -> tuple[float, bool, Scale]:
         scale = read_unit(found["unit"] or "1")
     except ValueError as error:
         raise FormulaError(f"error_at_most: {error}") from None
-    return float(found["number"]) * float(size_of(scale)), found["unit"] in SHARES, scale
+    return float(found["number"]) * scale.size, found["unit"] in SHARES, scale
 
 
 def _is_square(square: Expr, derived: Expr) -> bool:

@@ -419,10 +419,10 @@ def test_a_fraction_of_numbers_upside_down_is_told(fraction: Fraction) -> None:
 @pytest.mark.parametrize("inner", ["atan(tan(beta))", "acos(cos(beta))", "asin(sin(beta))"])
 @pytest.mark.parametrize("outer", ["r*cos({})", "2*r*sin({})", "r*cos({}) + r"])
 def test_no_suggestion_takes_a_function_of_its_inverse(inner: str, outer: str) -> None:
-    verdict = check("polar.map[0]", outer.format(inner))
-    for suggestion in verdict.suggestions:
-        written = suggestion.formula.replace(inner, "")
-        assert not re.search(r"a(sin|cos|tan)\(\1\(|(sin|cos|tan)\(a\2\(", written), suggestion
+    detour = re.compile(r"a(sin|cos|tan)\(\1\(|(sin|cos|tan)\(a\2\(")
+    printed = outer.format(inner)
+    for suggestion in check("polar.map[0]", printed).suggestions:
+        assert len(detour.findall(suggestion.formula)) <= len(detour.findall(printed)), suggestion
 
 
 @pytest.mark.parametrize(
