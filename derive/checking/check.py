@@ -28,8 +28,16 @@ from radartrack.derive.checking.comparing.numerical_comparison import Comparison
 from radartrack.derive.checking.comparing.order_of_difference import orders
 from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
 from radartrack.derive.checking.conventions.altered_question import Asked
+from radartrack.derive.checking.conventions.limiting_case import limiting_case
 from radartrack.derive.checking.conventions.other_quantity import other_quantities, rivals
-from radartrack.derive.checking.question.compared_quantity import Reference, UnknownEntry, of_formula, refer, refer_to
+from radartrack.derive.checking.question.compared_quantity import (
+    Reference,
+    UnknownEntry,
+    is_formula,
+    of_formula,
+    refer,
+    refer_to,
+)
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.checking.question.definitions.loose_definitions import without_arguments
@@ -54,6 +62,7 @@ from radartrack.derive.checking.question.printed_formula import (
     doubtful_angles,
     names_for,
     read_printed,
+    symbol_called,
 )
 from radartrack.derive.checking.question.sense import EXACTLY, Sense
 from radartrack.derive.checking.question.world import CATALOGUE, World
@@ -66,6 +75,7 @@ from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample
 from radartrack.derive.evaluation.points import Point
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
@@ -143,6 +153,8 @@ def ask(
     Raises:
         NoClosedForm: when something cannot be worked out; and what `check` raises.
     """
+    if isinstance(quantity, str) and is_formula(quantity) and not (latex or code):
+        return ask_identity(quantity, formula, given=given, let=let, world=world, sense=sense)
     conditions, definitions = plain_formulas(given or {}), plain_formulas(let or {})
     if latex:
         conditions, definitions = without_variants(conditions), without_variants(definitions)
@@ -310,6 +322,10 @@ def asked(reference: Reference, printed: Printed, given: Mapping[str, str], worl
     names = printed.names
     both = {**applying(world.given, reference, printed), **given} if world.given else given
     conditions = conditions_for(reference, both, names)
+    if sense == EXACTLY and (limit := _limit_of(reference, conditions)):
+        rest = {name: text for name, text in both.items() if str(symbol_called(name, names, reference)) not in limit}
+        with suppress(FormulaError, NoClosedForm):
+            return asked(reference, printed, rest, world, Sense(limit=limit))
     printed = replace(printed, remarks=(*printed.remarks, *doubtful_angles(reference, both, names)))
     reference, printed = (
         sense.applied(reference, printed, names, conditions) if sense != EXACTLY else (reference, printed)
@@ -319,6 +335,17 @@ def asked(reference: Reference, printed: Printed, given: Mapping[str, str], worl
         if (rounded := replace(question, printed=exact.printed)).is_equal:
             return replace(rounded, rounding=Rounding(question.printed.text, exact.words))
     return question
+
+
+def _limit_of(reference: Reference, conditions: Mapping[Symbol, Expr]) -> dict[str, str]:
+    """Where symbols go, of conditions under which what was derived has no value, only perhaps a limit."""
+    numbers = {symbol: value for symbol, value in conditions.items() if not value.free_symbols}
+    singular = {
+        symbol: value
+        for symbol, value in numbers.items()
+        if not all(is_real(under({symbol: value}, entry)) for entry in reference.entries)
+    }
+    return {str(symbol): to_text(to_tree(value)) for symbol, value in singular.items()}
 
 
 def _exact_numbers(question: Question) -> Iterator[Meant]:
@@ -454,7 +481,9 @@ class Question:
             yield "the order of the difference", lambda verdict: self._with_order(verdict, worst)
             yield "another convention", self._with_convention
             yield "another quantity", self._with_other_quantities
+            yield "what is neglected", lambda verdict: self._with_limit(verdict, lacking=True)
             yield "what was perhaps meant", lambda verdict: self._with_edits(verdict, worst)
+            yield "a limit in which it is right", lambda verdict: self._with_limit(verdict, lacking=False)
             yield "another quantity that was perhaps meant", self._with_siblings
             yield "the terms that differ", lambda verdict: self._with_terms(verdict, wrong)
 
@@ -505,7 +534,10 @@ class Question:
         return ""
 
     def _with_derived(self, verdict: Verdict) -> Verdict:
-        return replace(verdict, derived=shown(self.reference.entries.map(lambda entry: under(self.conditions, entry))))
+        """With the derived formula under the conditions, or without them where it has no value then."""
+        entries = self.reference.entries
+        conditioned = entries.map(lambda entry: under(self.conditions, entry))
+        return replace(verdict, derived=shown(conditioned if all(map(is_real, conditioned)) else entries))
 
     def _with_worst(self, verdict: Verdict, finding: Finding) -> Verdict:
         if not isinstance(finding.values, Values):
@@ -540,7 +572,10 @@ class Question:
         count = len(self.printed.entries.entries)
         others = verdict.suggestions
         known = others and self._is_rival(others[0].formula)
-        if known and count > 1:
+        limit = next((one for one in verdict.remarks if one.startswith("equal where ") and " goes to " in one), "")
+        if limit and not known:
+            return replace(verdict, reason=f"{verdict.reason}, but {limit}")
+        if known and (count > 1 or limit):
             return replace(verdict, reason=f"{verdict.reason}, but {others[0].edit}")
         account = self._account
         likely = account.suggestions and account.cost <= LIKELY
@@ -560,6 +595,16 @@ class Question:
     def _with_siblings(self, verdict: Verdict) -> Verdict:
         near = verdict.suggestions or verdict.convention or verdict.remarks
         return verdict if near else replace(verdict, suggestions=tuple(self._print.of_siblings()))
+
+    def _with_limit(self, verdict: Verdict, *, lacking: bool) -> Verdict:
+        """With the limit in which the formula is right, where it is nothing else but perhaps another model's."""
+        explained = verdict.convention or _is_explained(verdict)
+        if explained or not all(self._is_rival(one.formula) for one in verdict.suggestions) or self.sense:
+            return verdict
+        if verdict.suggestions and not lacking:
+            return verdict
+        where = limiting_case(self._asked, lacking=lacking)
+        return replace(verdict, remarks=(*verdict.remarks, f"equal{where}")) if where else verdict
 
     def _with_terms(self, verdict: Verdict, wrong: Sequence[Finding]) -> Verdict:
         explained = {suggestion.entry for suggestion in verdict.suggestions}
@@ -631,6 +676,11 @@ class Question:
         if values.relative < MATTERS <= worst.relative:
             values = Comparison(*pair, self.symbols).differ_at(worst.point) or values
         return counterexample(values, entry, worst, self.symbols, measured_against(beside))
+
+
+def _is_explained(verdict: Verdict) -> bool:
+    """Whether it is said how the formula is right."""
+    return any(remark.startswith("equal ") for remark in verdict.remarks)
 
 
 def _is_plain_entry(quantity: str) -> bool:

@@ -7,10 +7,18 @@ from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from itertools import chain, combinations, islice
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.question.letters.assignments import ANY, Choice, assignments, choices, farther_choices
+from radartrack.derive.checking.question.letters.assignments import (
+    ANY,
+    HALF,
+    Choice,
+    assignments,
+    choices,
+    farther_choices,
+)
 from radartrack.derive.checking.question.letters.letter_meanings import (
     is_angle_word,
     is_known_word,
@@ -28,6 +36,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
+    Call,
     Constant,
     Name,
     Negation,
@@ -47,6 +56,7 @@ from radartrack.derive.language.tensor import Index, Tensor
 
 SAME = 1e-8  # relative difference at generic points below which formulas are worth a proof
 NEAR = 0.4  # and below which they are near: a coefficient of 1/3 for 1/2 is
+NEAR_ANY = 0.02  # where letters that mean nothing are read as what fits best
 FEW = 12  # readings of one set of symbols; by more of them, what is near is near by chance
 MOST_CANDIDATES = 12
 MOST_KEPT = 200  # before the plainest of them are chosen
@@ -223,14 +233,15 @@ class FormulaSearch:
                 for letter, one in read.letters.items()
             ):
                 continue  # S_xx is no deviation
-            if alone and sum(one.rank for one in read.letters.values()) >= ANY:
+            if alone and _rank(read.letters):
                 continue
+            most = NEAR if _rank(read.letters) < ANY else NEAR_ANY
             for _, _, item in read.family.items:
                 if len(item.values) != len(read.values):
                     continue
                 difference = _difference(read.values, item.values)
                 known = best.get(item.quantity)
-                if difference <= NEAR and (known is None or difference < known.difference):
+                if difference <= most and (known is None or difference < known.difference):
                     best[item.quantity] = _candidate(printed, item, read, difference)
         return sorted(best.values(), key=lambda one: one.difference)[:MOST_NEAR]
 
@@ -260,12 +271,13 @@ class FormulaSearch:
         return [one for alike in islice(by_slip.values(), MOST_NEAR) for one in alike[:MOST_NEAR]]
 
     def _likeliest(self, printed: Tensor[Tree]) -> Iterator[tuple[_Family, Reading]]:
-        """Each family with the likeliest reading of the letters as its symbols."""
+        """Each family with the likeliest reading of the letters as its symbols; none of letters that mean nothing."""
         letters = sorted(frozenset[str]().union(*map(names, printed)))
+        alone = all(map(is_of_letters_alone, printed))
         for (size, of_shape, _), family in self._families.items():
             if size == len(letters) and of_shape == printed.shape:
                 reading = next(_assigned(letters, family, farther=False, strict=True), None)
-                if reading is not None:
+                if reading is not None and not (alone and _rank(reading)):
                     yield family, reading
 
     def _add(self, name: str, row: Mapping[str, Any]) -> None:
@@ -326,14 +338,15 @@ def _slips(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternative]:
 
 
 def is_of_letters_alone(tree: Tree) -> bool:
-    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w.
+    """Whether a formula is made of letters alone, which is many things if they mean nothing: F*x + w, r^2*s^2.
 
     Not P*Q/(P + Q): what divides by letters that it has above too is hardly the same as another by chance.
     """
     there = [*parts(tree)]
     if any(isinstance(node, Quotient) and names(node.numerator) & names(node.denominator) for node in there):
         return False
-    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in there)
+    bare = rebuild(tree, lambda node: node.base if isinstance(node, Power) and isinstance(node.base, Name) else node)
+    return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in parts(bare))
 
 
 def letters_of(tree: Tree) -> int | None:
@@ -495,15 +508,29 @@ def _candidate(printed: Tensor[Tree], item: _Item, read: _Read, difference: floa
     renamed = {letter: str(choice) for letter, choice in read.letters.items() if letter != str(choice)}
     formula = to_text(array_of(printed.map(lambda entry: rebuild(entry, symbol))))
     name = item.quantity if sign > 0 else f"-{item.quantity}"
-    rank = sum(choice.rank for choice in read.letters.values())
     return Candidate(
-        name, item.meaning, formula, renamed, words, item.given, difference, rank=rank, symbols=item.symbols
+        name,
+        item.meaning,
+        formula,
+        renamed,
+        words,
+        item.given,
+        difference,
+        rank=_rank(read.letters),
+        symbols=item.symbols,
     )
 
 
-def _raised(name: Name, power: int) -> Tree:
+def _rank(reading: Reading) -> int:
+    """How far-fetched the meanings of the letters are together."""
+    return sum(choice.rank for choice in reading.values())
+
+
+def _raised(name: Name, power: Fraction | int) -> Tree:
     if power == 1:
         return name
+    if power == HALF:
+        return Call("sqrt", (name,))
     return Power(name, Number(str(power))) if power > 0 else Quotient(Number("1"), name)
 
 

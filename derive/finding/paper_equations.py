@@ -24,7 +24,7 @@ _DISPLAY = re.compile(
     r"|\\\[(?P<bracket>.*?)\\\]|(?<!\\)\$\$(?P<dollars>.*?)\$\$",
     re.DOTALL,
 )
-_INLINE = re.compile(r"(?<![\\$])\$(?!\$)([^$]+)(?<!\\)\$(?!\$)|\\\((.+?)\\\)", re.DOTALL)
+_INLINE = re.compile(r"(?<![\\$])\$(?!\$)([^$]{1,600})(?<!\\)\$(?!\$)|\\\((.{1,600}?)\\\)", re.DOTALL)
 _MATRIX = re.compile(r"\\begin\{([a-zA-Z]*matrix|array|cases)\}.*?\\end\{\1\}", re.DOTALL)
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")

@@ -11,7 +11,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import meanings
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.finding.formula_search import is_of_letters_alone
 from radartrack.derive.formula.fold import rebuild
-from radartrack.derive.formula.tree import Name, Number, Power, Product, Tree
+from radartrack.derive.formula.tree import Name, Number, Power, Product, Quotient, Tree
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.symbolic import Expr
@@ -29,10 +29,19 @@ SUBJECTS = (
     "frames.ecef_from_geodetic.map",
     "finite_sample.degree1.range_rate.rate_weights",
     "fusion.correlated.variance",
+    "steady_state.alpha_beta.gain",
 )
 # Process noise is printed for an intensity of one, a covariance as the factor by which variances are reduced.
 FEW = 2  # letters: a longer formula lacks no factor, and readings with one more letter are many
-UNDERSTOOD = (("q", 1), ("sigma_w", 2), ("sigma_r", 2), ("sigma_m", 2))
+# Of two scans a rate is reduced by the square of the period too.
+UNDERSTOOD: tuple[tuple[tuple[str, int], ...], ...] = (
+    (("q", 1),),
+    (("sigma_w", 2),),
+    (("sigma_r", 2),),
+    (("sigma_m", 2),),
+    (("sigma_r", 2), ("T", -1)),
+    (("sigma_r", 2), ("T", -2)),
+)
 
 
 @dataclass(frozen=True)
@@ -43,11 +52,13 @@ class Usual:
         tree: the formula.
         words: what was done to it.
         family: how the names of the quantities begin that it may be; nothing for any.
+        own: names in the tree that are what they say, and nothing else of their unit.
     """
 
     tree: Tree
     words: str
     family: str = ""
+    own: frozenset[str] = frozenset()
 
 
 def usual_forms(tree: Tree) -> Iterator[Usual]:
@@ -57,6 +68,15 @@ def usual_forms(tree: Tree) -> Iterator[Usual]:
     if len(names_of(tree)) <= FEW:
         for one in (*plain, Usual(tree, "")):
             yield from _with_factors(one)
+    yield from _of_a_unit_period(tree)
+
+
+def _of_a_unit_period(tree: Tree) -> Iterator[Usual]:
+    """With a period of one: of gains that a filter divides by it."""
+    for name in sorted(names_of(tree)):
+        if any(one.of == "period" for one in meanings(name).strong):
+            plain = rebuild(tree, lambda node, name=name: Number("1") if node == Name(name) else node)  # type: ignore[misc]
+            yield Usual(plain, f"{name} = 1")
 
 
 def _in_symbols(tree: Tree) -> Iterator[Usual]:
@@ -101,11 +121,18 @@ def _may_be_of(name: str, quantity: Quantity) -> bool:
 def _with_factors(one: Usual) -> Iterator[Usual]:
     if is_of_letters_alone(one.tree):
         return  # a*b is many things with a factor beside it
-    for name, power in UNDERSTOOD:
-        if name not in names_of(one.tree):
-            factor: Tree = Name(name) if power == 1 else Power(Name(name), Number(str(power)))
-            said = f"{name if power == 1 else f'{name}**{power}'} = 1 understood"
-            yield Usual(Product((factor, one.tree)), f"{one.words}, {said}" if one.words else said, one.family)
+    for factors in UNDERSTOOD:
+        own = frozenset(name for name, _ in factors)
+        if not own & names_of(one.tree):
+            tree = Product((*(_raised(name, power) for name, power in factors), one.tree))
+            said = ", ".join(f"{name} = 1" for name, _ in factors) + " understood"
+            yield Usual(tree, f"{one.words}, {said}" if one.words else said, one.family, own)
+
+
+def _raised(name: str, power: int) -> Tree:
+    if power < 0:
+        return Quotient(Number("1"), _raised(name, -power))
+    return Name(name) if power == 1 else Power(Name(name), Number(str(power)))
 
 
 def _put(node: Tree, trees: dict[str, Tree]) -> Tree:

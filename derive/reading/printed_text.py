@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from radartrack.derive.formula.error import FormulaError, Span
@@ -18,6 +19,7 @@ from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, with_span
 from radartrack.derive.formula.unknown_names import check_names
 from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
+from radartrack.derive.reading.linear_format import SIGNS, structure_at
 from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS
 from radartrack.derive.reading.text import read_text
@@ -27,7 +29,7 @@ _SIGNS = MappingProxyType(
         **dict.fromkeys("−–—‐‒", "-"),
         **dict.fromkeys("×·⋅∙•∗⨯*", r"\cdot "),
         **dict.fromkeys("÷∕⁄", "/"),
-        **dict.fromkeys("   \u2009\u200a\u202f\u00a0\u2002\u2003", " "),
+        **dict.fromkeys("   \u2009\u200a\u202f\u00a0\u2002\u2003\u2061\u2062", " "),
         **dict.fromkeys("′ʹ’", "'"),
         "∣": "|",
         "≈": r"\approx ",
@@ -105,8 +107,8 @@ def read_printed_text(
     if len(text) > MAX_PRINTED:
         raise FormulaError(f"the formula has {len(text)} characters; at most {MAX_PRINTED} are read")
     try:
-        free = strangers or names is None
-        source, origins = _as_typed(text, allowed) if is_typed else _as_latex(text, allowed, free=free)
+        known = _Known(allowed, strangers or names is None, "∫" in text)
+        source, origins = _as_typed(text, allowed) if is_typed else _as_latex(text, known)
     except FormulaError as error:
         raise error.within(text) from None
     try:
@@ -116,11 +118,11 @@ def read_printed_text(
     return rebuild(tree, lambda node: with_span(node, _back(node.span, origins)))
 
 
-def _as_latex(text: str, names: frozenset[str], *, free: bool) -> tuple[str, list[int]]:
+def _as_latex(text: str, known: _Known) -> tuple[str, list[int]]:
     """The formula in LaTeX, and the place in the text of each of its characters."""
     pieces: list[str] = []
     origins: list[int] = []
-    for latex, place in _pieces(text, names, free=free):
+    for latex, place in _pieces(text, known):
         pieces.append(latex)
         origins += [place] * len(latex)
     return "".join(pieces), [*origins, len(text)]
@@ -160,9 +162,27 @@ def _typed(said: str, place: str, text: str, at: int, names: frozenset[str]) -> 
     return typed
 
 
-def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[str, int]]:
+@dataclass(frozen=True)
+class _Known:
+    """What is known of a text: names, whether others are let through, whether it has an integral."""
+
+    names: frozenset[str]
+    free: bool
+    integrates: bool
+
+
+def _pieces(text: str, known: _Known) -> Iterator[tuple[str, int]]:
     at = 0
     while at < len(text):
+        if structure := structure_at(text, at):
+            for part in structure.parts:
+                if isinstance(part, str):
+                    yield part, at
+                else:
+                    inside = _pieces(text[slice(*part)], known)
+                    yield from ((latex, part[0] + place) for latex, place in inside)
+            at = structure.end
+            continue
         found = _TOKEN.match(text, at)
         if found is None:
             break
@@ -170,17 +190,18 @@ def _pieces(text: str, names: frozenset[str], *, free: bool) -> Iterator[tuple[s
         if kind == "name":
             yield _name(said), at
         elif kind == "word":
-            yield from _word(said, at, names, free=free)
+            yield from _word(said, at, known)
         elif kind in _WITH_ARGUMENT:
             end = (_root_end if kind == "root" else _argument)(text, found.end())
+            start, stop = _without_brackets(text, found.end(), end) if kind != "root" else (found.end(), end)
             yield _WITH_ARGUMENT[kind], at
-            for latex, place in _pieces(text[found.end() : end], names, free=free):
-                yield latex, found.end() + place
+            for latex, place in _pieces(text[start:stop], known):
+                yield latex, start + place
             yield "}", max(end - 1, at)
             at = end
             continue
         else:
-            latex, length = (said, len(said)) if kind == "decimal" else _sign(text, at, names, free=free)
+            latex, length = (said, len(said)) if kind == "decimal" else _sign(text, at, known)
             yield latex, at
             at += length
             continue
@@ -191,20 +212,22 @@ def _name(said: str) -> str:
     return r"\mathrm{" + said.replace("_", r"\_") + "}"
 
 
-def _word(said: str, at: int, names: frozenset[str], *, free: bool) -> Iterator[tuple[str, int]]:
+def _word(said: str, at: int, known: _Known) -> Iterator[tuple[str, int]]:
     """A known name, a function, a letter before one (rcos), or letters side by side, perhaps with digits behind."""
     letters = said.rstrip("0123456789")
-    if said in names and len(said) > 1:
+    if said in known.names and len(said) > 1:
         yield _name(said), at
     elif said in SPELLINGS:
         yield _function(said), at
     elif letters != said:
-        yield from _word(letters, at, names, free=free)
+        yield from _word(letters, at, known)
         yield said[len(letters) :], at + len(letters)
     elif applied := _FUNCTION_BEHIND.fullmatch(said):
         yield applied["letter"], at
         yield _function(applied["function"]), at + len(applied["letter"])
-    elif len(said) > 1 and (free or not set(said) <= names):
+    elif len(said) == len("dx") and said[0] == "d" and known.integrates:
+        yield f"{said[0]} {said[1]}", at
+    elif len(said) > 1 and (known.free or not set(said) <= known.names):
         yield _name(said), at
     else:
         yield said, at
@@ -220,9 +243,16 @@ def _argument(text: str, at: int) -> int:
     """Where what is raised or lowered by a typed sign ends: a bracket, a signed number, a word, or one sign."""
     found = re.compile(r"\s*(?:-?\d+(?:\.\d+)?|[A-Za-z]+|[^\x00-\x7f])?").match(text, at)
     end = found.end() if found else at
-    if end < len(text) and text[end] == "(" and not text[at:end].strip():
+    if end < len(text) and text[end] in "({" and not text[at:end].strip():
         return _closing(text, end)
     return end
+
+
+def _without_brackets(text: str, start: int, end: int) -> tuple[int, int]:
+    """What is in the bracket that is all there is from one place to another; a raised letter in one is no exponent."""
+    is_one = text[start : start + 1] in {"(", "{"} and _closing(text, start) == end
+    is_index = text[start : start + 1] == "(" and end - start == len("(k)") and text[start + 1].isalpha()
+    return (start + 1, end - 1) if is_one and not is_index else (start, end)
 
 
 def _root_end(text: str, at: int) -> int:
@@ -234,15 +264,16 @@ def _root_end(text: str, at: int) -> int:
 
 
 def _closing(text: str, at: int) -> int:
+    opening, closing = text[at], {"(": ")", "{": "}"}[text[at]]
     depth = 0
     for end in range(at, len(text)):
-        depth += (text[end] == "(") - (text[end] == ")")
+        depth += (text[end] == opening) - (text[end] == closing)
         if not depth:
             return end + 1
     return len(text)
 
 
-def _sign(text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str, int]:
+def _sign(text: str, at: int, known: _Known) -> tuple[str, int]:
     """A sign or a letter that is no ASCII, in LaTeX, and how many characters it takes."""
     character, after = text[at], text[at + 1 : at + 2]
     if character.isalpha() and character.isascii() and after in _COMBINING:
@@ -260,18 +291,18 @@ def _sign(text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str
         return f"{place}{{{''.join(map(_plain, text[at:end]))}}}", end - at
     greek = _greek(character)
     if not greek:
-        _refuse(text, at, names)
-    return _greek_letter(greek, text, at, names, free=free)
+        _refuse(text, at, known.names)
+    return _greek_letter(greek, text, at, known)
 
 
-def _greek_letter(greek: str, text: str, at: int, names: frozenset[str], *, free: bool) -> tuple[str, int]:
+def _greek_letter(greek: str, text: str, at: int, known: _Known) -> tuple[str, int]:
     """A Greek letter with what stands over it, a deviation with what it is of; and how many characters that takes."""
     after = text[at + 1 : at + 2]
     if after in _COMBINING:
         return f"{_COMBINING[after]}{{{greek}}}", 2
     if greek == r"\sigma" and (below := _greek(after) or (after if after.isascii() and after.isalpha() else "")):
         name = f"sigma_{below.removeprefix(chr(92))}"
-        if name in names or (free and not _continues(text, at + 2)):
+        if name in known.names or (known.free and not _continues(text, at + 2)):
             return rf"\sigma_{{{below}}}", 2
     return f"{greek} ", 1
 
@@ -282,7 +313,7 @@ def _continues(text: str, at: int) -> bool:
 
 
 def _known(character: str) -> bool:
-    is_sign = character in _SIGNS or character in _COMBINING or character == "√"
+    is_sign = character in _SIGNS or character in _COMBINING or character in SIGNS or character == "√"
     return (
         is_sign
         or unicodedata.decomposition(character).startswith("<fraction>")

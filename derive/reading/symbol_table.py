@@ -69,7 +69,7 @@ def read_symbol(name: str, table: object, *, deviation_of: Variable | None = Non
     except ValueError as error:
         raise TableError(f"{where}.unit: {error}") from None
     low, high = _domain(scale.unit, deviation_of)
-    ends = [_end(table, end, default, float(scale.factor), where) for end, default in (("low", low), ("high", high))]
+    ends = [_end(table, end, default, scale.size, where) for end, default in (("low", low), ("high", high))]
     meaning = table.get("meaning", name)
     try:
         return Variable(name, meaning, scale.unit, *ends, whole=_flag(table, "whole", where))

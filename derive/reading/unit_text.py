@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from types import MappingProxyType
 
-from radartrack.derive import symbolic as sp
-from radartrack.derive.symbolic import Expr
 from radartrack.derive.units import METRE, ONE, RADIAN, SECOND, Unit
 
 LONGEST = 60  # characters
@@ -18,44 +17,74 @@ LARGEST_POWER = 12  # in absolute value; the largest denominator of one, too
 
 @dataclass(frozen=True)
 class Scale:
-    """A unit, and how many of the SI unit one of it is."""
+    """A unit, and how many of the SI unit one of it is: a fraction, perhaps times powers of pi and roots.
+
+    No SymPy: what reads a claim is loaded with every command, and formulas are worked out in another process.
+    """
 
     unit: Unit
-    factor: Expr
+    number: Fraction = Fraction(1)
+    pi: Fraction = Fraction(0)
+    roots: Mapping[Fraction, Fraction] = field(default_factory=dict)
+
+    @property
+    def formula(self) -> str:
+        """The size as a formula."""
+        bases = {"pi": self.pi, **{f"({base})": power for base, power in self.roots.items()}}
+        powers = [name if power == 1 else f"{name}**({power})" for name, power in bases.items() if power]
+        above = "*".join([str(self.number.numerator)] * (self.number.numerator != 1 or not powers) + powers)
+        return above if self.number.denominator == 1 else f"{above}/{self.number.denominator}"
+
+    @property
+    def size(self) -> float:
+        """The same in floating point."""
+        roots = (float(base) ** float(power) for base, power in self.roots.items())
+        return math.prod(roots, start=float(self.number) * math.pi ** float(self.pi))
 
     def __mul__(self, other: Scale) -> Scale:
-        return Scale(self.unit * other.unit, self.factor * other.factor)
+        number, roots = self.number * other.number, {}
+        for base in {**self.roots, **other.roots}:
+            power = self.roots.get(base, Fraction(0)) + other.roots.get(base, Fraction(0))
+            number *= base ** math.floor(power)
+            if power % 1:
+                roots[base] = power % 1
+        return Scale(self.unit * other.unit, number, self.pi + other.pi, roots)
 
     def __pow__(self, power: Fraction) -> Scale:
-        return Scale(self.unit**power, self.factor ** sp.Rational(power.numerator, power.denominator))
+        whole = power.denominator == 1
+        number = self.number ** int(power) if whole else Fraction(1)
+        roots = {base: own * power for base, own in self.roots.items()}
+        if not whole and self.number != 1:
+            roots[self.number] = power
+        return Scale(self.unit) * Scale(self.unit**power * self.unit**-1, number, self.pi * power, roots)
 
 
 BASE: Mapping[str, Scale] = MappingProxyType(
     {
-        "1": Scale(ONE, sp.Integer(1)),
-        "%": Scale(ONE, sp.Rational(1, 100)),
-        "dB": Scale(ONE, sp.Integer(1)),  # a number of them; what it is ten logarithms of is the formula's affair
-        "m": Scale(METRE, sp.Integer(1)),
-        "km": Scale(METRE, sp.Integer(1000)),
-        "cm": Scale(METRE, sp.Rational(1, 100)),
-        "mm": Scale(METRE, sp.Rational(1, 1000)),
-        "ft": Scale(METRE, sp.Rational(3048, 10_000)),
-        "mi": Scale(METRE, sp.Rational(1_609_344, 1000)),
-        "nmi": Scale(METRE, sp.Integer(1852)),
-        "NM": Scale(METRE, sp.Integer(1852)),
-        "s": Scale(SECOND, sp.Integer(1)),
-        "ms": Scale(SECOND, sp.Rational(1, 1000)),
-        "us": Scale(SECOND, sp.Rational(1, 10**6)),
-        "min": Scale(SECOND, sp.Integer(60)),
-        "h": Scale(SECOND, sp.Integer(3600)),
-        "kn": Scale(METRE / SECOND, sp.Rational(1852, 3600)),
-        "kt": Scale(METRE / SECOND, sp.Rational(1852, 3600)),
-        "Hz": Scale(SECOND**-1, sp.Integer(1)),
-        "kHz": Scale(SECOND**-1, sp.Integer(1000)),
-        "MHz": Scale(SECOND**-1, sp.Integer(10**6)),
-        "rad": Scale(RADIAN, sp.Integer(1)),
-        "mrad": Scale(RADIAN, sp.Rational(1, 1000)),
-        "deg": Scale(RADIAN, sp.pi / 180),
+        "1": Scale(ONE),
+        "%": Scale(ONE, Fraction(1, 100)),
+        "dB": Scale(ONE),  # a number of them; what it is ten logarithms of is the formula's affair
+        "m": Scale(METRE),
+        "km": Scale(METRE, Fraction(1000)),
+        "cm": Scale(METRE, Fraction(1, 100)),
+        "mm": Scale(METRE, Fraction(1, 1000)),
+        "ft": Scale(METRE, Fraction(3048, 10_000)),
+        "mi": Scale(METRE, Fraction(1_609_344, 1000)),
+        "nmi": Scale(METRE, Fraction(1852)),
+        "NM": Scale(METRE, Fraction(1852)),
+        "s": Scale(SECOND),
+        "ms": Scale(SECOND, Fraction(1, 1000)),
+        "us": Scale(SECOND, Fraction(1, 10**6)),
+        "min": Scale(SECOND, Fraction(60)),
+        "h": Scale(SECOND, Fraction(3600)),
+        "kn": Scale(METRE / SECOND, Fraction(1852, 3600)),
+        "kt": Scale(METRE / SECOND, Fraction(1852, 3600)),
+        "Hz": Scale(SECOND**-1),
+        "kHz": Scale(SECOND**-1, Fraction(1000)),
+        "MHz": Scale(SECOND**-1, Fraction(10**6)),
+        "rad": Scale(RADIAN),
+        "mrad": Scale(RADIAN, Fraction(1, 1000)),
+        "deg": Scale(RADIAN, Fraction(1, 180), Fraction(1)),
     }
 )
 NUMBERS = {"1", "%", "dB"}
@@ -98,7 +127,7 @@ def measured(text: str) -> Measured | None:
         scale = read_unit(found["unit"].replace("°", "deg"))
     except ValueError:
         return None
-    formula = found["number"] if scale.factor == 1 else f"{found['number']}*({scale.factor})"
+    formula = found["number"] if scale.formula == "1" else f"{found['number']}*({scale.formula})"
     return Measured(formula, scale.unit)
 
 

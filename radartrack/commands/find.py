@@ -60,8 +60,8 @@ def find(
         decider.start()
         search = search_over(rows_until_found(own_quantities(model).values(), tree))
         judged = list(_judged(search.candidates(tree), decider, declared(model)))
-        if not any(is_found for *_, is_found in judged):
-            judged += _in_usual_letters(search, tree, decider)
+        if not judged:  # what is a quantity but for a slip is hardly another with letters for functions
+            judged = _in_usual_letters(search, tree, decider)
     found = any(is_found for *_, is_found in judged)
     for candidate, words, is_found in judged:
         if is_found or not found:
@@ -91,7 +91,9 @@ def _in_usual_letters(search: FormulaSearch, tree: Tree, decider: Decider) -> li
         narrow = search.among(usual.family) if usual.family else search
         said = [
             (replace(candidate, convention=f"{candidate.convention} with {usual.words}".strip()), words, is_found)
-            for candidate, words, is_found in _judged(narrow.candidates(usual.tree), decider)
+            for candidate, words, is_found in _judged(
+                [one for one in narrow.candidates(usual.tree) if not usual.own & one.read.keys()], decider
+            )
         ]
         if any(is_found for *_, is_found in said):
             return said

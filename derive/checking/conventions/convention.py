@@ -12,7 +12,9 @@ from typing import TypeVar
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.conventions.altered_question import Asked
+from radartrack.derive.checking.question.compared_quantity import understood_by
 from radartrack.derive.checking.question.conditions import joined, under, when, zero
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -20,6 +22,7 @@ from radartrack.derive.units import RADIAN, SECOND, Unit
 
 POLYNOMIAL = {"fading_memory", "finite_sample", "steady_state"}
 IN_DEGREES = sp.Integer(180) / sp.pi
+SEVERAL = 2
 PER_RADIAN = RADIAN**-1
 PER_SECOND = RADIAN / SECOND
 _NUMBER = re.compile(r"_?\d+$|^(?:first|second|third)_")
@@ -109,13 +112,21 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     angles, returned = [*_other_axes(asked), *_other_senses(asked)], [*_returned_angles(asked)]
     degrees, variances = [*_degrees(asked)], [*_variances(asked)]
     kinds = (angles, returned, degrees, variances)
-    singles = [OURS, *chain.from_iterable(kinds), *_scaled_derivatives(asked), *_equal_sensors(asked)]
-    pairs = (a & b for first, second in combinations(kinds, 2) for a in first for b in second)
+    scaled, divided = [*_scaled_derivatives(asked)], [*_divided_gains(asked)]
+    singles = [OURS, *chain.from_iterable(kinds), *scaled, *divided, *_equal_sensors(asked)]
+    pairs = (a & b for first, second in combinations((*kinds, scaled, divided), 2) for a in first for b in second)
     free = asked.correlations
+    vanish = bool(free) and _are_hardly_used(free, asked)
     for one in (*singles, *pairs):
         yield one
-        if free and not _used(asked) & set(free):
+        if vanish:
             yield one & Convention(vanishing=tuple(free), cost=0.6, is_slip=True)
+
+
+def _are_hardly_used(correlations: Sequence[Symbol], asked: Asked) -> bool:
+    """Whether a print has none of these; one entry of several that has one may be the slip."""
+    having = sum(bool(entry.free_symbols & set(correlations)) for entry in asked.printed)
+    return not having or (having == 1 and len(asked.printed.entries) > SEVERAL)
 
 
 def _equal_sensors(asked: Asked) -> Iterator[Convention]:
@@ -246,6 +257,26 @@ def _scaled_derivatives(asked: Asked) -> Iterator[Convention]:
     if factors := {index: sp.Rational(1, scale) for index, scale in scales.items() if scale != 1}:
         words = ("coefficients of T, T**2, ... for derivatives",)
         yield Convention(words, ("half the acceleration",), factors=factors, cost=0.8)
+
+
+def _divided_gains(asked: Asked) -> Iterator[Convention]:
+    """Gains as a filter applies them to a residual: of the rate divided by the period, of what follows by its square.
+
+    Their covariance then is that of the estimates, with the variance of a measurement or for one of 1.
+    """
+    part, used = asked.reference.part, _used(asked)
+    understood = [] if part is None else [one for one in understood_by(part.quantity) if one in used]
+    if part is None or not understood:
+        return
+    variance = next((one**2 for one in understood if one != T), ONE)
+    factors = {
+        index: variance * (T ** -sum(place) if T in understood else 1)
+        for index, place in part.places.items()
+        if any(place) or variance != ONE
+    }
+    divided = ("gains divided by 1, T, T**2, ...",) if T in understood else ()
+    multiplied = (f"{variance} as a factor",) if variance != ONE else ()
+    yield Convention((*divided, *multiplied), factors=factors, cost=0.6)
 
 
 def _variances(asked: Asked) -> Iterator[Convention]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import product
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.equality import proved_equal
@@ -27,6 +28,7 @@ from radartrack.derive.units import RADIAN
 
 ALIKE = 1e-9
 KEPT = 4  # explanations that are looked at closely
+MOST_MAGNITUDES = 3  # the signs of which are tried
 STEPS = 300_000  # terms that are evaluated: of long formulas only the likelier conventions are tried
 
 
@@ -80,19 +82,19 @@ class Explanation:
         printed, expected = self.printed(index), self.expected(index)
         if printed == expected or proved_equal(printed, expected):
             return True
-        return self._is_angle(index) and (equal_angles(*self._in_radians(index)) or bool(self._turn(index)))
+        return (self._is_angle(index) and equal_angles(*self._in_radians(index))) or bool(self._turn(index))
 
     @cached_property
     def _where(self) -> str:
-        """In words, whether angles are only the same up to a turn, or a half turn."""
-        angles = (i for i in indices(self.asked.printed.shape) if i not in self.wrong and self._is_angle(i))
-        turns = {self._turn(index) for index in angles} - {""}
+        """In words, whether angles are only the same up to a turn, or a half turn, and functions of one."""
+        right = (index for index in indices(self.asked.printed.shape) if index not in self.wrong)
+        turns = {self._turn(index) for index in right} - {""}
         return f" {' and '.join(sorted(turns))}" if turns else ""
 
     def _turn(self, index: Index) -> str:
-        if not self._is_angle(index):
-            return ""
         printed, expected = self.printed(index), self.expected(index)
+        if not self._is_angle(index):
+            return "" if printed == expected else _branch(printed, expected)
         angles = self._in_radians(index)
         if printed == expected or proved_equal(printed, expected) or equal_angles(*angles):
             return ""
@@ -126,6 +128,37 @@ def _turn(printed: Expr, expected: Expr) -> str:
         if printed.func is sp.asin and equal_function(printed, expected, sp.sin):
             return f"where {beside} > 0"
     return ""
+
+
+@lru_cache(maxsize=256)
+def _branch(printed: Expr, expected: Expr) -> str:
+    """Where a formula is right in which a magnitude stands: |y - x| for y - x, cos(atan(y/x)) for x/r."""
+    magnitudes = {one: _magnitude(one) for one in printed.atoms(sp.Abs, sp.Pow)}
+    inside = list(dict.fromkeys(size for size, _ in magnitudes.values() if size is not None))
+    if not inside or len(inside) > MOST_MAGNITUDES or proved_equal(printed, expected):
+        return ""
+    for signs in product((1, -1), repeat=len(inside)):
+        sign_of = dict(zip(inside, signs, strict=True))
+        signed = {one: rest * sign_of[size] for one, (size, rest) in magnitudes.items() if size is not None}
+        if proved_equal(printed.xreplace(signed), expected):
+            sides = (f"{size} {'>' if sign > 0 else '<'} 0" for size, sign in sign_of.items())
+            return f"where {' and '.join(sides)}"
+    return ""
+
+
+def _magnitude(part: Expr) -> tuple[Expr | None, Expr]:
+    """What a part has the magnitude of, if of anything, and the part where that is positive."""
+    if isinstance(part, sp.Abs):
+        return part.args[0], part.args[0]
+    base, exponent = part.as_base_exp()
+    if exponent.is_Rational and exponent.q == 2:
+        above, below = sp.fraction(sp.together(base.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))))
+        root = sp.sqrt(below)
+        sizes = root.atoms(sp.Abs)
+        if len(sizes) == 1:
+            (size,) = sizes
+            return size.args[0], above**exponent * root.xreplace({size: size.args[0]}) ** (-2 * exponent)
+    return None, part
 
 
 def half_plane(printed: Expr, expected: Expr) -> str:
@@ -195,7 +228,7 @@ class _Values:
         derived = self._at("derived", self._derived, point)
         places = list(indices(self._asked.printed.shape))
         expected = {
-            place: None if value is None else _expected(convention, place, value)
+            place: None if value is None else self._expected(convention, place, value, point)
             for place, value in zip(places, derived, strict=True)
         }
         turns = {
@@ -203,7 +236,14 @@ class _Values:
             for place in places
             if _is_angle(self._asked, place)
         }
-        return _Same(printed, expected, turns)
+        return _Same(printed, expected, turns, [entry.has(sp.Abs) for entry in self._asked.printed])
+
+    def _expected(self, convention: Convention, place: Index, value: float, point: Point) -> float:
+        """What an entry is worth in a convention."""
+        factor, offset = convention.factors.get(place), convention.offsets.get(place)
+        known = {symbol: sp.Rational(point[symbol.name]) for symbol in (factor.free_symbols if factor else ())}
+        scale = 1.0 if factor is None else float(under(known, factor))
+        return scale * value + (0.0 if offset is None else float(offset))
 
     def _at(self, kind: str, evaluators: Sequence[RoughEvaluator], point: Point) -> list[float | None]:
         key = (kind, *point.values())
@@ -230,23 +270,22 @@ class _Same:
         printed: the values of the print.
         expected: those of what is expected.
         turns: of angles half a turn, by which they may differ; what of that is proved is told.
+        magnitudes: whether the sign of an entry of the print is that of a magnitude in it; likewise.
     """
 
     printed: Sequence[float | None]
     expected: Mapping[Index, float | None]
     turns: Mapping[Index, float]
+    magnitudes: Sequence[bool]
 
     def __call__(self, place: int, index: Index) -> bool:
         first, second = self.printed[place], self.expected[index]
         if first is None or second is None:
             return False
+        if self.magnitudes[place]:
+            first, second = abs(first), abs(second)
         apart = first - second if index not in self.turns else math.remainder(first - second, self.turns[index])
         return abs(apart) <= ALIKE * max(abs(first), abs(second))
-
-
-def _expected(convention: Convention, place: Index, value: float) -> float:
-    factor, offset = convention.factors.get(place), convention.offsets.get(place)
-    return (1.0 if factor is None else float(factor)) * value + (0.0 if offset is None else float(offset))
 
 
 def _length(expression: Expr) -> int:

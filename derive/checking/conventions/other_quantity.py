@@ -101,7 +101,8 @@ def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial], candidates: Iterable[Quantity]) -> Iterator[str]:
     deadline = _processor_time() + SECONDS
-    for quantity in candidates:
+    whole = part.shape == part.quantity.shape
+    for quantity in sorted(candidates, key=lambda one: whole and one.shape != part.shape):
         for places, name in _slices(part, quantity):
             if _processor_time() > deadline:
                 return
@@ -216,5 +217,12 @@ def _brackets(part: Part, quantity: Quantity) -> str:
     whole = part.shape == part.quantity.shape and list(part.places) == list(indices(quantity.shape))
     if whole:
         return ""
-    first, last = part.places.entries[0], part.places.entries[-1]
-    return "[" + ",".join(str(i) if i == j else ":" for i, j in zip(first, last, strict=True)) + "]"
+    ends = zip(part.places.entries[0], part.places.entries[-1], quantity.shape, strict=True)
+    return "[" + ",".join(map(_range, *zip(*ends, strict=True))) + "]"
+
+
+def _range(first: int, last: int, size: int) -> str:
+    """A place, or places side by side, along an axis of this size."""
+    if first == last:
+        return str(first)
+    return ":" if (first, last) == (0, size - 1) else f"{first}:{last + 1}"

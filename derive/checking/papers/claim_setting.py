@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.checking.comparing.rounding_to_print import in_unit
 from radartrack.derive.checking.papers.claims_file import Along, Claim
-from radartrack.derive.checking.papers.rounding_to_print import in_unit
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.names import Names
@@ -20,6 +20,7 @@ from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.evaluation.exact_numbers import Exact, Function, NoRealValue, compared, order
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.to_expression import to_expression
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.reading.unit_text import Scale, read_unit
@@ -67,7 +68,7 @@ class Setting:
         check_domain(self._fixed, "at")
         self._dimension: Dimension = self._reference.dimensions.entries[0]
         self._function = Function(self._expression, tuple(self._symbols.values()))
-        self.unit = _scale(claim.unit or "1").factor
+        self.unit = size_of(_scale(claim.unit or "1"))
         self._candidates: list[Place] | None = None  # for the maximum
 
     def _check_names(self) -> None:
@@ -207,6 +208,11 @@ class Setting:
             there = f"at {values}" if values else "there"
             raise FormulaError(f"{self._claim.quantity} has no real value {there}") from None
         return number
+
+
+def size_of(scale: Scale) -> Expr:
+    """How many of the SI unit one of a unit is."""
+    return to_expression(read_text(scale.formula, ()), {})
 
 
 def _scale(unit: str) -> Scale:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from radartrack.derive.checking.papers.printed_number import PrintedNumber
+from radartrack.derive.checking.comparing.printed_number import PrintedNumber
 from radartrack.derive.code_languages import LANGUAGES
 from radartrack.derive.reading.unit_text import BASE
 

@@ -69,7 +69,7 @@ def _read(bound: str) -> tuple[float, bool, Scale]:
         scale = read_unit(found["unit"] or "1")
     except ValueError as error:
         raise FormulaError(f"error_at_most: {error}") from None
-    return float(found["number"]) * float(scale.factor), found["unit"] in SHARES, scale
+    return float(found["number"]) * scale.size, found["unit"] in SHARES, scale
 
 
 def _is_square(square: Expr, derived: Expr) -> bool:

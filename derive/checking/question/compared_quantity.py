@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 
+from radartrack.derive.catalogue import common_symbols
 from radartrack.derive.checking.question.definitions.loose_definitions import WORD
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDefinition, WrongDimensions, dimensions
 from radartrack.derive.checking.question.names import Names, each_once, symbols_for
@@ -23,12 +24,14 @@ from radartrack.derive.formula.tree import Array, Name, Product, Tree
 from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.tree import parts as tree_parts
 from radartrack.derive.language.quantity import Quantity
+from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.symbolic import Expr
 
 MAX_CHARACTERS = 2000
+OF_GAINS = {"fading_memory", "steady_state"}
 _MENTION = re.compile(r"(?<![\w.])(?P<name>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)+)(?:\[(?P<index>[^\]]{0,40})\])?")
 _WORD = re.compile(r"\w+")
 _WORKED_OUT = re.compile(rf"\.T\b|@|\[\s*\[|;|(?<![\w.])(?:{'|'.join(VERBS)})\s*\(")
@@ -92,6 +95,11 @@ class Reference:
     def dimensions(self) -> Tensor[Dimension]:
         """The dimension of each entry."""
         return Tensor.build(self.shape, lambda *index: self.dimension(index))
+
+
+def is_formula(text: str) -> bool:
+    """Whether what is asked for is a formula with something to work out, and no quantity: chi2inv(0.99, 2)."""
+    return not _mentions(text) and bool(_WORKED_OUT.search(text))
 
 
 def refer_to(quantity: Quantity) -> Reference:
@@ -170,6 +178,7 @@ def _combined(text: str, tree: Tree, parts: Mapping[str, Part], world: World) ->
     """Quantities combined entry by entry."""
     own = each_once(symbol for part in parts.values() for symbol in part.quantity.symbols)
     letters = symbols_for([], {}, world, [part.quantity for part in parts.values()])
+    understood = [symbol for part in parts.values() for symbol in understood_by(part.quantity)]
 
     def entry(index: Index) -> Expr:
         known: dict[str, Expr] = {**own, **{name: part.entry(index) for name, part in parts.items()}}
@@ -182,12 +191,21 @@ def _combined(text: str, tree: Tree, parts: Mapping[str, Part], world: World) ->
     return Reference(
         text.strip(),
         max((part.shape for part in parts.values()), key=len),
-        tuple({symbol.name: symbol for symbol in (*own.values(), *letters.values())}.values()),
+        tuple({symbol.name: symbol for symbol in (*understood, *own.values(), *letters.values())}.values()),
         tuple(parts.values()),
         entry,
         dimension,
         parts.get(tree.name) if isinstance(tree, Name) else None,
     )
+
+
+def understood_by(quantity: Quantity) -> tuple[Variable, ...]:
+    """Symbols that a print may have and ours leaves out: the period by which gains are divided, a factor sigma_r^2."""
+    if quantity.module not in OF_GAINS:
+        return ()
+    every = (T, common_symbols()["sigma_r"]) if quantity.is_covariance else (T,)
+    own = {symbol.name for symbol in quantity.symbols}
+    return tuple(symbol for symbol in every if symbol.name not in own)
 
 
 def _multiplies_arrays(tree: Tree, parts: Mapping[str, Part]) -> bool:
@@ -243,16 +261,16 @@ def _part(quantity: Quantity, index: str | None) -> Part:
 
 
 def _positions(quantity: Quantity, index: str) -> list[int | range]:
-    """A number along each axis, or those of a slice: `0`, `:`, `0:2`."""
+    """A number along each axis, or those of a slice: `0`, `:`, `0:2`; an axis that is not said is taken whole."""
     found = [_POSITION.fullmatch(part.strip()) for part in index.split(",")]
-    if len(found) == len(quantity.shape):
-        positions = [_position(one, size) for one, size in zip(found, quantity.shape, strict=True) if one]
-        fits = len(positions) == len(found) and all(
+    if len(found) <= len(quantity.shape):
+        said = [_position(one, size) for one, size in zip(found, quantity.shape, strict=False) if one]
+        fits = len(said) == len(found) and all(
             bool(one) and one[-1] < size if isinstance(one, range) else one < size
-            for one, size in zip(positions, quantity.shape, strict=True)
+            for one, size in zip(said, quantity.shape, strict=False)
         )
         if fits:
-            return positions
+            return [*said, *map(range, quantity.shape[len(said) :])]
     shape = list(quantity.shape)
     raise UnknownEntry(f"{quantity.name}[{index}]: the quantity has shape {shape}, indices count from 0")
 

@@ -103,7 +103,8 @@ def names_for(
     """
     both = {**world.let, **let}
     quantities = [part.quantity for part in reference.parts]
-    own = symbols_for([*let.values(), *texts], both, world, quantities)
+    own = {symbol.name: symbol for symbol in reference.symbols}
+    own |= symbols_for([*let.values(), *texts], both, world, quantities)
     meant = {letter.symbol for letter in letters.values() if letter.is_symbol}
     symbols = {name: symbol for name, symbol in own.items() if symbol not in meant}
     symbols |= {name: letter.symbol for name, letter in letters.items() if letter.is_symbol}
@@ -139,7 +140,11 @@ def conditions_for(reference: Reference, given: Mapping[str, str], names: Names 
             near = alike(name, reference.symbols)
             guess = f"did you mean {near}? The" if near else "the"
             raise FormulaError(f"given {name}: {guess} symbols of {reference.text} are {', '.join(symbols)}")
-        trees[symbol], conditions[symbol] = _condition(name, _with_unit(symbol, value), known)
+        tree, expression = _condition(name, _with_unit(symbol, value), known)
+        if (
+            expression != symbol or value.strip() == name
+        ):  # a letter of the print that is read as this symbol says nothing
+            trees[symbol], conditions[symbol] = tree, expression
     found = resolved(conditions)
     for symbol, tree in trees.items():
         _check_unit(symbol, tree, known)

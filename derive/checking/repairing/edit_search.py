@@ -25,11 +25,13 @@ from radartrack.derive.checking.repairing.print_slips import (
     exchanged,
     exchanges,
     other_numbers,
+    undoes,
 )
 from radartrack.derive.evaluation.tree_values import OPERATIONS, Program, Screen, Values, close, combined
 from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.tree import (
     Call,
+    Constant,
     Name,
     Negation,
     Number,
@@ -59,8 +61,11 @@ LIKELY = 1.2  # the cost of an edit that may be one of two
 PLAIN = 2.0  # the cost of one edit that is likelier than any two
 SCATTERED = 0.6  # the cost of each different symbol of a factor after the second: without it, a factor of many symbols
 # that fits by chance goes before the sign that was lost
+FRACTION_BELOW = 2.0  # the cost of a fraction as a divisor: nobody prints one; a factor 2 above was lost instead
+ODD_FRACTION = 1.6  # and of 25/6 for 6, where the numbers of a fraction may have changed places
 LARGE = 60  # nodes from which two edits at once are not looked for: their number grows with the square
 HUGE = 500  # nodes from which one edit in one place is enough: all edits of the longest covariance take ten seconds
+EVEN = {"abs", "cos", "cosh"}
 PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
 MOST_COMPLEX = 6  # powers and numbers in a missing factor; longer ones fit anything, and nobody loses them in print
 
@@ -93,6 +98,22 @@ class Part:
     parent: Tree | None
     needed: Values
     is_all: bool
+
+    @property
+    def has_either_sign(self) -> bool:
+        """Whether its sign is lost in what it is part of: what is needed is known but for that."""
+        match self.parent:
+            case Power(_, Number() as exponent):
+                return self.path[-1] == 0 and exponent.value % 2 == 0
+            case Call(function):
+                return function in EVEN
+            case _:
+                return False
+
+    @property
+    def is_below(self) -> bool:
+        """Whether it is what something is divided by."""
+        return isinstance(self.parent, Quotient) and self.path[-1] == 1
 
     @property
     def is_shared(self) -> bool:
@@ -165,8 +186,14 @@ class Search:
             if edited is not tree and self._is_worth(edited, self._target):
                 yield Candidate(edited, edit.words, edit.cost)
 
-    def _is_worth(self, tree: Tree, needed: Values) -> bool:
-        return close(self._quick(tree), needed[:QUICK]) and close(self._screen(tree), needed)
+    def _is_worth(self, tree: Tree, needed: Values, *, either_sign: bool = False) -> bool:
+        found = self._quick(tree)
+        if not close(
+            _sizes(found) if either_sign else found, _sizes(needed[:QUICK]) if either_sign else needed[:QUICK]
+        ):
+            return False
+        found = self._screen(tree)
+        return close(_sizes(found), _sizes(needed)) if either_sign else close(found, needed)
 
     def _single(self, tree: Tree, besides: Terms = frozenset()) -> Iterator[Candidate]:
         for part in self.parts(tree, besides):
@@ -208,7 +235,7 @@ class Search:
 
     def _replacements(self, part: Part) -> Iterator[Alternative]:
         for edit in alternatives(part.node, self._kinds):
-            if self._is_worth(edit.tree, part.needed):
+            if self._is_worth(edit.tree, part.needed, either_sign=part.has_either_sign):
                 yield edit
         yield from self._exchanges(part)
         yield from self._number(part)
@@ -229,6 +256,10 @@ class Search:
         """Other neighbouring terms or factors, weighed by what the rest of them make together."""
         node = part.node
         if not isinstance(node, Sum | Product):
+            return
+        if part.has_either_sign:
+            every = (one.of(node) for one in exchanges(node))
+            yield from (edit for edit in every if self._is_worth(edit.tree, part.needed, either_sign=True))
             return
         before, after = self._quick.running(node)
         for one in exchanges(node):
@@ -272,11 +303,11 @@ class Search:
         monomial = self._fitter.fit(part.needed)
         if monomial is not None and monomial.is_number and monomial.number != _value(part.node):
             tree = number_tree(monomial.number)
-            cost = 1.0 if monomial.number > 0 else 1.6
-            yield Alternative(tree, "{} should be {}", cost, (part.node, tree))
+            yield Alternative(tree, "{} should be {}", _cost_of_number(part, monomial.number), (part.node, tree))
 
     def _sign_or_factor(self, part: Part, ratio: Monomial) -> Iterator[Alternative]:
-        if part.is_shared or ratio.complexity > MOST_COMPLEX:
+        is_base = isinstance(part.node, Constant) and isinstance(part.parent, Power)  # of e to a power nothing is lost
+        if part.is_shared or is_base or ratio.complexity > MOST_COMPLEX:
             return
         node = part.node
         signed = node
@@ -330,12 +361,22 @@ def _size(tree: Tree) -> int:
 
 
 def _small(found: Iterable[Candidate], tree: Tree) -> list[Candidate]:
-    """Those that are an edit of the formula and not another one in its place, likely ones first."""
+    """Those that are an edit of the formula and not another one in its place, likely ones first.
+
+    Nobody means a function of its inverse: an edit that makes one has found the values by a detour.
+    """
     size_of = Fold[int](lambda _, below: 1 + sum(below))
+    detours = Fold[int](lambda node, below: undoes(node) + sum(below))
     size = size_of(tree)
     most = size + max(size, 1 if isinstance(tree, Number) else SMALL)
     small = [one for one in found if tree == Number("0") or size_of(one.tree) <= most]  # a zero lacks its terms
-    return sorted(small, key=lambda candidate: candidate.cost)
+    plain = [one for one in small if not detours(one.tree) or detours(one.tree) < detours(tree)]
+    return sorted(plain, key=lambda candidate: candidate.cost)
+
+
+def _sizes(values: Values | None) -> Values | None:
+    """The absolute values."""
+    return values and tuple(map(abs, values))
 
 
 def _rounded(values: Values | None) -> Values | None:
@@ -344,6 +385,16 @@ def _rounded(values: Values | None) -> Values | None:
 
 def _terms(tree: Tree) -> tuple[Tree, ...]:
     return tree.terms if isinstance(tree, Sum) else (tree,)
+
+
+def _cost_of_number(part: Part, number: Fraction) -> float:
+    """How unlikely it is that another number was meant: a sign less, a fraction that nobody would print so least."""
+    if number.denominator > 1 and not isinstance(part.parent, Power):
+        if part.is_below:
+            return FRACTION_BELOW
+        if isinstance(part.node, Number) and part.node.value.denominator == 1 and number.numerator > 1:
+            return ODD_FRACTION
+    return 1.0 if number > 0 else 1.6
 
 
 def _is_number(tree: Tree) -> bool:

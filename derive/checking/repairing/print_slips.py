@@ -32,6 +32,7 @@ FAMILIES = (
     ("cos", "cosh"),
     ("tan", "tanh"),
 )
+INVERSES = ({"sin", "asin"}, {"cos", "acos"}, {"tan", "atan"}, {"exp", "log"})
 PERIODIC = {"sin", "cos", "tan"}
 LONG_ANGLE = 60  # nodes
 SHOWN = 50
@@ -103,6 +104,7 @@ def alternatives(tree: Tree, kinds: Mapping[str, object]) -> Iterator[Alternativ
             yield from _powers(tree)
             yield from _without_root(tree)
             yield from _out_of_call(tree)
+            yield from _undone(tree)
             yield from _in_call(tree, kinds)
         case Negation(operand):
             yield Alternative(operand, "the sign of {}", 1.0, (operand,))
@@ -191,8 +193,10 @@ def _of_an_operation(tree: Power | Product | Quotient) -> Iterator[Alternative]:
             yield from _power_of_part(base, exponent)
         case Product(factors):
             yield from _brackets_removed(factors)
+            yield from _factor_into_call(factors)
         case Quotient(numerator, denominator):
             yield from _fractions(numerator, denominator)
+            yield from _divisor_into_call(numerator, denominator)
 
 
 @dataclass(frozen=True)
@@ -295,6 +299,21 @@ def _without_root(call: Call) -> Iterator[Alternative]:
         yield Alternative(call.arguments[0], "an extra root: {}", 1.3, (call,))
 
 
+def undoes(tree: Tree) -> bool:
+    """Whether a function is taken of its inverse, or the inverse of it: tan(atan(x)), atan(tan(x))."""
+    if not isinstance(tree, Call) or len(tree.arguments) != 1:
+        return False
+    inner = tree.arguments[0]
+    return isinstance(inner, Call) and len(inner.arguments) == 1 and {tree.function, inner.function} in INVERSES
+
+
+def _undone(call: Call) -> Iterator[Alternative]:
+    """The angle itself, for which an inverse tangent of its tangent is one of a half circle only."""
+    if undoes(call) and isinstance(inner := call.arguments[0], Call):
+        angle = inner.arguments[0]
+        yield Alternative(angle, "{} should be {}", 1.0, (call, angle))
+
+
 def _out_of_call(call: Call) -> Iterator[Alternative]:
     if len(call.arguments) != 1:
         return
@@ -326,6 +345,35 @@ def _into_call(base: Tree, exponent: Tree) -> Iterator[Alternative]:
     if isinstance(base, Call) and len(base.arguments) == 1:
         inside = replace(base, arguments=(Power(base.arguments[0], exponent),))
         yield Alternative(inside, "a bracket: {}", 1.3, (inside,))
+
+
+def _divisor_into_call(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
+    """exp(a)/2 for exp(a/2)."""
+    if (argument := _argument_of(numerator)) is not None:
+        inside = _with_argument(numerator, Quotient(argument, denominator))
+        yield Alternative(inside, "a bracket: {}", 1.3, (inside,))
+
+
+def _factor_into_call(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
+    """2*sin(a) for sin(2*a)."""
+    if len(factors) == 2 and isinstance(factors[0], Number) and (argument := _argument_of(factors[1])) is not None:
+        inside = _with_argument(factors[1], Product((factors[0], argument)))
+        yield Alternative(inside, "a bracket: {}", 1.3, (inside,))
+
+
+def _argument_of(tree: Tree) -> Tree | None:
+    """What a function of one argument is taken of, or the exponent of a power."""
+    match tree:
+        case Call(_, (argument,)):
+            return argument
+        case Power(_, exponent) if not isinstance(exponent, Number):
+            return exponent
+        case _:
+            return None
+
+
+def _with_argument(tree: Tree, argument: Tree) -> Tree:
+    return Power(tree.base, argument) if isinstance(tree, Power) else with_children(tree, (argument,))
 
 
 def _power_of_part(base: Tree, exponent: Tree) -> Iterator[Alternative]:
@@ -362,7 +410,10 @@ def _signs(terms: tuple[Tree, ...]) -> Iterator[Exchange]:
     for place, term in enumerate(terms):
         bare = term.operand if isinstance(term, Negation) else term
         other = bare if isinstance(term, Negation) else Negation(term)
-        yield Exchange(place, place + 1, (other,), "the sign of {}", 1.0, (bare,))
+        cost = (
+            1.0 if place or isinstance(term, Negation) else 1.05
+        )  # a sign is lost, not put before all that is printed
+        yield Exchange(place, place + 1, (other,), "the sign of {}", cost, (bare,))
 
 
 def _brackets_around(terms: tuple[Tree, ...]) -> Iterator[Exchange]:
@@ -377,15 +428,25 @@ def _swallowed(term: Tree, rest: tuple[Tree, ...]) -> Iterator[Tree]:
     match term:
         case Product(factors):
             yield Product((*factors[:-1], _sum(factors[-1], rest)))
+            yield from (Product((*factors[:-1], root)) for root in _under_root(factors[-1], rest))
         case Quotient(numerator, denominator):
             yield Quotient(numerator, _sum(denominator, rest))
+            yield from (Quotient(numerator, root) for root in _under_root(denominator, rest))
             yield Quotient(_sum(numerator, rest), denominator)
+        case Call():
+            yield from _under_root(term, rest)
         case Negation(operand):
             yield Negation(_sum(operand, rest))
             for inner in _swallowed(operand, rest):
                 yield Negation(inner)
         case _:
             return
+
+
+def _under_root(term: Tree, rest: tuple[Tree, ...]) -> Iterator[Tree]:
+    """A root whose line reached farther: of sqrt(1) - u**2, as text without the line has it."""
+    if isinstance(term, Call) and term.function == "sqrt":
+        yield Call("sqrt", (_sum(term.arguments[0], rest),))
 
 
 def _ends(first: int, last: int) -> list[int]:
@@ -415,6 +476,7 @@ def _brackets_removed(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
 def _fractions(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
     yield Alternative(Quotient(denominator, numerator), "the fraction upside down: {} above", 1.4, (denominator,))
     yield Alternative(numerator, "an extra divisor: {}", 1.2, (denominator,))
+    yield from _number_upside_down(numerator, denominator)
     yield Alternative(Product((numerator, denominator)), "a product, not a fraction: {}", 1.3, (denominator,))
     match numerator:
         case Sum(terms):
@@ -433,6 +495,16 @@ def _fractions(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
                 yield Alternative(Quotient(above, below), "{} above, not below", 1.4, (factor,))
         case _:
             pass
+
+
+def _number_upside_down(numerator: Tree, denominator: Tree) -> Iterator[Alternative]:
+    """6*x/5 for 5*x/6."""
+    match numerator, denominator:
+        case Product((Number() as above, *rest)), Number() as below:
+            tree = Quotient(Product((below, *rest)), above)
+            yield Alternative(tree, "the fraction upside down: {}/{}", 1.3, (below, above))
+        case _:
+            return
 
 
 def _sign_of_sum(operand: Tree) -> Iterator[Alternative]:

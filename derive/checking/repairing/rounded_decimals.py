@@ -8,10 +8,12 @@ from fractions import Fraction
 from math import pi
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.checking.comparing.printed_number import PrintedNumber
+from radartrack.derive.checking.comparing.rounding_to_print import rounded
 from radartrack.derive.checking.question.printed_formula import Printed
 from radartrack.derive.checking.question.printed_formula import printed as printed_of
 from radartrack.derive.checking.repairing.monomial_fit import number_tree
-from radartrack.derive.evaluation.exact_numbers import Exact, Undecidable, compared
+from radartrack.derive.evaluation.exact_numbers import Exact, Undecidable
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
@@ -22,6 +24,7 @@ from radartrack.derive.symbolic import Expr, unguarded
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
 FEWEST = 5  # significant digits; fewer are near to too many simple numbers
+SHORT = 30  # characters of an exact number that is told beside its digits
 MOST = 15  # significant digits of a floating-point number, whose last ones may be rounding
 
 
@@ -57,20 +60,16 @@ def as_rounded(printed: Printed, derived: Expr) -> Meant | None:
     decimal, sign = (printed.tree.operand, -1) if isinstance(printed.tree, Negation) else (printed.tree, 1)
     if not isinstance(decimal, Number) or "." not in decimal.text or derived.free_symbols or not is_real(derived):
         return None
-    last = _digits(decimal.text)[1]
-    ends = [sign * decimal.value + side * last / 2 for side in (-1, 1)]
+    number = PrintedNumber("-" * (sign < 0) + decimal.text)
     try:
-        beyond = [compared(Exact.of(derived), Exact.of(sp.Rational(end))) for end in ends]
+        found = rounded(number, Exact.of(derived), sp.Integer(1))
         exact = printed_of(to_tree(unguarded(derived)), printed.names, printed.entries.shape)
     except (FormulaError, NoClosedForm, Undecidable):
         return None
-    if 0 in beyond:  # midway: up, as schools teach, or to the even digit
-        holds = decimal.value > abs(ends[beyond.index(0)]) or decimal.value / last % 2 == 0
-    else:
-        holds = beyond == [1, -1]
-    if not holds:
+    if not found.holds or derived == sp.Rational(number.value):
         return None
-    return Meant(exact, f"{to_text(printed.tree)} is what {exact.text} rounds to")
+    value = f"{exact.text} = {found.shown}" if len(exact.text) <= SHORT else found.shown
+    return Meant(exact, f"{to_text(printed.tree)} is what {value} rounds to")
 
 
 def _simple(number: Number) -> Tree | None:

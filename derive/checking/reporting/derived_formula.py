@@ -10,11 +10,24 @@ from radartrack.derive.language.tensor import Tensor, nested
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.writing.short_formula import printed, short
 
+FEW_DECIMALS = 12  # with which a number is as short as a fraction
+
 
 @lru_cache(maxsize=256)
 def shown(entries: Tensor[Expr]) -> str:
     """A formula, or nested lists of formulas."""
-    return nested(entries.map(lambda entry: printed(short(entry))))
+    return nested(entries.map(lambda entry: _decimal(entry) or printed(short(entry))))
+
+
+def _decimal(entry: Expr) -> str:
+    """A number of many decimals as one; nothing for anything else."""
+    if not entry.is_Rational or entry.q < 10**FEW_DECIMALS:
+        return ""
+    places = len(str(entry.q)) - 1
+    if entry.q != 10**places:
+        return ""
+    digits = str(abs(entry.p)).rjust(places + 1, "0")
+    return f"{'-' * (entry.p < 0)}{digits[:-places]}.{digits[-places:]}"
 
 
 def as_printed(expression: Expr) -> Tree:

@@ -1,5 +1,7 @@
 import math
+import re
 from collections.abc import Mapping
+from fractions import Fraction
 
 import pytest
 
@@ -188,6 +190,11 @@ def test_another_entry_of_the_same_quantity_is_named() -> None:
         ("polar.covariance.linear[0,1]", "(sigma_r**2 - r**2*sigma_beta**2)*sin(beta)", "a missing factor cos(beta)"),
         ("ruv.map[2]", "r*(1 - u**2 - v**2)", "a missing root: sqrt(1 - u**2 - v**2)"),
         ("observe.polar.map[0]", "x**2 + y**2", "a missing root: sqrt(x**2 + y**2)"),
+        ("ruv.map[2]", "r*sqrt(1) - u**2 - v**2", "a bracket"),
+        ("observe.polar.map[0]", "sqrt(x**2) + y**2", "a bracket"),
+        ("polar.bias.averaged[0]", "r*cos(beta)*(exp(-sigma_beta**2) - exp(-sigma_beta**2)/2)", "a bracket"),
+        ("polar.covariance.linear[0,1]", "(sigma_r**2 - r**2*sigma_beta**2)/2*2*sin(beta)", "a missing factor cos"),
+        ("observe.bistatic.map[0]", "sqrt(x**2 + y**2) + sqrt((x + baseline)**2 + y**2)", "the sign of baseline"),
         ("taylor.mean_shift", "1/2*(f_xx*D_1 + 2*f_xy*K_12 + f_yy*D_1)", "D_1 should be D_2"),
     ],
 )
@@ -399,3 +406,38 @@ def test_an_angle_beside_a_length_is_measured_against_itself() -> None:
     assert found is not None
     assert found.relative_difference is not None
     assert (found.largest_relative_difference or 0.0) >= found.relative_difference
+
+
+@pytest.mark.parametrize("fraction", [Fraction(5, 6), Fraction(7, 3), Fraction(2, 15)])
+def test_a_fraction_of_numbers_upside_down_is_told(fraction: Fraction) -> None:
+    above, below = fraction.numerator, fraction.denominator
+    verdict = check(f"{fraction}*polar.map[0]", f"{below}*r*cos(beta)/{above}")
+    assert verdict.verdict is Outcome.DIFFERS
+    assert verdict.suggestions[0].edit == f"the fraction upside down: {above}/{below}"
+
+
+@pytest.mark.parametrize("inner", ["atan(tan(beta))", "acos(cos(beta))", "asin(sin(beta))"])
+@pytest.mark.parametrize("outer", ["r*cos({})", "2*r*sin({})", "r*cos({}) + r"])
+def test_no_suggestion_takes_a_function_of_its_inverse(inner: str, outer: str) -> None:
+    detour = re.compile(r"a(sin|cos|tan)\(\1\(|(sin|cos|tan)\(a\2\(")
+    printed = outer.format(inner)
+    for suggestion in check("polar.map[0]", printed).suggestions:
+        assert len(detour.findall(suggestion.formula)) <= len(detour.findall(printed)), suggestion
+
+
+@pytest.mark.parametrize(
+    ("formula", "printed", "outcome"),
+    [
+        ("chi2inv(0.99, 3)", "11.34", Outcome.EQUAL),
+        ("chi2inv(0.99, 3)", "11.35", Outcome.DIFFERS),
+        ("chi2cdf(9.21, 2)", "0.99", Outcome.EQUAL),
+        ("integral(q*s^2, s, 0, T)", "q*T^3/3", Outcome.EQUAL),
+        ("expm([0, 1; 0, 0]*T)", "[1, T; 0, 2]", Outcome.DIFFERS),
+    ],
+)
+def test_a_formula_that_has_something_to_work_out_needs_no_quantity(
+    formula: str, printed: str, outcome: Outcome
+) -> None:
+    verdict = check(formula, printed)
+    assert verdict.verdict is outcome
+    assert not re.search(r"\d{20}/", f"{verdict.derived} {verdict.remarks}")  # nobody reads such a fraction

@@ -211,6 +211,10 @@ def test_what_is_above_and_should_be_below_is_told(printed: str) -> None:
         ("-r*u/w", "ruv.jacobian[2,1]"),
         ("dt^3/3", "motion.constant_velocity.process_noise.continuous[0,0]"),
         ("2*(2*n + 1)/((n + 1)*(n + 2))", "finite_sample.degree1.range.covariance[0,0]"),
+        ("12/(k*(k^2 - 1))", "finite_sample.degree1.range.covariance[1,1]"),
+        ("6/(N*(N + 1))", "finite_sample.degree1.range.covariance[0,1]"),
+        ("[1 - theta^2, (1 - theta)^2/dt]", "fading_memory.degree1"),
+        ("2*(2 - alpha) - 4*sqrt(1 - alpha)", "steady_state.alpha_beta.gain[1]"),
     ],
 )
 def test_letters_that_are_functions_and_factors_that_are_understood_are_put_in(formula: str, quantity: str) -> None:
@@ -269,3 +273,11 @@ def test_the_plainest_quantity_comes_first_be_it_under_a_condition() -> None:
         "polar_doppler.covariance.linear[0,0]",
     ]
     assert found[0].given == {"rho": "0"}
+
+
+@pytest.mark.parametrize("formula", ["a*b", "a*b^2", "g^2/h", "r^2*sigma_theta^2*q", "w*R1 + (1 - w)*R2"])
+def test_letters_without_a_meaning_are_near_nothing(formula: str) -> None:
+    tree = read_loosely(formula)
+    assert not search().candidates(tree)
+    assert not search().slipped(tree)
+    assert not search().near(tree)

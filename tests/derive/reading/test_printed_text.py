@@ -20,6 +20,8 @@ PIECES = (
     "а",
     "∫",
     "∑",
+    *"■█@&〖〗▒┤{}[];",
+    "■(",
 )
 
 
@@ -42,12 +44,51 @@ PIECES = (
         ("√(x² + y²)*σ_β^2", "sqrt(x**2 + y**2)*sigma_beta**2"),
         ("x\u0302² + β′", "x**2 + beta"),
         ("𝜎𝛽² + ϵ", "sigma_beta**2 + epsilon"),
+        ("q[T³, T²/2; T²/2, T]", "q*[[T**3, T**2/2], [T**2/2, T]]"),
+        ("e^{−2σβ²} r²", "e**(-2*sigma_beta**2)*r**2"),
     ],
 )
 def test_reading(text: str, read: str):
     for known in (KNOWN, None):
         reading = read_formula(text, "text", known)
         assert (to_text(reading.tree), reading.notation) == (read, "printed")
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        ("■(r cos\u2061β@r sin\u2061β)", "[r*cos(beta), r*sin(beta)]"),
+        (
+            "P=[■(cos\u2061β&-r sin\u2061β@sin\u2061β&r cos\u2061β)]",
+            "[[cos(beta), -r*sin(beta)], [sin(beta), r*cos(beta)]]",
+        ),
+        ("q(■(T^3/3&T^2/2@T^2/2&T))", "q*[[T**3/3, T**2/2], [T**2/2, T]]"),
+        ("[■(x/√(x^2+y^2 )&y/√(x^2+y^2 ))]", "[[x/sqrt(x**2 + y**2), y/sqrt(x**2 + y**2)]]"),
+        ("█(x=r cos\u2061β@y=r sin\u2061β)", "[r*cos(beta), r*sin(beta)]"),
+        ("█(x&=r cos\u2061β@y&=r sin\u2061β)", "[r*cos(beta), r*sin(beta)]"),
+        ("{█(x=r cos\u2061β@y=r sin\u2061β)┤", "[r*cos(beta), r*sin(beta)]"),
+        (
+            "σ_r^2 〖cos〗^2\u2061β+r^2 σ_β^2 〖sin〗^2\u2061β",
+            "sigma_r**2*cos(beta)**2 + r**2*sigma_beta**2*sin(beta)**2",
+        ),
+        ("〖tan〗^(-1)\u2061(y/x)", "atan(y/x)"),
+        ("sin\u2061〖2β〗 x", "sin(2*beta)*x"),
+        ("x〖r+y〗", "x*(r + y)"),
+        ("-∑_(i=0)^(T-1)▒〖i x/r^2 〗", "-sum(i*x/r**2, i, 0, T - 1)"),
+        ("∑_(i=1)^T▒〖x+i〗", "sum(x + i, i, 1, T)"),
+        ("∫_0^T▒〖q s^2 ds〗", "integral(q*s**2, s, 0, T)"),
+        ("√(3&x^2)", "(x**2)**(1/3)"),
+    ],
+)
+def test_words_linear_format(text: str, read: str):
+    for known in (KNOWN, None):
+        assert to_text(read_formula(text, "text", known, wanted=4).tree) == read
+
+
+@pytest.mark.parametrize("text", ["■(x@y", "〖x²", "√(3&x", "[x²; y", "x²■(r&y@x)", "■", "〗x"])
+def test_a_broken_linear_format_is_refused(text: str):
+    with pytest.raises(FormulaError):
+        read_formula(text, "text", KNOWN)
 
 
 @pytest.mark.parametrize(

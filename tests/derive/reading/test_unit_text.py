@@ -1,5 +1,6 @@
 """Units as one types them."""
 
+import math
 from fractions import Fraction
 from typing import Any
 
@@ -8,6 +9,8 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radartrack.derive.formula.to_expression import to_expression
+from radartrack.derive.reading.text import read_text
 from radartrack.derive.reading.unit_text import BASE, Scale, measured, read_unit
 from radartrack.derive.units import METRE, RADIAN, SECOND, Unit
 
@@ -38,7 +41,7 @@ SI: dict[str, tuple[Unit, Any]] = {
 def test_what_a_unit_prints_is_read_back(metre: Fraction, second: Fraction, radian: Fraction):
     unit = Unit(metre, second, radian)
     found = read_unit(str(unit))
-    assert found == Scale(unit, sympy.Integer(1))
+    assert found == Scale(unit)
 
 
 @given(
@@ -52,7 +55,17 @@ def test_a_product_has_the_unit_and_the_size_of_its_factors(factors: list[tuple[
         unit, size = unit * SI[name][0] ** signed, size * SI[name][1] ** signed
     found = read_unit(text)
     assert found.unit == unit
-    assert sympy.simplify(found.factor / size) == 1
+    assert sympy.simplify(to_expression(read_text(found.formula, ()), {}) / size) == 1
+
+
+@given(st.lists(st.tuples(st.sampled_from(sorted(SI)), powers), min_size=1, max_size=3))
+def test_a_root_of_a_unit_has_the_root_of_its_size(factors: list[tuple[str, Fraction]]):
+    found = read_unit("*".join(f"{name}^({power})" for name, power in factors))
+    size = float(to_expression(read_text(found.formula, ()), {}))
+    assert found.size == pytest.approx(size, rel=1e-12)
+    expected = [float(SI[name][1]) ** float(power) for name, power in factors]
+    assert size == pytest.approx(math.prod(expected), rel=1e-12)
+    assert found.unit == math.prod((SI[name][0] ** power for name, power in factors), start=Unit())
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,8 @@
 
 A name that carries a meaning binds; only letters without one are free. Numbered letters keep their order: P1 and P2 are
 never the deviations of the second and the first. A letter may stand for the square of a
-deviation, where it is a variance, or for the inverse of a rate, where it is a time constant.
+deviation, where it is a variance, for the root of a variance, where it is a deviation, or for the inverse of a rate,
+where it is a time constant.
 """
 
 from __future__ import annotations
@@ -10,15 +11,25 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import permutations
 from typing import Generic, TypeVar
 
-from radartrack.derive.checking.question.letters.letter_meanings import Known, Role, meaning_of, meanings, means
+from radartrack.derive.checking.question.letters.letter_meanings import (
+    Known,
+    Role,
+    is_variance,
+    meaning_of,
+    meanings,
+    means,
+)
 
 STRONG, WEAK, LIKE, ANY = 0, 1, 2, 4  # ranks: how far-fetched a meaning is
 PER_SECOND = "1/s"
 TIME_CONSTANT = "tau"  # which a period is called as well
+HALF = Fraction(1, 2)
 _NUMBERED = re.compile(r"(?P<stem>\D*)(?P<number>\d{1,9})")
+_ORDINALS = {"first": 1, "second": 2, "third": 3}
 
 Symbol = TypeVar("Symbol", bound=Known)
 
@@ -28,19 +39,20 @@ class Choice(Generic[Symbol]):
     """What a letter may stand for: a symbol, raised to a power, and how far-fetched that is."""
 
     symbol: Symbol
-    power: int = 1
+    power: Fraction | int = 1
     rank: int = 0
 
     @property
-    def key(self) -> tuple[str, int]:
+    def key(self) -> tuple[str, Fraction | int]:
         """What no other letter stands for then."""
         return self.symbol.name, self.power
 
     def __str__(self) -> str:
-        return {1: self.symbol.name, -1: f"1/{self.symbol.name}"}.get(self.power, f"{self.symbol.name}**{self.power}")
+        name = self.symbol.name
+        return {1: name, -1: f"1/{name}", HALF: f"sqrt({name})"}.get(self.power, f"{name}**{self.power}")
 
 
-Taken = frozenset[tuple[str, int]]
+Taken = frozenset[tuple[str, Fraction | int]]
 
 
 def choices(name: str, symbols: Sequence[Symbol]) -> list[Choice[Symbol]]:
@@ -63,7 +75,7 @@ def free_choices(name: str, symbols: Sequence[Symbol]) -> list[Choice[Symbol]]:
 def farther_choices(
     name: str, known: Mapping[str, Sequence[Choice[Symbol]]], symbols: Sequence[Symbol]
 ) -> list[Choice[Symbol]]:
-    """Also a time constant, a variance, and anything where another letter means the same: tau beside dt.
+    """Also a time constant, a variance, the root of one, and anything where another letter means the same: tau by dt.
 
     Args:
         name: the letter.
@@ -80,6 +92,8 @@ def farther_choices(
     if meanings(name).role is None:
         found += constants
         found += [Choice(one, 2, ANY) for one in symbols if meaning_of(one).role is Role.DEVIATION]
+    if meanings(name).role is Role.DEVIATION:
+        found += [Choice(one, HALF, ANY) for one in symbols if is_variance(one)]
     return list(dict.fromkeys(found))
 
 
@@ -99,10 +113,8 @@ def stem(name: str) -> str:
 
 def keeps_numbers(assigned: Mapping[str, Choice[Symbol]]) -> bool:
     """Whether letters that differ by a number stand in the order of the symbols that they mean."""
-    letters = {letter: _NUMBERED.fullmatch(letter) for letter in assigned}
-    numbered = {letter: (found["stem"], int(found["number"])) for letter, found in letters.items() if found}
-    meant = {letter: _NUMBERED.fullmatch(assigned[letter].symbol.name) for letter in numbered}
-    order = {letter: (found["stem"], int(found["number"])) for letter, found in meant.items() if found}
+    numbered = {letter: found for letter in assigned if (found := _numbered(letter))}
+    order = {letter: found for letter in numbered if (found := _numbered(assigned[letter].symbol.name))}
     return not any(
         numbered[one][0] == numbered[other][0]
         and order[one][0] == order[other][0]
@@ -110,6 +122,14 @@ def keeps_numbers(assigned: Mapping[str, Choice[Symbol]]) -> bool:
         and order[one][1] > order[other][1]
         for one, other in permutations(order, 2)
     )
+
+
+def _numbered(name: str) -> tuple[str, int] | None:
+    """What a name numbers, and the number: of sigma_2 and of second_covariance."""
+    if found := _NUMBERED.fullmatch(name):
+        return found["stem"], int(found["number"])
+    ordinal, _, rest = name.partition("_")
+    return (rest, _ORDINALS[ordinal]) if ordinal in _ORDINALS else None
 
 
 def _distinct(

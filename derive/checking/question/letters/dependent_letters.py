@@ -14,7 +14,7 @@ from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr
 from radartrack.derive.units import METRE, ONE, Unit
 
-COVARIANCES = ("P", "P_", "p", "K", "K_", "R_", "C_", "cov_", "sigma_", "s")
+COVARIANCES = ("P", "P_", "p", "K", "K_", "R_", "C_", "cov_", "sigma_", "s")  # stems of their names
 LIKELY, FARTHER = 0, 2  # ranks, as those of what letters may stand for
 
 
@@ -151,11 +151,7 @@ def _covariances(symbols: dict[str, Variable]) -> Iterator[Dependent]:
             one, other = (symbol for symbol in of if symbol is not None)
             both = one.name.removeprefix("sigma_"), other.name.removeprefix("sigma_")
             joined = {f"{a}{mark}{b}" for mark in ("", "_") for a, b in (both, both[::-1])}
-            spelled = {
-                f"{stem}{pair}"
-                for stem in ("P", "P_", "p", "K_", "K", "R_", "C_", "cov_", "sigma_", "s")
-                for pair in joined
-            }
+            spelled = {f"{stem}{pair}" for stem in COVARIANCES for pair in joined}
             variable = _variable(f"covariance_{both[0]}_{both[1]}", "covariance of two errors", one.unit * other.unit)
             yield Dependent(variable, rho * one * other, frozenset(spelled | {"cov"}))
 

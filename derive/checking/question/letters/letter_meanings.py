@@ -210,12 +210,22 @@ def meaning_of(symbol: Known) -> Meaning:
     return Meaning(role, _OWN.get(base, ""), predicted)
 
 
+def is_variance(symbol: Known) -> bool:
+    """Whether a symbol is the square of a deviation: a variance, the covariance of a coordinate, an intensity."""
+    return symbol.meaning.partition(" ")[0] in {"variance", "covariance", "intensity"}
+
+
 def means(name: str, symbols: Iterable[Symbol], *, weak: bool = False) -> list[tuple[Symbol, int]]:
     """The symbols that a name means, each with the power to which it is meant: 2 for a variance."""
     said, known = meanings(name), list(symbols)
     if weak:
         return list(_meant(said.weak, known))
-    return list(_by_subscript(name, known)) or list(_meant(said.strong, known)) or list(_in_words(name, known))
+    return (
+        list(_by_subscript(name, known))
+        or list(_spelled(name, known))
+        or list(_meant(said.strong, known))
+        or list(_in_words(name, known))
+    )
 
 
 def is_known_word(name: str) -> bool:
@@ -281,6 +291,16 @@ def _by_subscript(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol
         if (found := pattern.match(name)) and (of := next(filter(None, found.groupdict().values()), "")):
             yield from ((symbol, power) for symbol in symbols if symbol.name == f"sigma_{of}" and not of.isdigit())
             return
+
+
+def _spelled(name: str, symbols: Iterable[Symbol]) -> Iterator[tuple[Symbol, int]]:
+    """The symbol of the same name but for its underscores: Sxx is S_xx. Numbers bind less."""
+    letters = name.replace("_", "")
+    yield from (
+        (symbol, 1)
+        for symbol in symbols
+        if symbol.name.replace("_", "") == letters != symbol.name and not letters[-1].isdigit()
+    )
 
 
 def _of(name: str) -> str:

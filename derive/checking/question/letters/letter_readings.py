@@ -9,15 +9,18 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from itertools import islice
 from types import MappingProxyType
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.definitions.known_constants import with_symbols
 from radartrack.derive.checking.question.definitions.loose_definitions import LooseDefinitions
 from radartrack.derive.checking.question.formula_units import Dimension, misfits
 from radartrack.derive.checking.question.letters.assignments import (
+    HALF,
     STRONG,
     Choice,
     assignments,
@@ -49,7 +52,7 @@ KEPT = 5  # assignments of a wrong formula that are looked at closely
 
 @dataclass(frozen=True)
 class Letter(Choice[Variable]):
-    """What a letter stands for: a symbol, its square if it is a variance, or its inverse if it is a time constant.
+    """What a letter stands for: a symbol, its square or root if it is a variance or a deviation, or its inverse.
 
     Attributes:
         function: of symbols for which the letter stands instead; then the symbol only says its unit and meaning.
@@ -60,7 +63,7 @@ class Letter(Choice[Variable]):
     @property
     def value(self) -> Expr:
         """The same as an expression."""
-        return self.symbol**self.power if self.function is None else self.function
+        return self.symbol ** sp.Rational(self.power) if self.function is None else self.function
 
     @property
     def is_symbol(self) -> bool:
@@ -165,7 +168,9 @@ class Typed:
     def _readings(self, unknown: Sequence[str], fixed: Sequence[str], doubtful: Sequence[str]) -> list[Reading]:
         found = self._judged(self._assignments(unknown, fixed))
         if not any(reading.is_right for reading in found):
-            farther = self._judged(self._assignments(unknown, fixed, farther=True))
+            farther = [
+                one for one in self._judged(self._assignments(unknown, fixed, farther=True)) if self._may_be(one)
+            ]
             least = min((reading.misfits for reading in found), default=math.inf)
             found = [one for one in farther if one.is_right or one.misfits < least] or found
         if doubtful and not any(reading.fits for reading in found):
@@ -175,6 +180,11 @@ class Typed:
         fitting = [reading for reading in found if reading.misfits == least_misfits]
         ordered = sorted(fitting, key=lambda reading: (reading.wrong, reading.rank))
         return ordered[:1] if ordered and not ordered[0].wrong else ordered[:KEPT]
+
+    def _may_be(self, reading: Reading) -> bool:
+        """Whether a reading may be told: a letter is the root of a variance where most entries have its unit then."""
+        has_root = any(letter.power == HALF for letter in reading.letters.values())
+        return not has_root or 2 * reading.misfits <= len(self.entries.entries)
 
     def _means(self, name: str) -> bool:
         """Whether a name has a meaning by which it is a symbol of the quantity, or a function of these."""
@@ -226,7 +236,7 @@ class Typed:
 
     def _assignments(self, unknown: Sequence[str], fixed: Sequence[str], *, farther: bool = False) -> Iterator[Letters]:
         """What the letters may stand for; farther, also what they seldom do."""
-        taken = frozenset((name, 1) for name in fixed)
+        taken = frozenset[tuple[str, Fraction | int]]((name, 1) for name in fixed)
         symbols = [one for one in self.reference.symbols if (one.name, 1) not in taken]
         candidates = {name: self._choices(name, symbols) for name in unknown}
         if farther:

@@ -134,3 +134,49 @@ def test_one_letter_for_numbered_symbols_is_told_as_the_condition_that_they_are_
     assert verdict.verdict == "differs"
     assert "equal when" in verdict.reason, verdict.reason
     assert not verdict.suggestions
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "where"),
+    [
+        ("line.distance", "abs(m*x - y + b)/sqrt(1 + m^2)", "where d + k*x - y < 0"),
+        ("observe.polar_doppler.map[2]", "abs(x*vx + y*vy)/sqrt(x^2 + y^2)", "where vx*x + vy*y > 0"),
+        ("polar.map[0]", "r*cos(atan(tan(beta)))", "where cos(beta) > 0"),
+        ("polar.map[1]", "r*sin(atan(sin(beta)/cos(beta)))", "where cos(beta) > 0"),
+        (
+            "observe.polar.jacobian",
+            "[[cos(atan(y/x)), sin(atan(y/x))], [-sin(atan(y/x))/d, cos(atan(y/x))/d]]",
+            "where x > 0",
+        ),
+    ],
+)
+def test_a_magnitude_is_right_where_what_is_in_it_has_that_sign(name: str, formula: str, where: str) -> None:
+    let = {"d": "sqrt(x^2 + y^2)"} if "/d" in formula else None
+    assert check(name, formula, let=let).remarks == (f"equal {where}",)
+    assert not any(one.startswith("equal") for one in check(name, f"2*{formula}", let=let).remarks)
+
+
+GAINS = [name for name in catalogue() if name.startswith(("fading_memory.", "steady_state.")) and "_gamma" not in name]
+
+
+@pytest.mark.parametrize("name", GAINS)
+def test_gains_may_be_divided_by_the_period_and_covariances_be_of_one_measurement(name: str) -> None:
+    quantity = catalogue()[name]
+    if quantity.shape[0] == 1 or "T" in {symbol.name for symbol in quantity.symbols}:
+        return
+    period, sigma = sp.Symbol("T"), sp.Symbol("sigma")
+    words = "equal with gains divided by 1, T, T**2, ..."
+
+    def printed(*index: int) -> sp.Expr:
+        return quantity.expression[index] / period ** sum(index)
+
+    def measured(*index: int) -> sp.Expr:
+        return sigma**2 * printed(*index)
+
+    found = check(name, shown(Tensor.build(quantity.shape, printed)))
+    assert found.remarks == (words,)
+    assert found.suggestions == ()
+    if quantity.is_covariance:
+        assert check(name, shown(Tensor.build(quantity.shape, measured))).remarks == (
+            f"{words} and sigma_r**2 as a factor",
+        )

@@ -320,7 +320,55 @@ def test_a_part_of_a_matrix_is_a_slice(place: str) -> None:
     assert check(f"observe.polar_doppler.jacobian[{place}]", formula, let=let).verdict in EQUAL
 
 
-@pytest.mark.parametrize("place", ["0:2,0:5", "2:1,0", "-1,0", "0:2", "3:,0"])
+@pytest.mark.parametrize("place", ["0:2,0:5", "2:1,0", "-1,0", "3", "0,0,0", "3:,0"])
 def test_a_slice_that_there_is_not_is_refused(place: str) -> None:
     with pytest.raises(UnknownEntry, match="has shape"):
         check(f"observe.polar_doppler.jacobian[{place}]", "x")
+
+
+@pytest.mark.parametrize("name", [name for name in catalogue() if name.startswith(("line.", "initiation.two"))])
+def test_a_name_without_its_underscores_is_the_same_name(name: str) -> None:
+    for entry, formula in entries(name):
+        tree = read_text(formula, None)
+        letters = {one: one.replace("_", "") for one in names(tree) if "_" in one and not one[-1].isdigit()}
+        plain = rebuild(
+            tree, lambda node, to=letters: Name(to.get(node.name, node.name)) if isinstance(node, Name) else node
+        )  # type: ignore[misc]
+        assert check(entry, to_text(plain)).verdict in EQUAL, to_text(plain)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "read"),
+    [
+        ("motion.constant_velocity.process_noise.continuous", "s_v^2*[[T^3/3, T^2/2], [T^2/2, T]]", "s_v for sqrt(q)"),
+        ("motion.ornstein_uhlenbeck.process_noise[1,1]", "sigma^2*(1 - exp(-2*a*T))/(2*a)", "sigma for sqrt(q)"),
+        (
+            "initiation.two_plots.covariance",
+            "[[sigma_2^2, sigma_2^2/T], [sigma_2^2/T, (sigma_1^2 + sigma_2^2)/T^2]]",
+            "sigma_2 for sqrt(second_covariance)",
+        ),
+    ],
+)
+def test_a_deviation_may_be_the_root_of_a_variance(name: str, formula: str, read: str) -> None:
+    verdict = check(name, formula)
+    assert verdict.verdict in EQUAL
+    assert read in verdict.reading
+    assert check(name, f"3*{formula}").verdict not in EQUAL
+
+
+def test_numbered_deviations_keep_their_order_where_variances_are_first_and_second() -> None:
+    swapped = "[[sigma_1^2, sigma_1^2/T], [sigma_1^2/T, (sigma_1^2 + sigma_2^2)/T^2]]"
+    verdict = check("initiation.two_plots.covariance", swapped)
+    assert verdict.verdict is Outcome.DIFFERS
+    assert verdict.suggestions[0].edit == "sigma_1 should be sigma_2"
+
+
+def test_one_index_of_a_matrix_is_a_row() -> None:
+    row = "[y*(vx*y - vy*x)/r^3, x*(vy*x - vx*y)/r^3, x/r, y/r]"
+    assert check("observe.polar_doppler.jacobian[2]", row, let={"r": "hypot(x, y)"}).verdict in EQUAL
+
+
+def test_a_condition_in_a_letter_that_is_read_as_its_symbol_sets_the_other_one() -> None:
+    given = {"sigma_1": "s", "sigma_2": "s"}
+    assert check("fusion.variance.two", "s^2/2", given=given).verdict in EQUAL
+    assert check("fusion.variance.two", "s^2/3", given=given).verdict is Outcome.DIFFERS

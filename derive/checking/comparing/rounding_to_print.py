@@ -11,7 +11,7 @@ from itertools import pairwise
 import mpmath
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.papers.printed_number import PrintedNumber
+from radartrack.derive.checking.comparing.printed_number import PrintedNumber
 from radartrack.derive.evaluation.exact_numbers import Exact, Undecidable, compared, sign_of
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.symbolic import Expr
