@@ -22,6 +22,7 @@ __all__ = [
     "SPELLED",
     "complain",
     "console",
+    "counted",
     "error_console",
     "harmless",
     "one_line",
@@ -53,6 +54,11 @@ def prepare() -> None:
     for name in _WIDTHS:
         if not _A_WIDTH.fullmatch(os.environ.get(name, "1")):
             del os.environ[name]  # whoever reads it expects a number
+
+
+def counted(number: int, thing: str) -> str:
+    """So many of a thing: 1 function, 2 functions."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
 
 
 def console(plain_width: int = PLAIN_WIDTH) -> Console:

@@ -59,7 +59,7 @@ def draft(
     read = sum(one.tree is not None for one in found)
     named = sum(one.candidate is not None for one in drafted)
     counted = f"{read} read, {named} found in the catalogue, {len(found) - named} undecided"
-    terminal.complain(f"{len(found)} equations: {counted}")
+    terminal.complain(f"{terminal.counted(len(found), 'equation')}: {counted}")
 
 
 def _drafted(found: Sequence[Understood], known: Mapping[str, Tree], decider: Decider) -> list[Drafted]:

@@ -70,7 +70,7 @@ def regenerate(
         _write(directory, files)
     _tell_kept(output_directory.kept(directory, files))
     done = "written to" if found else "derived, as they stand in"
-    terminal.say(f"{len(functions)} functions {done} {terminal.one_line(str(directory))}")
+    terminal.say(f"{terminal.counted(len(functions), 'function')} {done} {terminal.one_line(str(directory))}")
 
 
 def _target(language: Language) -> Any:

@@ -367,7 +367,7 @@ def _show(records: Sequence[Mapping[str, Any]]) -> None:
                 words = f"{record['quantity']}, {layer['layer']}: {layer['detail']}"
                 console.print(words, style="red", markup=False)
     failed = sum(record["verdict"] == "failed" for record in records)
-    console.print(f"{len(records)} functions, {failed} failed.")
+    console.print(f"{terminal.counted(len(records), 'function')}, {failed} failed.")
 
 
 def _cell(layer: Mapping[str, Any]) -> str:

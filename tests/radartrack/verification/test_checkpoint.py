@@ -152,7 +152,7 @@ def test_without_being_asked_for_a_checkpoint_is_no_condition(run: Any, tmp_path
     (tmp_path / verify.CHECKPOINT).write_text("thesis")
     result = run()
     assert "No checkpoint is kept" in result.stderr
-    assert "1 functions" in result.stdout
+    assert "1 function," in result.stdout
     assert contents(tmp_path) == {verify.CHECKPOINT: b"thesis"}
 
 
@@ -171,7 +171,7 @@ def test_what_was_found_is_told_and_kept_when_the_record_cannot_be_written_in_th
     result = run("--json", "out/record.json")
     assert result.exit_code == 2
     assert result.stderr == f"{tmp_path}/out/record.json: No such file or directory\n"
-    assert "1 functions" in result.stdout
+    assert "1 function," in result.stdout
     assert verify.CHECKPOINT in contents(tmp_path)
 
 
