@@ -41,6 +41,7 @@ class Way(NamedTuple):
     in_parts: bool
     rounded_whole: bool = False
     signed_whole: bool = False
+    factors_whole: bool = False
 
 
 WAYS = (
@@ -48,6 +49,7 @@ WAYS = (
     Way(in_parts=False),
     Way(in_parts=True, rounded_whole=True),
     Way(in_parts=True, signed_whole=True),
+    Way(in_parts=True, factors_whole=True),
 )
 
 

@@ -16,6 +16,9 @@ from typing import Any
 
 import numpy as np
 
+from radartrack.verification.rounding.checked_cells import Cell, cells, largest_share
+from radartrack.verification.rounding.checked_cells import ends as ends_of
+
 Ball = Any
 Rational = Any
 Key = tuple[tuple[int, float], ...]  # atoms, by their numbers, and their exponents
@@ -26,6 +29,7 @@ CLOSE = 0.4  # an error's terms are shared among products whose logarithms are t
 NARROW = (0.0, 0.75, 3.0)  # of logarithms: sizes known so well count as coefficients when signs are looked for
 MOST_VALUE, MOST_PARTS = 120, 160  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
 GOOD, FAIR = 8, 64  # relative errors up to which nothing better is looked for, and nothing slower
+SOME = 32  # terms of a sum that is looked at in cells
 FEW = 10  # parts of a variance whose error is shared among pairs of them while it is made
 ENDLESS = 1e9
 NOTHING: Polynomial = {}
@@ -106,6 +110,7 @@ class Box:
     in_parts: bool = False  # whether errors are told by the terms of a difference, or by the difference as a whole
     rounded_whole: bool = False  # whether a difference of exact numbers, which is rounded once, is not taken apart
     signed_whole: bool = False  # whether a difference whose sign is known is not taken apart
+    factors_whole: bool = False  # whether such a difference is not taken apart where it is multiplied
     most_value: int = MOST_VALUE
     atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
     carriers: set[int] = field(default_factory=set)
@@ -261,6 +266,10 @@ class Box:
                 found = self._of_one_sign(form, narrow)
                 if found is not None:
                     return found
+        for form in forms:
+            found = self._of_small_ones(form)
+            if found is not None:
+                return found
         return None
 
     def _forms(self, value: Signed) -> Iterator[Signed]:
@@ -302,11 +311,36 @@ class Box:
             if any(p[0] in self.carriers for p in rest):
                 size = _between(-abs(size).upper(), abs(size).upper())
             groups[wide] = groups[wide] + size if wide in groups else size
+        return self._absorbed_in_either(groups, unknown=bool(shared))
+
+    def _absorbed_in_either(self, groups: dict[Key, Ball], *, unknown: bool) -> tuple[int, Polynomial] | None:
         for sign in (1, -1):
             found = self._absorbed({key: sign * size for key, size in groups.items()})
             if found is not None:
-                return (0 if shared else sign), found
+                return (0 if unknown else sign), found
         return None
+
+    def _of_small_ones(self, value: Signed) -> tuple[int, Polynomial] | None:
+        """The same, with sums of sizes that are at most 1 looked at in cells: what has other sizes in common is one."""
+        groups: dict[Key, Signed] = {}
+        for key, coefficient in value.items():
+            if any(n in self.carriers for n, _ in key):
+                return None
+            outer = tuple((n, e) for n, e in key if not self._is_small(n))
+            groups.setdefault(outer, {})[tuple(p for p in key if p not in outer)] = coefficient
+        found: dict[Key, Ball] = {}
+        for outer, inner in groups.items():
+            common = _common(inner)
+            parts = self._cells({product_of(key, common, -1.0): c for key, c in inner.items()}) if _is_mixed(inner) else None
+            if parts is None:
+                found |= {product_of(outer, key): self.flint.arb(c) for key, c in inner.items()}
+            else:
+                found[product_of(outer, common)] = _between(*ends_of(parts))
+        return self._absorbed_in_either(found, unknown=False) if len(found) < len(value) else None
+
+    def _is_small(self, number: int) -> bool:
+        low, high = self.atoms[number]
+        return low.is_finite() and bool(high < 0.1)
 
     def _is_narrow(self, number: int, width: float) -> bool:
         low, high = self.atoms[number]
@@ -452,6 +486,7 @@ class Box:
         """a · b."""
         if a is None or b is None:
             return None
+        a, b = self._factor(a), self._factor(b)
         if len(a.size) * len(b.size) > 4 * MOST_PARTS:
             a, b = (self._as_whole(one) if len(one.size) > MOST_PARTS // 8 else one for one in (a, b))
         relative, u = None, self.unit
@@ -563,7 +598,7 @@ class Box:
         u, size, terms = self.unit, plus(a.size, b.size), plus(a.terms, b.terms)
         high = _above((a.high.exp() + b.high.exp()).log())
         is_of_exact = a.is_exact and b.is_exact
-        relative = self.one if is_of_exact else None
+        relative, parts = self.one if is_of_exact else None, None
         if a.sign * b.sign > 0:
             if a.relative is not None and b.relative is not None:
                 relative = self._rounded(_largest([a.relative, b.relative]), 1.0)
@@ -571,7 +606,8 @@ class Box:
             sign, ends = a.sign, (_below((a.low.exp() + b.low.exp()).log()), high)
             tiny = max(a.tiny, b.tiny) - 1e-3
         else:
-            sign, exactly, ends = self._difference(a, b, value, high)
+            parts = self._cells(value) if value else None
+            sign, exactly, ends = self._difference(a, b, value, parts, high)
             tiny = min(a.tiny, b.tiny) - self.precision.bits
             if grid is not None:
                 tiny = max(tiny, float(grid))
@@ -585,6 +621,8 @@ class Box:
         error = plus(_scaled(plus(a.error, b.error), 1 + u), size)
         if is_of_exact and self._exact_by_grid(grid, ends[1]):
             error, relative = NOTHING, self.ball(0)
+        elif parts:
+            relative = _least(relative, largest_share(error, parts, dict(enumerate(self.atoms))))
         made = self.made(sign, exactly, error, relative, tiny, value or None, size, terms, ends, may_underflow=False)
         return replace(made if a.sign * b.sign > 0 else self._known_well(made), grid=grid)
 
@@ -594,8 +632,14 @@ class Box:
             return difference
         return self._as_whole(difference) if difference.high - difference.low < NARROW[-1] else difference
 
+    def _factor(self, a: Number) -> Number:
+        """A difference that is multiplied as one size, where that is the way, and its sign and size are known."""
+        if not self.factors_whole or a.relative is None or not a.relative < FAIR or not _is_mixed(a.value):
+            return a
+        return self._as_whole(a) if a.high - a.low < NARROW[-1] else a
+
     def _difference(
-        self, a: Number, b: Number, value: Signed, high: Ball
+        self, a: Number, b: Number, value: Signed, parts: list[Cell] | None, high: Ball
     ) -> tuple[int, Polynomial | None, tuple[Ball, Ball]]:
         """Sign, size and range of a sum whose terms may cancel."""
         low, sign = self.ball(-math.inf), 0
@@ -605,11 +649,10 @@ class Box:
         for major, minor in ((a, b), (b, a)):
             if major.sign and minor.high < major.low:
                 low, sign = _below(major.low + (1 - (minor.high - major.low).exp()).log()), major.sign
-        if value and len(value) <= FEW:
-            ends = self._by_slopes(value)
-            if ends is not None and (ends[0] > 0 or ends[1] < 0):
-                sign, sizes = (1, ends) if ends[0] > 0 else (-1, (-ends[1], -ends[0]))
-                low, high = _highest((low, _below(sizes[0].log()))), _lowest((high, _above(sizes[1].log())))
+        if parts:
+            least, most = ends_of(parts)
+            sign, sizes = (1, (least, most)) if least > 0 else (-1, (-most, -least))
+            low, high = _highest((low, _below(sizes[0].log()))), _lowest((high, _above(sizes[1].log())))
         found = (self.of_one_sign(value) or self._remainder(a, b)) if value else None
         if found is None:
             return sign, None, (low, high)
@@ -620,36 +663,12 @@ class Box:
             return sign, self.whole(value, sign, low, high)[1], (low, high)
         return sign, found[1], (low, high)
 
-    def _by_slopes(self, value: Signed) -> tuple[Ball, Ball] | None:
-        """The ends of a sum: where it grows or falls with a size all over the box, that is at an end of its own."""
-        numbers = sorted({n for key in value for n, _ in key})
-        if any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
+    def _cells(self, value: Signed) -> list[Cell] | None:
+        """The box in parts in which a sum of few sizes is known well."""
+        numbers = {n for key in value for n, _ in key}
+        if len(value) > SOME or any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
             return None
-        whole = {n: (self.atoms[n][0], self.atoms[n][1]) for n in numbers}
-        slopes = {
-            n: self._sum_on({k: c * self.rational(dict(k).get(n, 0)) for k, c in value.items()}, whole) for n in numbers
-        }
-        ends = []
-        for side in (0, 1):
-            there = {n: self._end(whole[n], slopes[n], side) for n in numbers}
-            ends.append(self._sum_on(value, there))
-        return _below(ends[0]), _above(ends[1])
-
-    @staticmethod
-    def _end(ends: tuple[Ball, Ball], slope: Ball, side: int) -> tuple[Ball, Ball]:
-        if slope > 0:
-            return ends[side], ends[side]
-        return (ends[1 - side], ends[1 - side]) if slope < 0 else ends
-
-    def _sum_on(self, value: Signed, ends: dict[int, tuple[Ball, Ball]]) -> Ball:
-        total = self.ball(0)
-        for key, coefficient in value.items():
-            low, high = self.ball(0), self.ball(0)
-            for n, exponent in key:
-                first, last = ends[n] if exponent > 0 else ends[n][::-1]
-                low, high = low + first * exponent, high + last * exponent
-            total += self.flint.arb(coefficient) * low.exp().union(high.exp())
-        return total
+        return cells({key: self.flint.arb(c) for key, c in value.items()}, {n: self.atoms[n] for n in numbers})
 
     def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
         """The same of the parts as they came about."""
@@ -790,6 +809,18 @@ def _put(sum_: Signed, key: Key, coefficient: Rational) -> None:
         sum_.pop(key, None)
     else:
         sum_[key] = found
+
+
+def _is_mixed(value: Signed) -> bool:
+    """Whether its terms have both signs."""
+    return len({c > 0 for c in value.values()}) > 1
+
+
+def _common(value: Signed) -> Key:
+    """What all terms have as a factor."""
+    each = [dict(key) for key in value]
+    least = ((n, min(one.get(n, 0.0) for one in each)) for n in sorted({n for one in each for n in one}))
+    return tuple((n, exponent) for n, exponent in least if exponent)
 
 
 def _normal(value: Signed) -> tuple[Any, int]:
