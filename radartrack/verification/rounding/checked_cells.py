@@ -6,15 +6,18 @@ than as many boxes of a whole function.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import product
 from typing import Any, NamedTuple
 
 Ball = Any
 Ends = Mapping[int, tuple[Ball, Ball]]  # of the logarithms of sizes, by their numbers
-Terms = Mapping[tuple[tuple[int, float], ...], Ball]
+Key = tuple[tuple[int, float], ...]
+Terms = Mapping[Key, Ball]
 
-MOST = 96  # cells of a sum
-REACH = 80.0  # of logarithms, all sizes together: cells of wider ones would be too many
+HALVINGS, MOST = 20, 128  # of the box down to a cell, and cells
+CORNERS = 5  # sizes of a sum whose values at all corners are looked at first
+RATIO = 1e6  # of the largest of these to the smallest: cells of larger ones would be too many
 SHARP = 2.0  # a cell's ends may differ by this factor
 
 
@@ -34,22 +37,30 @@ def cells(value: Terms, whole: Ends) -> list[Cell] | None:
         value: the sum; coefficients may have either sign.
         whole: where its sizes lie.
     """
+    sign, at_once = _at_corners(value, whole)
     found: list[Cell] = []
-    waiting = [whole]
-    if sum(float(high - low) for low, high in whole.values()) > REACH:
-        cell = _cell(value, whole)
-        return [cell] if _sign(cell) else None
-    sign = _sign(_cell(value, _middle(whole)))
+    waiting = [(whole, 0 if at_once else HALVINGS)]
     while waiting:
-        cell = _cell(value, waiting.pop())
-        full = len(found) + len(waiting) + 1 >= MOST
-        if _sign(cell) and (full or _is_sharp(cell)):
+        sizes, halvings = waiting.pop()
+        cell = _cell(value, sizes)
+        if _sign(cell) and (not halvings or _is_sharp(cell)):
             found.append(cell)
-        elif full or not _sign(_cell(value, _middle(cell.sizes))) == sign:
+        elif not halvings or len(found) > MOST or not sign * sum_on(value, _middle(sizes)) > 0:
             return None
         else:
-            waiting += _halves(cell)
+            waiting += [(half, halvings - 1) for half in _halves(cell)]
     return found
+
+
+def _at_corners(value: Terms, whole: Ends) -> tuple[int, bool]:
+    """Its sign there, and whether it has one of either kind, or is so large and so small that cells are of no use."""
+    if len(whole) > CORNERS:
+        return 0, True
+    points = ({n: (end, end) for n, end in zip(whole, ends, strict=True)} for ends in product(*whole.values()))
+    values = [sum_on(value, point) for point in points]
+    signs = {1 if one > 0 else -1 if one < 0 else 0 for one in values}
+    sizes = [abs(one) for one in values]
+    return min(signs), len(signs) > 1 or signs == {0} or not max(sizes) < RATIO * min(sizes)
 
 
 def ends(of: list[Cell]) -> tuple[Ball, Ball]:
@@ -84,18 +95,22 @@ def _halves(cell: Cell) -> list[Ends]:
 
 def _cell(value: Terms, sizes: Ends) -> Cell:
     """The ends of a sum on a cell: at an end of every size with which it grows or falls, by its slopes in the others."""
-    slopes = {n: sum_on({k: c * dict(k).get(n, 0) for k, c in value.items() if n in dict(k)}, sizes) for n in sizes}
-    turning = [n for n, slope in slopes.items() if slope.contains(0)]
-    middle = _middle(sizes)
+    slopes = dict.fromkeys(sizes, 0)
+    for key, term in _terms_on(value, sizes):
+        for n, exponent in key:
+            slopes[n] = slopes[n] + term * exponent
     changes = {n: abs(slope).upper() * (sizes[n][1] - sizes[n][0]) for n, slope in slopes.items()}
-    away = sum((changes[n] for n in turning), 0) / 2
-    ends = []
-    for side in (0, 1):
-        there = {n: _end(sizes[n], slopes[n], side) for n in sizes}
-        plain, centred = sum_on(value, there), sum_on(value, {**there, **{n: middle[n] for n in turning}})
-        ends.append((plain, centred))
-    low = max(ends[0][0].lower(), (ends[0][1] - away).lower())
-    high = min(ends[1][0].upper(), (ends[1][1] + away).upper())
+    turning = [n for n, slope in slopes.items() if not (slope > 0 or slope < 0)]
+    middle, away = _middle(sizes), sum((changes[n] for n in turning), 0) / 2
+    low, high = (sum_on(value, {n: _end(sizes[n], slopes[n], side) for n in sizes}) for side in (0, 1))
+    low, high = low.lower(), high.upper()
+    if turning:
+        for side in (0, 1):
+            there = {n: middle[n] if n in turning else _end(sizes[n], slopes[n], side) for n in sizes}
+            if side:
+                high = min(high, (sum_on(value, there) + away).upper())
+            else:
+                low = max(low, (sum_on(value, there) - away).lower())
     return Cell(sizes, low, high, max(changes, key=lambda n: float(changes[n]), default=0))
 
 
@@ -107,11 +122,13 @@ def _end(ends: tuple[Ball, Ball], slope: Ball, side: int) -> tuple[Ball, Ball]:
 
 def sum_on(value: Terms, sizes: Ends) -> Ball:
     """A sum with every size anywhere between its ends."""
-    total = 0
+    return sum((term for _, term in _terms_on(value, sizes)), 0)
+
+
+def _terms_on(value: Terms, sizes: Ends) -> Iterator[tuple[Key, Ball]]:
     for key, coefficient in value.items():
-        low = high = coefficient * 0
+        low = high = 0
         for n, exponent in key:
             first, last = sizes[n] if exponent > 0 else sizes[n][::-1]
             low, high = low + first * exponent, high + last * exponent
-        total = total + coefficient * low.exp().union(high.exp())
-    return total
+        yield key, coefficient * low.exp().union(high.exp()) if key else coefficient

@@ -27,7 +27,8 @@ Signed = dict[Key, Rational]  # of any sign; atoms may be carriers of a sign
 
 CLOSE = 0.4  # an error's terms are shared among products whose logarithms are this close to the best
 NARROW = (0.0, 0.75, 3.0)  # of logarithms: sizes known so well count as coefficients when signs are looked for
-MOST_VALUE, MOST_PARTS = 120, 160  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
+MOST_VALUE, MOST_PARTS = 120, 800  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
+MOST_PAIRS, MOST_SHARED = 4_000_000, 32  # of terms of two variances, and those of them that one error is shared among
 GOOD, FAIR = 8, 64  # relative errors up to which nothing better is looked for, and nothing slower
 SOME = 32  # terms of a sum that is looked at in cells
 FEW = 10  # parts of a variance whose error is shared among pairs of them while it is made
@@ -187,24 +188,43 @@ class Box:
     def _ratio(self, key: Key, coefficient: Ball, other: Key, size: Ball) -> Ball:
         return _above(self.monomial(product_of(key, other, -1.0), coefficient / size)[1].exp())
 
+    def _table(self, *sums: Iterable[Key]) -> tuple[list[Any], Any, Any]:
+        """Of sums the exponents of their terms, and where the sizes lie that these are of: in floating point."""
+        keys = [list(sum_) for sum_ in sums]
+        numbers = sorted({n for one in keys for key in one for n, _ in key})
+        place = {number: position for position, number in enumerate(numbers)}
+        tables = [np.zeros((len(one), len(numbers))) for one in keys]
+        for table, one in zip(tables, keys, strict=True):
+            for row, key in enumerate(one):
+                for number, exponent in key:
+                    table[row, place[number]] = exponent
+        lows, highs = (np.array([_near(self.atoms[n][i]) for n in numbers]) for i in (0, 1))
+        return tables, lows, highs
+
     def _logarithms(self, above: Polynomial, below: Sequence[tuple[Key, Ball]]) -> Any:
         """About the largest quotients of a sum's terms by some products; what is chosen by them is checked after."""
-        numbers = sorted({n for key in (*above, *(key for key, _ in below)) for n, _ in key})
-        place = {number: position for position, number in enumerate(numbers)}
-
-        def table(keys: Iterable[Key]) -> Any:
-            rows = list(keys)
-            found = np.zeros((len(rows), len(numbers)))
-            for row, key in enumerate(rows):
-                for number, exponent in key:
-                    found[row, place[number]] = exponent
-            return found
-
-        lows, highs = (np.array([_near(self.atoms[n][i]) for n in numbers]) for i in (0, 1))
-        net = table(above)[:, np.newaxis] - table(key for key, _ in below)[np.newaxis]
-        tops = np.array([_log(c.upper()) for c in above.values()])
+        (top, foot), lows, highs = self._table(above, (key for key, _ in below))
+        net = top[:, np.newaxis] - foot[np.newaxis]
         feet = np.array([_log(c.lower()) for _, c in below])
-        return tops[:, np.newaxis] - feet + np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows
+        return _tops(above)[:, np.newaxis] - feet + np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows
+
+    def _leading(self, sum_: Polynomial) -> Polynomial:
+        """The terms that no other is above all over the box: a part of a sum that as a scale does nearly as well."""
+        above = self._logarithms(sum_, list(sum_.items())) <= 0
+        above &= ~above.T | np.tri(len(sum_), k=-1, dtype=bool)  # of equal ones the first stays
+        return {key: c for (key, c), less in zip(sum_.items(), above.any(axis=1), strict=True) if not less}
+
+    def _best_pairs(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Iterator[Any]:
+        """For every term of an error the pairs of two sums whose geometric mean it is smallest by, as nearly as any."""
+        (rows, left, right), lows, highs = self._table(error, first, second)
+        halves = (left[:, np.newaxis] + right[np.newaxis]) / 2
+        feet = [np.array([_log(c.lower()) for c in one.values()]) / 2 for one in (first, second)]
+        means = feet[0][:, np.newaxis] + feet[1]
+        for row in rows:
+            net = row - halves
+            found = (np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows - means).ravel()
+            near = np.flatnonzero(found <= found.min() + CLOSE)
+            yield [divmod(int(n), len(second)) for n in near[np.argsort(found[near], kind="stable")][:MOST_SHARED]]
 
     def share(self, error: Polynomial, scale: Polynomial) -> Ball | None:
         """A number κ with error ≤ κ · scale; a term of the error counts by that of the scale that it is smallest by."""
@@ -228,17 +248,16 @@ class Box:
         """
         if not error:
             return self.ball(0)
-        pairs = [(i, j) for i in first for j in second]
-        if not pairs or len(pairs) * len(error) > 200_000:
+        if len(first) * len(second) * len(error) > MOST_PAIRS:
+            first, second = self._leading(first), self._leading(second)
+        if not first or not second or len(first) * len(second) * len(error) > MOST_PAIRS:
             return None
-        roots = [(product_of(half(i), half(j)), (first[i] * second[j]).sqrt()) for i, j in pairs]
-        logarithms = self._logarithms(error, roots)
         rows, columns = dict.fromkeys(first, self.ball(0)), dict.fromkeys(second, self.ball(0))
-        for (key, coefficient), row in zip(error.items(), logarithms, strict=True):
-            shared = np.flatnonzero(row <= row.min() + CLOSE)
-            for n in shared:
-                ratio = self._ratio(key, coefficient, *roots[n]) / len(shared)
-                i, j = pairs[n]
+        left, right = list(first.items()), list(second.items())
+        for (key, coefficient), shared in zip(error.items(), self._best_pairs(error, first, second), strict=True):
+            for m, n in shared:
+                (i, a), (j, b) = left[m], right[n]
+                ratio = self._ratio(key, coefficient, product_of(half(i), half(j)), (a * b).sqrt()) / len(shared)
                 rows[i] += ratio
                 columns[j] += ratio
         found = _above((_largest(list(rows.values())) * _largest(list(columns.values()))).sqrt())
@@ -889,6 +908,11 @@ def _near(ball: Ball) -> float:
 
 def _log(ball: Ball) -> float:
     return _near(ball.log()) if ball > 0 else -ENDLESS
+
+
+def _tops(sum_: Polynomial) -> Any:
+    """About the logarithms of coefficients."""
+    return np.array([_log(c.upper()) for c in sum_.values()])
 
 
 def _largest(balls: Sequence[Ball]) -> Ball:
