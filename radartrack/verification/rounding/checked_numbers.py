@@ -26,8 +26,9 @@ Polynomial = dict[Key, Ball]  # coefficients are not negative
 Signed = dict[Key, Rational]  # of any sign; atoms may be carriers of a sign
 
 CLOSE = 0.4  # an error's terms are shared among products whose logarithms are this close to the best
+CLOSER = (0.0, 1.0, 2.0, 4.0)  # logarithms by which terms may be above those that a long sum is condensed to
 NARROW = (0.0, 0.75, 3.0)  # of logarithms: sizes known so well count as coefficients when signs are looked for
-MOST_VALUE, MOST_PARTS = 120, 800  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
+MOST_VALUE, MOST_PARTS = 120, 160  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
 MOST_PAIRS, MOST_SHARED = 4_000_000, 32  # of terms of two variances, and those of them that one error is shared among
 GOOD, FAIR = 8, 64  # relative errors up to which nothing better is looked for, and nothing slower
 SOME = 32  # terms of a sum that is looked at in cells
@@ -208,11 +209,27 @@ class Box:
         feet = np.array([_log(c.lower()) for _, c in below])
         return _tops(above)[:, np.newaxis] - feet + np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows
 
-    def _leading(self, sum_: Polynomial) -> Polynomial:
-        """The terms that no other is above all over the box: a part of a sum that as a scale does nearly as well."""
-        above = self._logarithms(sum_, list(sum_.items())) <= 0
-        above &= ~above.T | np.tri(len(sum_), k=-1, dtype=bool)  # of equal ones the first stays
-        return {key: c for (key, c), less in zip(sum_.items(), above.any(axis=1), strict=True) if not less}
+    def _leading(self, sum_: Polynomial, near: float = 0.0) -> Polynomial:
+        """Terms that no other is above all over the box, as nearly: a part of a sum that as a scale does as well."""
+        under = self._logarithms(sum_, list(sum_.items())) <= near
+        kept: list[int] = []
+        for n in np.argsort(-under.sum(axis=0), kind="stable"):
+            if not under[n, kept].any():
+                kept.append(int(n))
+        terms = list(sum_.items())
+        return dict(terms[n] for n in sorted(kept))
+
+    def _condensed(self, sum_: Polynomial) -> Polynomial | None:
+        """The same by its leading terms: each is as much more as the others that are shares of it."""
+        found = (self._leading(sum_, near) for near in CLOSER)
+        parts = next((one for one in found if len(one) <= MOST_PARTS // 2), None)
+        if parts is None:
+            return None
+        keys, others = list(parts.items()), {key: c for key, c in sum_.items() if key not in parts}
+        spent = dict.fromkeys(parts, self.ball(0))
+        for (key, size), chosen in zip(others.items(), self._logarithms(others, keys).argmin(axis=1), strict=True):
+            spent[keys[chosen][0]] += self._ratio(key, size, *keys[chosen])
+        return self._kept({key: (_below(c), _above(c * (1 + spent[key]))) for key, c in keys})
 
     def _best_pairs(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Iterator[Any]:
         """For every term of an error the pairs of two sums whose geometric mean it is smallest by, as nearly as any."""
@@ -424,6 +441,8 @@ class Box:
         low, high = ends or self.bounds(exactly or size or NOTHING)
         if not high < self.precision.largest * self.ball(2).log():
             raise Refused("a result may overflow")
+        if exactly is not None and len(exactly) > MOST_PARTS:
+            size, exactly = None if size is exactly else size, self._condensed(exactly)
         exactly, value = self._identified(exactly, value, sign, low, high)
         if size is None or not self.in_parts or len(size) > MOST_PARTS:
             size = exactly
