@@ -42,6 +42,7 @@ class Way(NamedTuple):
     rounded_whole: bool = False
     signed_whole: bool = False
     factors_whole: bool = False
+    by_argument: bool = False
 
 
 WAYS = (
@@ -50,6 +51,7 @@ WAYS = (
     Way(in_parts=True, rounded_whole=True),
     Way(in_parts=True, signed_whole=True),
     Way(in_parts=True, factors_whole=True),
+    Way(in_parts=True, factors_whole=True, by_argument=True),
 )
 
 
@@ -311,7 +313,7 @@ def _called(node: ast.Call, run: Run) -> Number | None:
         return run.waves[name, node.args[0].id]
     values = [_followed(argument, run) for argument in node.args]
     if name == "less":
-        return _compared(run, *values)
+        return _compared(run, node.args, *values)
     if name in KNOWN and name in run.helpers:
         order = node.args[1].value if len(node.args) > 1 and isinstance(node.args[1], ast.Constant) else 0
         if not isinstance(order, int):
@@ -326,11 +328,19 @@ def _called(node: ast.Call, run: Run) -> Number | None:
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
 
 
-def _compared(run: Run, a: Number | None, b: Number | None) -> Number | None:
-    """1 where a < b, else zero; where the box leaves that open, both are tried."""
+def _compared(run: Run, nodes: Sequence[ast.expr], a: Number | None, b: Number | None) -> Number | None:
+    """1 where a < b, else zero; where the box leaves that open, both are tried, and what is compared is known better."""
     if a is None or b is None or a.sign <= 0 or b.sign <= 0:
         raise Refused("a comparison of what may not be positive")
     is_below = True if a.high < b.low else False if a.low > b.high else run.below
+    if a.relative is not None and b.relative is not None:
+        off = 2 * (run.box.small(a.relative) + run.box.small(b.relative))
+        smaller, larger = (a, b) if is_below else (b, a)
+        least, most = (smaller.low - off).lower(), (larger.high + off).upper()
+        for node, one in zip(nodes, (a, b), strict=True):
+            if isinstance(node, ast.Name):
+                known = {"high": min(one.high, most)} if one is smaller else {"low": max(one.low, least)}
+                run.names[node.id] = replace(one, **known)
     return run.box.constant(1) if is_below else None
 
 

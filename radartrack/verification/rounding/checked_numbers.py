@@ -113,6 +113,7 @@ class Box:
     rounded_whole: bool = False  # whether a difference of exact numbers, which is rounded once, is not taken apart
     signed_whole: bool = False  # whether a difference whose sign is known is not taken apart
     factors_whole: bool = False  # whether such a difference is not taken apart where it is multiplied
+    by_argument: bool = False  # whether e^a - 1 is a multiple of a, or a size of its own
     most_value: int = MOST_VALUE
     atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
     carriers: set[int] = field(default_factory=set)
@@ -838,7 +839,13 @@ class Box:
         condition = farthest / -(-farthest).expm1() if a.sign > 0 else self.ball(1)
         change = ((condition * -(1 - part).log()).expm1()) / self.unit
         relative = self._rounded(_above(change), 2.0 * self.precision.ulps["expm1"])
-        return self._new(a.sign, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+        tiny = float(low.lower()) / math.log(2) - 1e-3
+        if not self.by_argument or len(a.value) > 1 or len(a.exactly) > 1:
+            return self._new(a.sign, low, high, relative, tiny)
+        ends = [((a.sign * end.exp()).expm1() / end.exp() * a.sign).log() for end in (a.low, a.high)]
+        share = self.atom(_below(min(ends, key=_float)), _above(max(ends, key=_float)))
+        of_a, size = ({product_of(key, share): c for key, c in one.items()} for one in (a.value, a.exactly))
+        return self.made(a.sign, size, None, relative, tiny, of_a, ends=(low, high))
 
 
 def _put(sum_: Signed, key: Key, coefficient: Rational) -> None:
