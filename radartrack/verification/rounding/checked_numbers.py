@@ -41,6 +41,10 @@ class Refused(ValueError):
     """The certificate does not show what it claims."""
 
 
+class Undefined(Refused):
+    """The formula divides by zero all over the box: nothing is said of it there."""
+
+
 @dataclass(frozen=True, eq=False)
 class Precision:
     """A binary format, and what is assumed of the elementary functions in it.
@@ -527,7 +531,7 @@ class Box:
             return None
         a, b = self._factor(a), self._factor(b)
         if len(a.size) * len(b.size) > 4 * MOST_PARTS:
-            a, b = (self._as_whole(one) if len(one.size) > MOST_PARTS // 8 else one for one in (a, b))
+            a, b = (self.as_whole(one) if len(one.size) > MOST_PARTS // 8 else one for one in (a, b))
         relative, u = None, self.unit
         if a.relative is not None and b.relative is not None:
             relative = self._rounded(a.relative + b.relative + u * a.relative * b.relative, units)
@@ -549,7 +553,7 @@ class Box:
         )  # fmt: skip
         return replace(made, grid=grid)
 
-    def _as_whole(self, a: Number) -> Number:
+    def as_whole(self, a: Number) -> Number:
         """The same, not taken apart."""
         value, size = self.whole(a.value, a.sign, a.low, a.high)
         error: Polynomial = {(): _above(self.bounds(a.error)[1].exp())} if a.error else NOTHING
@@ -601,7 +605,9 @@ class Box:
         """a / b."""
         if a is None:
             return None
-        if b is None or b.relative is None:
+        if b is None:
+            raise Undefined("a divisor that is zero")
+        if b.relative is None:
             raise Refused("a divisor that may be zero")
         u, b = self.unit, self._if_not_zero(b)
         worse = _above(b.relative / (1 - self.small(b.relative)))
@@ -642,7 +648,8 @@ class Box:
             if a.relative is not None and b.relative is not None:
                 relative = self._rounded(_largest([a.relative, b.relative]), 1.0)
             exactly: Polynomial | None = plus(a.exactly, b.exactly)
-            sign, ends = a.sign, (_below((a.low.exp() + b.low.exp()).log()), high)
+            least = a.low.exp() + b.low.exp()
+            sign, ends = a.sign, (_below(least.log()) if least > 0 else self.ball(-math.inf), high)
             tiny = max(a.tiny, b.tiny) - 1e-3
         else:
             parts = self._cells(value) if value else None
@@ -669,13 +676,13 @@ class Box:
         """A difference as one size, where that is the way, and its sign and size are known."""
         if not self.signed_whole or difference.relative is None or not difference.relative < FAIR:
             return difference
-        return self._as_whole(difference) if difference.high - difference.low < NARROW[-1] else difference
+        return self.as_whole(difference) if difference.high - difference.low < NARROW[-1] else difference
 
     def _factor(self, a: Number) -> Number:
         """A difference that is multiplied as one size, where that is the way, and its sign and size are known."""
         if not self.factors_whole or a.relative is None or not a.relative < FAIR or not _is_mixed(a.value):
             return a
-        return self._as_whole(a) if a.high - a.low < NARROW[-1] else a
+        return self.as_whole(a) if a.high - a.low < NARROW[-1] else a
 
     def _difference(
         self, a: Number, b: Number, value: Signed, parts: list[Cell] | None, high: Ball
