@@ -83,7 +83,7 @@ class Run:
         return self.outcomes[question]
 
 
-class Open(Exception):  # noqa: N818
+class Open(Exception):
     """A question of which a box has either answer: both are followed."""
 
 
@@ -352,7 +352,7 @@ def _called(node: ast.Call, run: Run) -> Number | None:
 
 
 def _compared(run: Run, node: ast.Call, a: Number | None, b: Number | None) -> Number | None:
-    """1 where a < b, else zero; where the box leaves that open, both are tried, and what is compared is known better."""
+    """1 where a < b, else zero; where the box leaves that open, both are tried, with what they say of a and b."""
     if a is None or b is None or a.sign <= 0 or b.sign <= 0:
         raise Refused("a comparison of what may not be positive")
     is_below = True if a.high < b.low else False if a.low > b.high else run.answer(ast.unparse(node))
@@ -391,10 +391,15 @@ def _operation(node: ast.BinOp, run: Run) -> Number | None:
         case ast.Add():
             return box.add(left, right)
         case ast.Sub():
-            return None if left is right else box.add(left, box.by_power_of_two(right, -1.0))
+            return None if _is_same(left, right) else box.add(left, box.by_power_of_two(right, -1.0))
         case ast.Div():
             return box.divide(left, right)
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
+
+
+def _is_same(a: Number | None, b: Number | None) -> bool:
+    """Whether two are one, also as computed: a size may be computed of the other sign, where its error is not known."""
+    return a is b and (a is None or (a.relative is not None and bool(a.relative < GOOD)))
 
 
 def _power_of_two(node: ast.expr) -> float:

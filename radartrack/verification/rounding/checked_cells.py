@@ -75,6 +75,8 @@ def largest_share(error: Terms, of: list[Cell], others: Ends) -> Ball | None:
 
 
 def _sign(cell: Cell) -> int:
+    if not (cell.low.is_finite() and cell.high.is_finite()):
+        return 0
     return 1 if cell.low > 0 else -1 if cell.high < 0 else 0
 
 
@@ -94,23 +96,23 @@ def _halves(cell: Cell) -> list[Ends]:
 
 
 def _cell(value: Terms, sizes: Ends) -> Cell:
-    """The ends of a sum on a cell: at an end of every size with which it grows or falls, by its slopes in the others."""
+    """The ends of a sum on a cell: at an end of each size with which it grows or falls, by slopes in the others."""
     slopes = dict.fromkeys(sizes, 0)
     for key, term in _terms_on(value, sizes):
         for n, exponent in key:
             slopes[n] = slopes[n] + term * exponent
-    changes = {n: abs(slope).upper() * (sizes[n][1] - sizes[n][0]) for n, slope in slopes.items()}
+    middle = _middle(sizes)
+    reach = {n: max((high - middle[n][0]).upper(), (middle[n][0] - low).upper()) for n, (low, high) in sizes.items()}
+    changes = {n: abs(slope).upper() * reach[n] for n, slope in slopes.items()}
     turning = [n for n, slope in slopes.items() if not (slope > 0 or slope < 0)]
-    middle, away = _middle(sizes), sum((changes[n] for n in turning), 0) / 2
-    low, high = (sum_on(value, {n: _end(sizes[n], slopes[n], side) for n in sizes}) for side in (0, 1))
-    low, high = low.lower(), high.upper()
-    if turning:
-        for side in (0, 1):
-            there = {n: middle[n] if n in turning else _end(sizes[n], slopes[n], side) for n in sizes}
-            if side:
-                high = min(high, (sum_on(value, there) + away).upper())
-            else:
-                low = max(low, (sum_on(value, there) - away).lower())
+    away = sum((changes[n] for n in turning), 0)
+    found = []
+    for side, turn in ((0, -1), (1, 1)):
+        there = {n: _end(sizes[n], slopes[n], side) for n in sizes}
+        found.append([sum_on(value, there)])
+        if turning:
+            found[-1].append(sum_on(value, {**there, **{n: middle[n] for n in turning}}) + turn * away)
+    low, high = max(one.lower() for one in found[0]), min(one.upper() for one in found[1])
     return Cell(sizes, low, high, max(changes, key=lambda n: float(changes[n]), default=0))
 
 

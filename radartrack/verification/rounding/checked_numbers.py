@@ -372,7 +372,8 @@ class Box:
         found: dict[Key, Ball] = {}
         for outer, inner in groups.items():
             common = _common(inner)
-            parts = self._cells({product_of(key, common, -1.0): c for key, c in inner.items()}) if _is_mixed(inner) else None
+            rest = {product_of(key, common, -1.0): c for key, c in inner.items()}
+            parts = self._cells(rest) if _is_mixed(rest) else None
             if parts is None:
                 found |= {product_of(outer, key): self.flint.arb(c) for key, c in inner.items()}
             else:
@@ -664,11 +665,9 @@ class Box:
         if self.rounded_whole and is_of_exact and not sign and value and not self._exact_by_grid(grid, ends[1]):
             value, size = self.whole(value, sign, *ends)
             exactly = terms = size
-        error = plus(_scaled(plus(a.error, b.error), 1 + u), size)
-        if is_of_exact and self._exact_by_grid(grid, ends[1]):
-            error, relative = NOTHING, self.ball(0)
-        elif parts:
-            relative = _least(relative, largest_share(error, parts, dict(enumerate(self.atoms))))
+        rounds = not (is_of_exact and self._exact_by_grid(grid, ends[1]))
+        error = plus(_scaled(plus(a.error, b.error), 1 + u), size) if rounds else NOTHING
+        relative = _least(relative, self._by_cells(error, parts)) if rounds else self.ball(0)
         made = self.made(sign, exactly, error, relative, tiny, value or None, size, terms, ends, may_underflow=False)
         return replace(made if a.sign * b.sign > 0 else self._known_well(made), grid=grid)
 
@@ -715,6 +714,9 @@ class Box:
         if len(value) > SOME or any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
             return None
         return cells({key: self.flint.arb(c) for key, c in value.items()}, {n: self.atoms[n] for n in numbers})
+
+    def _by_cells(self, error: Polynomial, parts: list[Cell] | None) -> Ball | None:
+        return largest_share(error, parts, dict(enumerate(self.atoms))) if parts else None
 
     def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
         """The same of the parts as they came about."""
@@ -847,7 +849,7 @@ class Box:
         change = ((condition * -(1 - part).log()).expm1()) / self.unit
         relative = self._rounded(_above(change), 2.0 * self.precision.ulps["expm1"])
         tiny = float(low.lower()) / math.log(2) - 1e-3
-        if not self.by_argument or len(a.value) > 1 or len(a.exactly) > 1:
+        if not self.by_argument or not a.low.is_finite() or len(a.value) > 1 or len(a.exactly) > 1:
             return self._new(a.sign, low, high, relative, tiny)
         ends = [((a.sign * end.exp()).expm1() / end.exp() * a.sign).log() for end in (a.low, a.high)]
         share = self.atom(_below(min(ends, key=_float)), _above(max(ends, key=_float)))
