@@ -97,10 +97,10 @@ def _halves(cell: Cell) -> list[Ends]:
 
 def _cell(value: Terms, sizes: Ends) -> Cell:
     """The ends of a sum on a cell: at an end of each size with which it grows or falls, by slopes in the others."""
-    slopes = dict.fromkeys(sizes, 0)
+    slopes: dict[int, Ball] = {}
     for key, term in _terms_on(value, sizes):
         for n, exponent in key:
-            slopes[n] = slopes[n] + term * exponent
+            slopes[n] = slopes.get(n, 0) + term * exponent
     middle = _middle(sizes)
     reach = {n: max((high - middle[n][0]).upper(), (middle[n][0] - low).upper()) for n, (low, high) in sizes.items()}
     changes = {n: abs(slope).upper() * reach[n] for n, slope in slopes.items()}
@@ -108,7 +108,7 @@ def _cell(value: Terms, sizes: Ends) -> Cell:
     away = sum((changes[n] for n in turning), 0)
     found = []
     for side, turn in ((0, -1), (1, 1)):
-        there = {n: _end(sizes[n], slopes[n], side) for n in sizes}
+        there = {**sizes, **{n: _end(sizes[n], slope, side) for n, slope in slopes.items()}}
         found.append([sum_on(value, there)])
         if turning:
             found[-1].append(sum_on(value, {**there, **{n: middle[n] for n in turning}}) + turn * away)
