@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from radartrack.verification.rounding.checked_cells import Cell, cells, largest_share
+from radartrack.verification.rounding.checked_cells import Along, Cell, cells, largest_share
 from radartrack.verification.rounding.checked_cells import ends as ends_of
 
 Ball = Any
@@ -24,6 +24,7 @@ Rational = Any
 Key = tuple[tuple[int, float], ...]  # atoms, by their numbers, and their exponents
 Polynomial = dict[Key, Ball]  # coefficients are not negative
 Signed = dict[Key, Rational]  # of any sign; atoms may be carriers of a sign
+ARGUMENT = -4  # the size that others are functions of, where a sum is looked at in cells
 
 CLOSE = 0.4  # an error's terms are shared among products whose logarithms are this close to the best
 CLOSER = (0.0, 1.0, 2.0, 4.0)  # logarithms by which terms may be above those that a long sum is condensed to
@@ -107,6 +108,45 @@ class Number:
         return not self.error
 
 
+@dataclass(frozen=True)
+class Curve:
+    """How a size depends on an argument of a function.
+
+    Attributes:
+        argument: a product of powers that is the argument's size.
+        low: of the logarithm of that.
+        high: likewise.
+        ends: of the function by those of the argument's size; of either sign.
+    """
+
+    argument: Key
+    low: Ball
+    high: Ball
+    ends: Callable[[Ball, Ball], tuple[Ball, Ball]]
+
+    def logarithms(self, low: Ball, high: Ball) -> tuple[Ball, Ball]:
+        """Of its size, by those of the argument's."""
+        sizes = [abs(end) for end in self.ends(low.exp(), high.exp())]
+        return min(size.lower() for size in sizes).log().lower(), max(size.upper() for size in sizes).log().upper()
+
+
+@dataclass(frozen=True)
+class Parts:
+    """A sum in cells.
+
+    Attributes:
+        cells: of what is left of it.
+        common: what all its terms have as a factor.
+        argument: a product of powers that is the size `ARGUMENT`; empty where there is none.
+        span: where that size lies.
+    """
+
+    cells: list[Cell]
+    common: Key = ()
+    argument: Key = ()
+    span: tuple[Ball, Ball] | None = None
+
+
 @dataclass
 class Box:
     """The sizes that sums are made of in one box, and the rules of arithmetic."""
@@ -123,6 +163,7 @@ class Box:
     carriers: set[int] = field(default_factory=set)
     waves: list[tuple[int, int]] = field(default_factory=list)
     shares: set[int] = field(default_factory=set)  # sizes that stand for what is not known of a part of a sum
+    curves: dict[int, Curve] = field(default_factory=dict)
     known: dict[Any, Any] = field(default_factory=dict)
     signs: dict[Any, tuple[int, Polynomial] | None] = field(default_factory=dict)  # a value's parts are the same again
 
@@ -374,10 +415,10 @@ class Box:
             common = _common(inner)
             rest = {product_of(key, common, -1.0): c for key, c in inner.items()}
             parts = self._cells(rest) if _is_mixed(rest) else None
-            if parts is None:
+            if parts is None or parts.common:
                 found |= {product_of(outer, key): self.flint.arb(c) for key, c in inner.items()}
             else:
-                found[product_of(outer, common)] = _between(*ends_of(parts))
+                found[product_of(outer, common)] = _between(*ends_of(parts.cells))
         return self._absorbed_in_either(found, unknown=False) if len(found) < len(value) else None
 
     def _is_small(self, number: int) -> bool:
@@ -684,7 +725,7 @@ class Box:
         return self.as_whole(a) if a.high - a.low < NARROW[-1] else a
 
     def _difference(
-        self, a: Number, b: Number, value: Signed, parts: list[Cell] | None, high: Ball
+        self, a: Number, b: Number, value: Signed, parts: Parts | None, high: Ball
     ) -> tuple[int, Polynomial | None, tuple[Ball, Ball]]:
         """Sign, size and range of a sum whose terms may cancel."""
         low, sign = self.ball(-math.inf), 0
@@ -695,9 +736,8 @@ class Box:
             if major.sign and minor.high < major.low:
                 low, sign = _below(major.low + (1 - (minor.high - major.low).exp()).log()), major.sign
         if parts:
-            least, most = ends_of(parts)
-            sign, sizes = (1, (least, most)) if least > 0 else (-1, (-most, -least))
-            low, high = _highest((low, _below(sizes[0].log()))), _lowest((high, _above(sizes[1].log())))
+            sign, least, most = self._ends_of(parts)
+            low, high = _highest((low, least)), _lowest((high, most))
         found = (self.of_one_sign(value) or self._remainder(a, b)) if value else None
         if found is None:
             return sign, None, (low, high)
@@ -708,15 +748,56 @@ class Box:
             return sign, self.whole(value, sign, low, high)[1], (low, high)
         return sign, found[1], (low, high)
 
-    def _cells(self, value: Signed) -> list[Cell] | None:
+    def _cells(self, value: Signed) -> Parts | None:
         """The box in parts in which a sum of few sizes is known well."""
         numbers = {n for key in value for n, _ in key}
         if len(value) > SOME or any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
             return None
-        return cells({key: self.flint.arb(c) for key, c in value.items()}, {n: self.atoms[n] for n in numbers})
+        sum_ = {key: self.flint.arb(c) for key, c in value.items()}
+        curves = {n: self.curves[n] for n in sorted(numbers) if n in self.curves}
+        if len({curve.argument for curve in curves.values()}) == 1:
+            return self._cells_along(sum_, curves)
+        found = cells(sum_, {n: self.atoms[n] for n in numbers})
+        return Parts(found) if found else None
 
-    def _by_cells(self, error: Polynomial, parts: list[Cell] | None) -> Ball | None:
-        return largest_share(error, parts, dict(enumerate(self.atoms))) if parts else None
+    def _cells_along(self, sum_: Polynomial, curves: dict[int, Curve]) -> Parts | None:
+        """The same, where sizes are functions of one argument, by that."""
+        argument = next(iter(curves.values())).argument
+        span = max(curve.low for curve in curves.values()), min(curve.high for curve in curves.values())
+        by_argument = _by_argument(sum_, argument)
+        common = _common(by_argument)
+        rest = {product_of(key, common, -1.0): c for key, c in by_argument.items()}
+        others = {n: self.atoms[n] for key in rest for n, _ in key if n not in curves and n != ARGUMENT}
+        along = Along(ARGUMENT, {n: curve.logarithms for n, curve in curves.items()})
+        found = cells(rest, {**others, ARGUMENT: span}, along)
+        return Parts(found, common, argument, span) if found else None
+
+    def _ends_of(self, parts: Parts) -> tuple[int, Ball, Ball]:
+        """The sign of a sum in cells, and of the logarithm of its size the ends."""
+        least, most = ends_of(parts.cells)
+        sign, sizes = (1, (least, most)) if least > 0 else (-1, (-most, -least))
+        low, high = sizes[0].log(), sizes[1].log()
+        for n, exponent in parts.common:
+            ends = parts.span if n == ARGUMENT and parts.span else self.atoms[n]
+            first, last = ends if exponent > 0 else ends[::-1]
+            low, high = low + first * exponent, high + last * exponent
+        return sign, _below(low), _above(high)
+
+    def _by_cells(self, error: Polynomial, parts: Parts | None) -> Ball | None:
+        """A bound of an error by the sum that it is of, cell by cell."""
+        if parts is None:
+            return None
+        turned = _by_argument(error, parts.argument) if parts.argument else error
+        rest = {product_of(key, parts.common, -1.0): c for key, c in turned.items()}
+        others = dict(enumerate(self.atoms)) | ({ARGUMENT: parts.span} if parts.span else {})
+        return largest_share(rest, parts.cells, others)
+
+    def follows(self, key: Key, argument: Number, ends: Callable[[Ball, Ball], tuple[Ball, Ball]]) -> None:
+        """Note that a size is a function of an argument."""
+        if self.by_argument and len(argument.value) == len(argument.exactly) == 1 and argument.low.is_finite():
+            ((of, size),) = argument.exactly.items()
+            if size == 1:
+                self.curves[key[0][0]] = Curve(of, argument.low, argument.high, ends)
 
     def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
         """The same of the parts as they came about."""
@@ -833,7 +914,9 @@ class Box:
         off = off if a.relative is None else min(off, a.relative * a.high.exp(), key=_float)
         change = (self.unit * off).expm1() / self.unit
         relative = self._rounded(_above(change), 2.0 * self.precision.ulps["exp"])
-        return self._new(1, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+        found = self._new(1, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+        self.follows(next(iter(found.exactly)), a, lambda low, high: ((a.sign * low).exp(), (a.sign * high).exp()))
+        return found
 
     def exponential_less_one(self, a: Number | None) -> Number | None:
         """e^a − 1; its condition is below 1 on the left, a/(1 − e^−a) on the right."""
@@ -853,6 +936,7 @@ class Box:
             return self._new(a.sign, low, high, relative, tiny)
         ends = [((a.sign * end.exp()).expm1() / end.exp() * a.sign).log() for end in (a.low, a.high)]
         share = self.atom(_below(min(ends, key=_float)), _above(max(ends, key=_float)))
+        self.follows(share, a, lambda low, high: ((a.sign * low).expm1() / low, (a.sign * high).expm1() / high))
         of_a, size = ({product_of(key, share): c for key, c in one.items()} for one in (a.value, a.exactly))
         return self.made(a.sign, size, None, relative, tiny, of_a, ends=(low, high))
 
@@ -875,6 +959,17 @@ def _common(value: Signed) -> Key:
     each = [dict(key) for key in value]
     least = ((n, min(one.get(n, 0.0) for one in each)) for n in sorted({n for one in each for n in one}))
     return tuple((n, exponent) for n, exponent in least if exponent)
+
+
+def _by_argument(sum_: Polynomial, argument: Key) -> Polynomial:
+    """A sum with one size for a product of powers, as often as a term has it."""
+    found: Polynomial = {}
+    for key, c in sum_.items():
+        exponents = dict(key)
+        power = max(min(exponents.get(n, 0.0) / e for n, e in argument), 0.0)
+        turned = product_of(product_of(key, argument, -power), ((ARGUMENT, power),))
+        found[turned] = found[turned] + c if turned in found else c
+    return found
 
 
 def _normal(value: Signed) -> tuple[Any, int]:
