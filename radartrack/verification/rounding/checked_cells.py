@@ -41,7 +41,7 @@ class Along(NamedTuple):
         return {**sizes, **{n: curve(*sizes[self.size]) for n, curve in self.curves.items()}}
 
 
-NONE = Along(0, {})
+NONE = Along(0, {})  # no size is one of another
 
 
 def cells(value: Terms, whole: Ends, along: Along = NONE) -> list[Cell] | None:
@@ -150,7 +150,8 @@ def sum_on(value: Terms, sizes: Ends) -> Ball:
 
 def _terms_on(value: Terms, sizes: Ends) -> Iterator[tuple[Key, Ball]]:
     for key, coefficient in value.items():
-        low = high = 0
+        low: Ball = 0
+        high: Ball = 0
         for n, exponent in key:
             first, last = sizes[n] if exponent > 0 else sizes[n][::-1]
             low, high = low + first * exponent, high + last * exponent

@@ -272,7 +272,7 @@ class Box:
         if parts is None:
             return None
         keys, others = list(parts.items()), {key: c for key, c in sum_.items() if key not in parts}
-        spent = dict.fromkeys(parts, self.ball(0))
+        spent: dict[Key, Ball] = dict.fromkeys(parts, self.ball(0))
         for (key, size), chosen in zip(others.items(), self._logarithms(others, keys).argmin(axis=1), strict=True):
             spent[keys[chosen][0]] += self._ratio(key, size, *keys[chosen])
         return self._kept({key: (_below(c), _above(c * (1 + spent[key]))) for key, c in keys})

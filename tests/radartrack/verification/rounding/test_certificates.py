@@ -39,7 +39,8 @@ SHOWN = (
     "finite_sample.degree2.range_rate.covariance", "finite_sample.degree1.range.range_weights",
     "frames.ecef_from_geodetic.map", "observe.range_difference.jacobian", "ruv.covariance.second_order",
     "motion.ctrv.map", "motion.singer.transition", "steady_state.alpha_beta_gamma.covariance",
-    "finite_sample.degree1.range.at_lag.range_weights",
+    "finite_sample.degree1.range.at_lag.range_weights", "line.slope", "motion.ornstein_uhlenbeck.process_noise",
+    "finite_sample.degree3.range.range_weights", "spherical_doppler.covariance.third_order",
 )  # fmt: skip
 SPLIT = "polar.covariance.averaged"
 
@@ -336,6 +337,20 @@ def test_an_exponential_less_one_may_be_told_as_a_multiple_of_its_argument():
     assert bound / 20 < worst <= bound
     with pytest.raises(Refused):
         confirmed(text, little | {"ways": [number for number in range(len(WAYS)) if number not in as_multiple]})
+
+
+def test_exponentials_of_one_product_cancel_in_the_bound_as_they_do():
+    text = written("x = a * b", "result[...] = np.exp(-x) - np.expm1(-x) - 0.9")  # always 0.1
+    arguments = [positive("a", 1e-3, 2.0), positive("b", 1e-3, 2.0)]
+    both = {**claim("ab", "norm", {"a:+ b:+": "."}), "arguments": arguments}
+    bound = confirmed(text, both | {"ways": [n for n, way in enumerate(WAYS) if way.by_argument]})
+    random, worst = Random(9), 0.0
+    for _ in range(300):
+        x = math.prod(math.exp(random.uniform(math.log(1e-3), math.log(2.0))) for _ in "ab")
+        worst = max(worst, abs(math.exp(-x) - math.expm1(-x) - 0.9 - (1 - 0.9)) / 0.1 * 2**53)
+    assert worst <= bound < 200
+    with pytest.raises(Refused):
+        confirmed(text, both | {"ways": [n for n, way in enumerate(WAYS) if not way.by_argument]})
 
 
 def of_many_digits(a: float) -> Decimal:

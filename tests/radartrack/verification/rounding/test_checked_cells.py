@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from radartrack.verification.rounding import checked_cells
-from radartrack.verification.rounding.checked_cells import Key, cells, ends, largest_share, sum_on
+from radartrack.verification.rounding.checked_cells import Along, Cell, Key, cells, ends, largest_share, sum_on
 
 flint = pytest.importorskip("flint")
 COEFFICIENTS = (1.0, 2.0, 0.5, -1.0, -0.75, -3.0)
@@ -36,6 +36,12 @@ def drawn_box(random: Random) -> dict[int, tuple[float, float]]:
     return {n: (low, low + random.choice((0.01, 0.5, 2.0))) for n, low in lows.items()}
 
 
+def share_of(error: Sum, parts: list[Cell], others: dict[int, tuple[Any, Any]] | None = None) -> float:
+    found = largest_share(balls(error), parts, others or {})
+    assert found is not None
+    return float(found)
+
+
 def in_balls(box: dict[int, tuple[float, float]]) -> dict[int, tuple[Any, Any]]:
     return {n: (flint.arb(low), flint.arb(high)) for n, (low, high) in box.items()}
 
@@ -51,7 +57,7 @@ def test_a_sum_lies_between_its_ends_and_an_error_is_no_larger_a_share():
             continue
         found += 1
         low, high = (float(end) for end in ends(parts))
-        share = float(largest_share(balls(error), parts, {}))
+        share = share_of(error, parts)
         worst = 0.0
         for _ in range(60):
             point = {n: random.choice((a, b, random.uniform(a, b))) for n, (a, b) in box.items()}
@@ -98,7 +104,7 @@ def test_an_error_without_a_bound_has_no_share():
     parts = cells(balls({(): 1.0}), {})
     assert parts is not None
     endless = {7: (flint.arb(-math.inf), flint.arb(0))}
-    assert float(largest_share(balls({((7, 1.0),): 1.0}), parts, endless)) == pytest.approx(1)
+    assert share_of({((7, 1.0),): 1.0}, parts, endless) == pytest.approx(1)
     assert largest_share(balls({((7, -1.0),): 1.0}), parts, endless) is None
 
 
@@ -107,3 +113,26 @@ def test_a_sum_on_a_box_has_each_size_anywhere_between_its_ends():
     found = sum_on(balls({((0, 1.0),): 1.0, ((0, -1.0),): -1.0}), {0: (low, high)})
     assert found.contains(0)
     assert found.contains(flint.arb(1).exp() - flint.arb(-1).exp())
+
+
+def test_sizes_that_are_functions_of_one_argument_are_looked_at_together():
+    value = {((1, 1.0),): 1.0, ((2, 1.0),): 1.0, (): -0.9}  # e^-x + (1 - e^-x) - 0.9
+    span = in_balls({0: (-7.0, 1.5)})
+    along = Along(
+        0,
+        {
+            1: lambda low, high: (-high.exp(), -low.exp()),
+            2: lambda low, high: ((-(-low.exp()).expm1()).log(), (-(-high.exp()).expm1()).log()),
+        },
+    )
+    parts = cells(balls(value), span, along)
+    assert parts is not None
+    low, high = (float(end) for end in ends(parts))
+    assert 0.03 < low <= 0.1 <= high < 0.3
+    assert cells(balls(value), along(span)) is None
+    share = share_of({((1, 1.0),): 1.0, ((2, 1.0),): 1.0}, parts)
+    assert 10 <= share < 40
+    for part in parts:
+        at_low, at_high = (float(end.exp()) for end in part.sizes[0])
+        assert float(part.sizes[1][0].exp()) <= math.exp(-at_high) * (1 + 1e-12)
+        assert float(part.sizes[1][1].exp()) >= math.exp(-at_low) * (1 - 1e-12)
