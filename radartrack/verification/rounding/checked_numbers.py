@@ -265,7 +265,7 @@ class Box:
         terms = list(sum_.items())
         return dict(terms[n] for n in sorted(kept))
 
-    def _condensed(self, sum_: Polynomial) -> Polynomial | None:
+    def condensed(self, sum_: Polynomial) -> Polynomial | None:
         """The same by its leading terms: each is as much more as the others that are shares of it."""
         found = (self._leading(sum_, near) for near in CLOSER)
         parts = next((one for one in found if len(one) <= MOST_PARTS // 2), None)
@@ -489,7 +489,7 @@ class Box:
         if not high < self.precision.largest * self.ball(2).log():
             raise Refused("a result may overflow")
         if exactly is not None and len(exactly) > MOST_PARTS:
-            size, exactly = None if size is exactly else size, self._condensed(exactly)
+            size, exactly = None if size is exactly else size, self.condensed(exactly)
         exactly, value = self._identified(exactly, value, sign, low, high)
         if size is None or not self.in_parts or len(size) > MOST_PARTS:
             size = exactly
