@@ -292,6 +292,11 @@ def test_a_difference_that_may_be_computed_of_the_other_sign_does_not_cancel_wit
     assert confirmed(text, claim("abcd", "terms", {"a:+ b:+ c:+ d:+": "."})) > 1
 
 
+def test_what_is_positive_but_may_be_computed_negative_does_not_cancel_with_its_size():
+    text = written("x = (a + 1e-15) - a", "A = np.abs(x)", "result[...] = (A - x) + a")
+    assert confirmed(text, claim("a", "norm", {"a:+": "."})) >= 1
+
+
 def test_a_formula_that_divides_by_zero_is_not_defined_there():
     signed_one = {**positive("a", -1e5, 1e5), "kind": "signed"}
     of_a = {**claim("ab", "norm", {"a:zero b:+": ".", "a:± b:+": "."}), "arguments": [signed_one, positive("b", 1, 2)]}
