@@ -99,8 +99,8 @@ def degree1(*, theta: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (2), unit 1.
 
-    Accuracy: at most 4.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
-    (float64); in float32, with functions within 4 of its ulp, at most 4.01.
+    Accuracy: at most 3.04 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 3.04.
     """
     arguments = _floats(theta)
     theta, = arguments

@@ -2516,7 +2516,7 @@ def degree3_range_covariance(*, k: npt.ArrayLike, T: npt.ArrayLike, sigma_r: npt
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m/s, m/s^2, m/s^3] × [m, m/s, m/s^2, m/s^3].
 
-    Accuracy: at most 25.4 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    Accuracy: at most 28.4 ulp anywhere in this domain, proved for elementary functions within 1 ulp
     (float64).
     """
     arguments = _floats(k, T, sigma_r)
@@ -2656,9 +2656,9 @@ def degree3_range_range_weights(*, k: npt.ArrayLike, j: npt.ArrayLike, T: npt.Ar
     Returns:
         Shape of the broadcast arguments + (4), unit [1, 1/s, 1/s^2, 1/s^3].
 
-    Accuracy: measured, not proved: at most 4 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors). Errors are measured against the weights of this, the first and the last
-    scan and the root mean square of all.
+    Accuracy: at most 894 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Errors are measured against the weights of this, the first and the last scan and the root mean square of
+    all.
     """
     arguments = _floats(k, j, T)
     k, j, T = arguments

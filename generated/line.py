@@ -271,8 +271,8 @@ def slope(*, S_xx: npt.ArrayLike, S_xy: npt.ArrayLike, S_yy: npt.ArrayLike) -> F
     Returns:
         Shape of the broadcast arguments, unit 1.
 
-    Accuracy: measured, not proved: at most 2 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 6.51 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 124.
     """
     arguments = _floats(S_xx, S_xy, S_yy)
     S_xx, S_xy, S_yy = arguments

@@ -728,8 +728,7 @@ def singer_process_noise(*, T: npt.ArrayLike, alpha: npt.ArrayLike, sigma_m: npt
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m/s, m/s^2] × [m, m/s, m/s^2].
 
-    Accuracy: measured, not proved: at most 8.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 560 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
     """
     arguments = _floats(T, alpha, sigma_m)
     T, alpha, sigma_m = arguments
@@ -813,8 +812,7 @@ def ornstein_uhlenbeck_process_noise(*, T: npt.ArrayLike, alpha: npt.ArrayLike, 
     Returns:
         Shape of the broadcast arguments + (2, 2), unit [m, m/s] × [m, m/s].
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 308 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
     """
     arguments = _floats(T, alpha, q)
     T, alpha, q = arguments

@@ -77,8 +77,8 @@ def map(*, r: npt.ArrayLike, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 7.51 ulp anywhere in this domain, proved for elementary functions within 1 ulp
-    (float64); in float32, with functions within 4 of its ulp, at most 7.51.
+    Accuracy: at most 6.93 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 6.93.
     """
     arguments = _floats(r, u, v)
     r, u, v = arguments
@@ -106,8 +106,8 @@ def jacobian(*, r: npt.ArrayLike, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m] × [1/m, 1, 1].
 
-    Accuracy: at most 6.51 ulp anywhere in this domain, proved for elementary functions within 1 ulp
-    (float64); in float32, with functions within 4 of its ulp, at most 6.51.
+    Accuracy: at most 6.01 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    (float64); in float32, with functions within 4 of its ulp, at most 6.01.
     """
     arguments = _floats(r, u, v)
     r, u, v = arguments
@@ -142,7 +142,7 @@ def hessian(*, r: npt.ArrayLike, u: npt.ArrayLike, v: npt.ArrayLike) -> Floats:
     Returns:
         Shape of the broadcast arguments + (3, 3, 3), unit [m, m, m] × [1/m, 1, 1] × [1/m, 1, 1].
 
-    Accuracy: at most 25.6 ulp anywhere in this domain, proved for elementary functions within 1 ulp
+    Accuracy: at most 23.9 ulp anywhere in this domain, proved for elementary functions within 1 ulp
     (float64); in float32, with functions within 4 of its ulp, at most 185.
     """
     arguments = _floats(r, u, v)
@@ -213,9 +213,9 @@ def bias_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 31.6 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 29.9 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 105; in float32, with
-    functions within 4 of its ulp, at most 31.6.
+    functions within 4 of its ulp, at most 29.9.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -261,7 +261,7 @@ def covariance_linear(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 44.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 40.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1720; in float32, with
     functions within 4 of its ulp, at most 262.
     """
@@ -334,8 +334,8 @@ def covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 103 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: at most 93.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -437,7 +437,7 @@ def std_linear(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 22.6 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 20.6 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 856; in float32, with
     functions within 4 of its ulp, at most 132.
     """
@@ -486,8 +486,8 @@ def std_position(
     Returns:
         Shape of the broadcast arguments, unit m.
 
-    Accuracy: at most 22.1 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 22.1.
+    Accuracy: at most 20.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 20.3.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -538,7 +538,7 @@ def validity_linear(
     Returns:
         Shape of the broadcast arguments + (3), unit 1.
 
-    Accuracy: at most 89.3 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 60.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -609,7 +609,7 @@ def validity_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit 1.
 
-    Accuracy: at most 176 ulp anywhere in this domain with independent errors, proved for elementary functions
+    Accuracy: at most 160 ulp anywhere in this domain with independent errors, proved for elementary functions
     within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -697,9 +697,9 @@ def bias_truth_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 31.6 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 29.9 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 105; in float32, with
-    functions within 4 of its ulp, at most 31.6.
+    functions within 4 of its ulp, at most 29.9.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -745,7 +745,7 @@ def bias_truth_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 90.2 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 82.5 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 271.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -819,9 +819,9 @@ def bias_averaged_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 31.6 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 29.9 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 105; in float32, with
-    functions within 4 of its ulp, at most 31.6.
+    functions within 4 of its ulp, at most 29.9.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -867,7 +867,7 @@ def bias_averaged_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 89.6 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 82.5 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 427.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -941,7 +941,7 @@ def covariance_truth_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 44.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 40.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1720; in float32, with
     functions within 4 of its ulp, at most 262.
     """
@@ -1014,8 +1014,8 @@ def covariance_truth_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 98.2 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 97.7.
+    Accuracy: at most 108 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 107.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1152,7 +1152,7 @@ def covariance_averaged_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 44.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 40.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1720; in float32, with
     functions within 4 of its ulp, at most 262.
     """
@@ -1225,8 +1225,8 @@ def covariance_averaged_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 178 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 191.
+    Accuracy: at most 202 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 216.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1374,8 +1374,9 @@ def unbiased_estimate_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 50.6 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 50.6.
+    Accuracy: at most 46.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 55.8; in float32, with
+    functions within 4 of its ulp, at most 46.5.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1424,9 +1425,9 @@ def unbiased_estimate_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 73.7 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 123; in float32, with
-    functions within 4 of its ulp, at most 73.7.
+    Accuracy: at most 78.6 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 136; in float32, with
+    functions within 4 of its ulp, at most 78.6.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1501,7 +1502,7 @@ def unbiased_covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 44.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 40.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1720; in float32, with
     functions within 4 of its ulp, at most 262.
     """
@@ -1574,8 +1575,8 @@ def unbiased_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 103 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 103.
+    Accuracy: at most 108 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 108.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1710,8 +1711,9 @@ def posterior_estimate_second_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 66.3 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 68.7.
+    Accuracy: at most 61 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); with correlations up to 0.99 in size at most 65.9; in float32, with functions
+    within 4 of its ulp, at most 61.7.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1760,8 +1762,9 @@ def posterior_estimate_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3), unit m.
 
-    Accuracy: at most 169 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 176.
+    Accuracy: at most 151 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); with correlations up to 0.99 in size at most 188; in float32, with functions
+    within 4 of its ulp, at most 153.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -1836,7 +1839,7 @@ def posterior_covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 44.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 40.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1720; in float32, with
     functions within 4 of its ulp, at most 262.
     """
@@ -1909,8 +1912,8 @@ def posterior_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 98.2 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 97.7.
+    Accuracy: at most 108 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 107.
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
     r, u, v, sigma_r, sigma_u, sigma_v, rho = arguments
@@ -2056,7 +2059,7 @@ def decorrelated_covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 44.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 40.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1720; in float32, with
     functions within 4 of its ulp, at most 262.
     """
@@ -2138,7 +2141,7 @@ def decorrelated_covariance_fourth_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 115 ulp anywhere in this domain with independent errors, proved for elementary functions
+    Accuracy: at most 123 ulp anywhere in this domain with independent errors, proved for elementary functions
     within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho, predicted_sigma_r, predicted_sigma_u, predicted_sigma_v, predicted_rho)
@@ -2296,7 +2299,7 @@ def covariance_averaged_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 330 ulp anywhere in this domain with independent errors, proved for elementary functions
+    Accuracy: at most 369 ulp anywhere in this domain with independent errors, proved for elementary functions
     within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -2518,7 +2521,7 @@ def unbiased_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 182 ulp anywhere in this domain with independent errors, proved for elementary functions
+    Accuracy: at most 200 ulp anywhere in this domain with independent errors, proved for elementary functions
     within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -2728,7 +2731,7 @@ def posterior_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 155 ulp anywhere in this domain with independent errors, proved for elementary functions
+    Accuracy: at most 170 ulp anywhere in this domain with independent errors, proved for elementary functions
     within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)
@@ -2949,7 +2952,7 @@ def decorrelated_covariance_semidefinite(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 218 ulp anywhere in this domain with independent errors, proved for elementary functions
+    Accuracy: at most 235 ulp anywhere in this domain with independent errors, proved for elementary functions
     within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho, predicted_sigma_r, predicted_sigma_u, predicted_sigma_v, predicted_rho)

@@ -263,7 +263,7 @@ def covariance_linear(
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
     Accuracy: at most 21.1 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 3690.
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -700,8 +700,8 @@ def covariance_third_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 357 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 1.69e+17.
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1289,8 +1289,8 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 8 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 668 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 9.04e+60.
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -2457,8 +2457,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 8.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 398 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho = arguments
@@ -3362,7 +3362,7 @@ def unbiased_covariance_truth(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 86.4 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 90.2 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
@@ -3539,8 +3539,8 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 8 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 2330 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments

@@ -312,7 +312,7 @@ def covariance_linear(
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
     Accuracy: at most 21.1 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1100.
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -405,7 +405,7 @@ def covariance_second_order(
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
     Accuracy: at most 44.8 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1100.
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -706,8 +706,8 @@ def covariance_third_order(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 662 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 1.69e+17.
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -1236,8 +1236,8 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 675 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -1614,8 +1614,8 @@ def unbiased_covariance(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 324 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 2.53e+133.
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -2253,8 +2253,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 8.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 1650 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_sigma_rdot, predicted_rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_sigma_rdot, predicted_rho = arguments
@@ -4164,8 +4164,8 @@ def unbiased_covariance_truth(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 86.4 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    Accuracy: at most 90.2 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1100.
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -4335,8 +4335,8 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 8.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 6570 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments

@@ -24,6 +24,7 @@ from radartrack.verification.rounding.checked_numbers import (
     Polynomial,
     Refused,
     Signed,
+    Undefined,
     times,
 )
 
@@ -41,6 +42,8 @@ class Way(NamedTuple):
     in_parts: bool
     rounded_whole: bool = False
     signed_whole: bool = False
+    factors_whole: bool = False
+    by_argument: bool = False
 
 
 WAYS = (
@@ -48,6 +51,8 @@ WAYS = (
     Way(in_parts=False),
     Way(in_parts=True, rounded_whole=True),
     Way(in_parts=True, signed_whole=True),
+    Way(in_parts=True, factors_whole=True),
+    Way(in_parts=True, factors_whole=True, by_argument=True),
 )
 
 
@@ -61,7 +66,7 @@ class Run:
         waves: sines and cosines of arguments.
         entries: of the result.
         helpers: the functions that the module brings along.
-        below: what is taken for the outcome of a comparison that the box leaves open.
+        outcomes: what is taken for the answers of questions that the box leaves open.
     """
 
     box: Box
@@ -69,7 +74,17 @@ class Run:
     waves: dict[tuple[str, str], Number | None] = field(default_factory=dict)
     entries: dict[Entry, Number | None] = field(default_factory=dict)
     helpers: Mapping[str, ast.FunctionDef] = field(default_factory=dict)
-    below: bool = False
+    outcomes: Mapping[str, bool] = field(default_factory=dict)
+
+    def answer(self, question: str) -> bool:
+        """One of the two, where the box leaves it open."""
+        if question not in self.outcomes:
+            raise Open(question)
+        return self.outcomes[question]
+
+
+class Open(Exception):
+    """A question of which a box has either answer: both are followed."""
 
 
 def confirmed(source: str, claim: Claim) -> float:
@@ -101,8 +116,18 @@ def figure(source: str, claim: Claim, case: str, box: Mapping[str, tuple[float, 
     functions = {node.name: node for node in _read(source).body if isinstance(node, ast.FunctionDef)}
     if claim["function"] not in functions:
         raise Refused(f"there is no function {claim['function']}")
-    compares = "np.less(" in ast.unparse(functions[claim["function"]])
-    return max(_best(functions, claim, case, box, below=below) for below in ((False, True) if compares else (False,)))
+    waiting: list[dict[str, bool]] = [{}]
+    worst = 0.0
+    while waiting:
+        outcomes = waiting.pop()
+        try:
+            worst = max(worst, _best(functions, claim, case, box, outcomes))
+        except Undefined:
+            if tuple(claim["shape"]):
+                raise
+        except Open as question:
+            waiting += [{**outcomes, str(question): answer} for answer in (False, True)]
+    return worst
 
 
 def _best(
@@ -110,15 +135,14 @@ def _best(
     claim: Claim,
     case: str,
     ends: Mapping[str, tuple[float, float]],
-    *,
-    below: bool,
+    outcomes: Mapping[str, bool],
 ) -> float:
     """The smallest of the bounds that the ways of telling errors give."""
     chosen, found = _chosen(case), math.inf
     reason = Refused("no bound")
     for way in (WAYS[number] for number in claim.get("ways", range(len(WAYS)))):
         run = _start(claim, chosen, ends, way)
-        run.helpers, run.below = functions, below
+        run.helpers, run.outcomes = functions, outcomes
         try:
             found = min(found, _figure(functions[claim["function"]], claim, run))
         except Refused as error:
@@ -309,7 +333,10 @@ def _called(node: ast.Call, run: Run) -> Number | None:
         return run.waves[name, node.args[0].id]
     values = [_followed(argument, run) for argument in node.args]
     if name == "less":
-        return _compared(run, *values)
+        return _compared(run, node, *values)
+    if name == "abs" and isinstance(node.args[0], ast.Name):
+        _with_sign(run, node.args[0].id)
+        values = [run.names[node.args[0].id]]
     if name in KNOWN and name in run.helpers:
         order = node.args[1].value if len(node.args) > 1 and isinstance(node.args[1], ast.Constant) else 0
         if not isinstance(order, int):
@@ -324,12 +351,29 @@ def _called(node: ast.Call, run: Run) -> Number | None:
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
 
 
-def _compared(run: Run, a: Number | None, b: Number | None) -> Number | None:
-    """1 where a < b, else zero; where the box leaves that open, both are tried."""
+def _compared(run: Run, node: ast.Call, a: Number | None, b: Number | None) -> Number | None:
+    """1 where a < b, else zero; where the box leaves that open, both are tried, with what they say of a and b."""
     if a is None or b is None or a.sign <= 0 or b.sign <= 0:
         raise Refused("a comparison of what may not be positive")
-    is_below = True if a.high < b.low else False if a.low > b.high else run.below
+    is_below = True if a.high < b.low else False if a.low > b.high else run.answer(ast.unparse(node))
+    if a.relative is not None and b.relative is not None:
+        off = 2 * (run.box.small(a.relative) + run.box.small(b.relative))
+        smaller, larger = (a, b) if is_below else (b, a)
+        least, most = (smaller.low - off).lower(), (larger.high + off).upper()
+        for argument, one in zip(node.args, (a, b), strict=True):
+            if isinstance(argument, ast.Name):
+                known = {"high": min(one.high, most)} if one is smaller else {"low": max(one.low, least)}
+                run.names[argument.id] = replace(one, **known)
     return run.box.constant(1) if is_below else None
+
+
+def _with_sign(run: Run, name: str) -> None:
+    """A difference whose sign the box leaves open, once with either; what is computed has the sign of the exact one."""
+    number = run.names.get(name)
+    if number is None or number.sign or number.relative is None or len(number.value) < 2:
+        return
+    run.box.small(number.relative)
+    run.names[name] = run.box.as_whole(replace(number, sign=1 if run.answer(f"{name} > 0") else -1))
 
 
 def _operation(node: ast.BinOp, run: Run) -> Number | None:
@@ -347,10 +391,15 @@ def _operation(node: ast.BinOp, run: Run) -> Number | None:
         case ast.Add():
             return box.add(left, right)
         case ast.Sub():
-            return box.add(left, box.by_power_of_two(right, -1.0))
+            return None if _is_same(left, right) else box.add(left, box.by_power_of_two(right, -1.0))
         case ast.Div():
             return box.divide(left, right)
     raise Refused(f"there is no rule for {ast.unparse(node)[:60]}")
+
+
+def _is_same(a: Number | None, b: Number | None) -> bool:
+    """Whether two are one, also as computed: a size may be computed of the other sign, where its error is not known."""
+    return a is b and (a is None or (a.relative is not None and bool(a.relative < GOOD)))
 
 
 def _power_of_two(node: ast.expr) -> float:

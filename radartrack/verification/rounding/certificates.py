@@ -43,7 +43,7 @@ KINDS: dict[str, dict[str, Any]] = {
     "correlated": {"correlated": True, "precision": "double"},
     "single": {"correlated": False, "precision": "single"},
 }
-WORTH = {"double": 1e3, "correlated": 1e5, "single": 1e3}  # ulp; a larger bound says nothing that is of use
+WORTH = {"double": 1e4, "correlated": 1e5, "single": 1e3}  # ulp; a larger bound says nothing that is of use
 Row = dict[str, Any]
 
 
@@ -204,7 +204,7 @@ def _split(source: str, claim: Row, enough: float, most: int, seconds: float) ->
 
 
 def _bisected_in_one_way(source: str, claim: Row, enough: float, most: int, seconds: float) -> dict[str, str]:
-    """Boxes that the last way of telling errors finds good enough: a quarter of the time for each."""
+    """Boxes that the last way of telling errors finds good enough: a sixth of the time for each."""
     return bisected(source, {**claim, "ways": [len(WAYS) - 1]}, enough, most, seconds)
 
 

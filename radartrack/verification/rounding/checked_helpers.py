@@ -104,6 +104,7 @@ def helped(box: Box, function: ast.FunctionDef, x: Number | None, order: int) ->
     rest = box.between(*ranges[first], relative, error)
     if x is None:
         return rest
+    box.follows(next(iter(rest.exactly)), x, lambda low, high: known.ends(low, high, order, powers[first]))
     for _ in range(powers[first]):
         rest = _not_zero(box.multiply(rest, box.magnitude(box.without_error(x)), 0.0))
     return rest

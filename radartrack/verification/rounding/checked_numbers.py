@@ -16,16 +16,23 @@ from typing import Any
 
 import numpy as np
 
+from radartrack.verification.rounding.checked_cells import Along, Cell, cells, largest_share
+from radartrack.verification.rounding.checked_cells import ends as ends_of
+
 Ball = Any
 Rational = Any
 Key = tuple[tuple[int, float], ...]  # atoms, by their numbers, and their exponents
 Polynomial = dict[Key, Ball]  # coefficients are not negative
 Signed = dict[Key, Rational]  # of any sign; atoms may be carriers of a sign
+ARGUMENT = -4  # the size that others are functions of, where a sum is looked at in cells
 
 CLOSE = 0.4  # an error's terms are shared among products whose logarithms are this close to the best
+CLOSER = (0.0, 1.0, 2.0, 4.0)  # logarithms by which terms may be above those that a long sum is condensed to
 NARROW = (0.0, 0.75, 3.0)  # of logarithms: sizes known so well count as coefficients when signs are looked for
 MOST_VALUE, MOST_PARTS = 120, 160  # monomials of a sum that is multiplied out; beyond, it is taken as a whole
+MOST_PAIRS, MOST_SHARED = 4_000_000, 32  # of terms of two variances, and those of them that one error is shared among
 GOOD, FAIR = 8, 64  # relative errors up to which nothing better is looked for, and nothing slower
+SOME = 32  # terms of a sum that is looked at in cells
 FEW = 10  # parts of a variance whose error is shared among pairs of them while it is made
 ENDLESS = 1e9
 NOTHING: Polynomial = {}
@@ -33,6 +40,10 @@ NOTHING: Polynomial = {}
 
 class Refused(ValueError):
     """The certificate does not show what it claims."""
+
+
+class Undefined(Refused):
+    """The formula divides by zero all over the box: nothing is said of it there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +108,45 @@ class Number:
         return not self.error
 
 
+@dataclass(frozen=True)
+class Curve:
+    """How a size depends on an argument of a function.
+
+    Attributes:
+        argument: a product of powers that is the argument's size.
+        low: of the logarithm of that.
+        high: likewise.
+        ends: of the function by those of the argument's size; of either sign.
+    """
+
+    argument: Key
+    low: Ball
+    high: Ball
+    ends: Callable[[Ball, Ball], tuple[Ball, Ball]]
+
+    def logarithms(self, low: Ball, high: Ball) -> tuple[Ball, Ball]:
+        """Of its size, by those of the argument's."""
+        sizes = [abs(end) for end in self.ends(low.exp(), high.exp())]
+        return min(size.lower() for size in sizes).log().lower(), max(size.upper() for size in sizes).log().upper()
+
+
+@dataclass(frozen=True)
+class Parts:
+    """A sum in cells.
+
+    Attributes:
+        cells: of what is left of it.
+        common: what all its terms have as a factor.
+        argument: a product of powers that is the size `ARGUMENT`; empty where there is none.
+        span: where that size lies.
+    """
+
+    cells: list[Cell]
+    common: Key = ()
+    argument: Key = ()
+    span: tuple[Ball, Ball] | None = None
+
+
 @dataclass
 class Box:
     """The sizes that sums are made of in one box, and the rules of arithmetic."""
@@ -106,11 +156,14 @@ class Box:
     in_parts: bool = False  # whether errors are told by the terms of a difference, or by the difference as a whole
     rounded_whole: bool = False  # whether a difference of exact numbers, which is rounded once, is not taken apart
     signed_whole: bool = False  # whether a difference whose sign is known is not taken apart
+    factors_whole: bool = False  # whether such a difference is not taken apart where it is multiplied
+    by_argument: bool = False  # whether e^a - 1 is a multiple of a, or a size of its own
     most_value: int = MOST_VALUE
     atoms: list[tuple[Ball, Ball]] = field(default_factory=list)
     carriers: set[int] = field(default_factory=set)
     waves: list[tuple[int, int]] = field(default_factory=list)
     shares: set[int] = field(default_factory=set)  # sizes that stand for what is not known of a part of a sum
+    curves: dict[int, Curve] = field(default_factory=dict)
     known: dict[Any, Any] = field(default_factory=dict)
     signs: dict[Any, tuple[int, Polynomial] | None] = field(default_factory=dict)  # a value's parts are the same again
 
@@ -182,24 +235,59 @@ class Box:
     def _ratio(self, key: Key, coefficient: Ball, other: Key, size: Ball) -> Ball:
         return _above(self.monomial(product_of(key, other, -1.0), coefficient / size)[1].exp())
 
+    def _table(self, *sums: Iterable[Key]) -> tuple[list[Any], Any, Any]:
+        """Of sums the exponents of their terms, and where the sizes lie that these are of: in floating point."""
+        keys = [list(sum_) for sum_ in sums]
+        numbers = sorted({n for one in keys for key in one for n, _ in key})
+        place = {number: position for position, number in enumerate(numbers)}
+        tables = [np.zeros((len(one), len(numbers))) for one in keys]
+        for table, one in zip(tables, keys, strict=True):
+            for row, key in enumerate(one):
+                for number, exponent in key:
+                    table[row, place[number]] = exponent
+        lows, highs = (np.array([_near(self.atoms[n][i]) for n in numbers]) for i in (0, 1))
+        return tables, lows, highs
+
     def _logarithms(self, above: Polynomial, below: Sequence[tuple[Key, Ball]]) -> Any:
         """About the largest quotients of a sum's terms by some products; what is chosen by them is checked after."""
-        numbers = sorted({n for key in (*above, *(key for key, _ in below)) for n, _ in key})
-        place = {number: position for position, number in enumerate(numbers)}
-
-        def table(keys: Iterable[Key]) -> Any:
-            rows = list(keys)
-            found = np.zeros((len(rows), len(numbers)))
-            for row, key in enumerate(rows):
-                for number, exponent in key:
-                    found[row, place[number]] = exponent
-            return found
-
-        lows, highs = (np.array([_near(self.atoms[n][i]) for n in numbers]) for i in (0, 1))
-        net = table(above)[:, np.newaxis] - table(key for key, _ in below)[np.newaxis]
-        tops = np.array([_log(c.upper()) for c in above.values()])
+        (top, foot), lows, highs = self._table(above, (key for key, _ in below))
+        net = top[:, np.newaxis] - foot[np.newaxis]
         feet = np.array([_log(c.lower()) for _, c in below])
-        return tops[:, np.newaxis] - feet + np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows
+        return _tops(above)[:, np.newaxis] - feet + np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows
+
+    def _leading(self, sum_: Polynomial, near: float = 0.0) -> Polynomial:
+        """Terms that no other is above all over the box, as nearly: a part of a sum that as a scale does as well."""
+        under = self._logarithms(sum_, list(sum_.items())) <= near
+        kept: list[int] = []
+        for n in np.argsort(-under.sum(axis=0), kind="stable"):
+            if not under[n, kept].any():
+                kept.append(int(n))
+        terms = list(sum_.items())
+        return dict(terms[n] for n in sorted(kept))
+
+    def condensed(self, sum_: Polynomial) -> Polynomial | None:
+        """The same by its leading terms: each is as much more as the others that are shares of it."""
+        found = (self._leading(sum_, near) for near in CLOSER)
+        parts = next((one for one in found if len(one) <= MOST_PARTS // 2), None)
+        if parts is None:
+            return None
+        keys, others = list(parts.items()), {key: c for key, c in sum_.items() if key not in parts}
+        spent: dict[Key, Ball] = dict.fromkeys(parts, self.ball(0))
+        for (key, size), chosen in zip(others.items(), self._logarithms(others, keys).argmin(axis=1), strict=True):
+            spent[keys[chosen][0]] += self._ratio(key, size, *keys[chosen])
+        return self._kept({key: (_below(c), _above(c * (1 + spent[key]))) for key, c in keys})
+
+    def _best_pairs(self, error: Polynomial, first: Polynomial, second: Polynomial) -> Iterator[Any]:
+        """For every term of an error the pairs of two sums whose geometric mean it is smallest by, as nearly as any."""
+        (rows, left, right), lows, highs = self._table(error, first, second)
+        halves = (left[:, np.newaxis] + right[np.newaxis]) / 2
+        feet = [np.array([_log(c.lower()) for c in one.values()]) / 2 for one in (first, second)]
+        means = feet[0][:, np.newaxis] + feet[1]
+        for row in rows:
+            net = row - halves
+            found = (np.maximum(net, 0) @ highs + np.minimum(net, 0) @ lows - means).ravel()
+            near = np.flatnonzero(found <= found.min() + CLOSE)
+            yield [divmod(int(n), len(second)) for n in near[np.argsort(found[near], kind="stable")][:MOST_SHARED]]
 
     def share(self, error: Polynomial, scale: Polynomial) -> Ball | None:
         """A number κ with error ≤ κ · scale; a term of the error counts by that of the scale that it is smallest by."""
@@ -223,17 +311,16 @@ class Box:
         """
         if not error:
             return self.ball(0)
-        pairs = [(i, j) for i in first for j in second]
-        if not pairs or len(pairs) * len(error) > 200_000:
+        if len(first) * len(second) * len(error) > MOST_PAIRS:
+            first, second = self._leading(first), self._leading(second)
+        if not first or not second or len(first) * len(second) * len(error) > MOST_PAIRS:
             return None
-        roots = [(product_of(half(i), half(j)), (first[i] * second[j]).sqrt()) for i, j in pairs]
-        logarithms = self._logarithms(error, roots)
         rows, columns = dict.fromkeys(first, self.ball(0)), dict.fromkeys(second, self.ball(0))
-        for (key, coefficient), row in zip(error.items(), logarithms, strict=True):
-            shared = np.flatnonzero(row <= row.min() + CLOSE)
-            for n in shared:
-                ratio = self._ratio(key, coefficient, *roots[n]) / len(shared)
-                i, j = pairs[n]
+        left, right = list(first.items()), list(second.items())
+        for (key, coefficient), shared in zip(error.items(), self._best_pairs(error, first, second), strict=True):
+            for m, n in shared:
+                (i, a), (j, b) = left[m], right[n]
+                ratio = self._ratio(key, coefficient, product_of(half(i), half(j)), (a * b).sqrt()) / len(shared)
                 rows[i] += ratio
                 columns[j] += ratio
         found = _above((_largest(list(rows.values())) * _largest(list(columns.values()))).sqrt())
@@ -261,6 +348,10 @@ class Box:
                 found = self._of_one_sign(form, narrow)
                 if found is not None:
                     return found
+        for form in forms:
+            found = self._of_small_ones(form)
+            if found is not None:
+                return found
         return None
 
     def _forms(self, value: Signed) -> Iterator[Signed]:
@@ -302,11 +393,37 @@ class Box:
             if any(p[0] in self.carriers for p in rest):
                 size = _between(-abs(size).upper(), abs(size).upper())
             groups[wide] = groups[wide] + size if wide in groups else size
+        return self._absorbed_in_either(groups, unknown=bool(shared))
+
+    def _absorbed_in_either(self, groups: dict[Key, Ball], *, unknown: bool) -> tuple[int, Polynomial] | None:
         for sign in (1, -1):
             found = self._absorbed({key: sign * size for key, size in groups.items()})
             if found is not None:
-                return (0 if shared else sign), found
+                return (0 if unknown else sign), found
         return None
+
+    def _of_small_ones(self, value: Signed) -> tuple[int, Polynomial] | None:
+        """The same, with sums of sizes that are at most 1 looked at in cells: what has other sizes in common is one."""
+        groups: dict[Key, Signed] = {}
+        for key, coefficient in value.items():
+            if any(n in self.carriers for n, _ in key):
+                return None
+            outer = tuple((n, e) for n, e in key if not self._is_small(n))
+            groups.setdefault(outer, {})[tuple(p for p in key if p not in outer)] = coefficient
+        found: dict[Key, Ball] = {}
+        for outer, inner in groups.items():
+            common = _common(inner)
+            rest = {product_of(key, common, -1.0): c for key, c in inner.items()}
+            parts = self._cells(rest) if _is_mixed(rest) else None
+            if parts is None or parts.common:
+                found |= {product_of(outer, key): self.flint.arb(c) for key, c in inner.items()}
+            else:
+                found[product_of(outer, common)] = _between(*ends_of(parts.cells))
+        return self._absorbed_in_either(found, unknown=False) if len(found) < len(value) else None
+
+    def _is_small(self, number: int) -> bool:
+        low, high = self.atoms[number]
+        return low.is_finite() and bool(high < 0.1)
 
     def _is_narrow(self, number: int, width: float) -> bool:
         low, high = self.atoms[number]
@@ -371,6 +488,8 @@ class Box:
         low, high = ends or self.bounds(exactly or size or NOTHING)
         if not high < self.precision.largest * self.ball(2).log():
             raise Refused("a result may overflow")
+        if exactly is not None and len(exactly) > MOST_PARTS:
+            size, exactly = None if size is exactly else size, self.condensed(exactly)
         exactly, value = self._identified(exactly, value, sign, low, high)
         if size is None or not self.in_parts or len(size) > MOST_PARTS:
             size = exactly
@@ -452,8 +571,9 @@ class Box:
         """a · b."""
         if a is None or b is None:
             return None
+        a, b = self._factor(a), self._factor(b)
         if len(a.size) * len(b.size) > 4 * MOST_PARTS:
-            a, b = (self._as_whole(one) if len(one.size) > MOST_PARTS // 8 else one for one in (a, b))
+            a, b = (self.as_whole(one) if len(one.size) > MOST_PARTS // 8 else one for one in (a, b))
         relative, u = None, self.unit
         if a.relative is not None and b.relative is not None:
             relative = self._rounded(a.relative + b.relative + u * a.relative * b.relative, units)
@@ -475,7 +595,7 @@ class Box:
         )  # fmt: skip
         return replace(made, grid=grid)
 
-    def _as_whole(self, a: Number) -> Number:
+    def as_whole(self, a: Number) -> Number:
         """The same, not taken apart."""
         value, size = self.whole(a.value, a.sign, a.low, a.high)
         error: Polynomial = {(): _above(self.bounds(a.error)[1].exp())} if a.error else NOTHING
@@ -527,7 +647,9 @@ class Box:
         """a / b."""
         if a is None:
             return None
-        if b is None or b.relative is None:
+        if b is None:
+            raise Undefined("a divisor that is zero")
+        if b.relative is None:
             raise Refused("a divisor that may be zero")
         u, b = self.unit, self._if_not_zero(b)
         worse = _above(b.relative / (1 - self.small(b.relative)))
@@ -563,15 +685,17 @@ class Box:
         u, size, terms = self.unit, plus(a.size, b.size), plus(a.terms, b.terms)
         high = _above((a.high.exp() + b.high.exp()).log())
         is_of_exact = a.is_exact and b.is_exact
-        relative = self.one if is_of_exact else None
+        relative, parts = self.one if is_of_exact else None, None
         if a.sign * b.sign > 0:
             if a.relative is not None and b.relative is not None:
                 relative = self._rounded(_largest([a.relative, b.relative]), 1.0)
             exactly: Polynomial | None = plus(a.exactly, b.exactly)
-            sign, ends = a.sign, (_below((a.low.exp() + b.low.exp()).log()), high)
+            least = a.low.exp() + b.low.exp()
+            sign, ends = a.sign, (_below(least.log()) if least > 0 else self.ball(-math.inf), high)
             tiny = max(a.tiny, b.tiny) - 1e-3
         else:
-            sign, exactly, ends = self._difference(a, b, value, high)
+            parts = self._cells(value) if value else None
+            sign, exactly, ends = self._difference(a, b, value, parts, high)
             tiny = min(a.tiny, b.tiny) - self.precision.bits
             if grid is not None:
                 tiny = max(tiny, float(grid))
@@ -582,9 +706,9 @@ class Box:
         if self.rounded_whole and is_of_exact and not sign and value and not self._exact_by_grid(grid, ends[1]):
             value, size = self.whole(value, sign, *ends)
             exactly = terms = size
-        error = plus(_scaled(plus(a.error, b.error), 1 + u), size)
-        if is_of_exact and self._exact_by_grid(grid, ends[1]):
-            error, relative = NOTHING, self.ball(0)
+        rounds = not (is_of_exact and self._exact_by_grid(grid, ends[1]))
+        error = plus(_scaled(plus(a.error, b.error), 1 + u), size) if rounds else NOTHING
+        relative = _least(relative, self._by_cells(error, parts)) if rounds else self.ball(0)
         made = self.made(sign, exactly, error, relative, tiny, value or None, size, terms, ends, may_underflow=False)
         return replace(made if a.sign * b.sign > 0 else self._known_well(made), grid=grid)
 
@@ -592,10 +716,16 @@ class Box:
         """A difference as one size, where that is the way, and its sign and size are known."""
         if not self.signed_whole or difference.relative is None or not difference.relative < FAIR:
             return difference
-        return self._as_whole(difference) if difference.high - difference.low < NARROW[-1] else difference
+        return self.as_whole(difference) if difference.high - difference.low < NARROW[-1] else difference
+
+    def _factor(self, a: Number) -> Number:
+        """A difference that is multiplied as one size, where that is the way, and its sign and size are known."""
+        if not self.factors_whole or a.relative is None or not a.relative < FAIR or not _is_mixed(a.value):
+            return a
+        return self.as_whole(a) if a.high - a.low < NARROW[-1] else a
 
     def _difference(
-        self, a: Number, b: Number, value: Signed, high: Ball
+        self, a: Number, b: Number, value: Signed, parts: Parts | None, high: Ball
     ) -> tuple[int, Polynomial | None, tuple[Ball, Ball]]:
         """Sign, size and range of a sum whose terms may cancel."""
         low, sign = self.ball(-math.inf), 0
@@ -605,11 +735,9 @@ class Box:
         for major, minor in ((a, b), (b, a)):
             if major.sign and minor.high < major.low:
                 low, sign = _below(major.low + (1 - (minor.high - major.low).exp()).log()), major.sign
-        if value and len(value) <= FEW:
-            ends = self._by_slopes(value)
-            if ends is not None and (ends[0] > 0 or ends[1] < 0):
-                sign, sizes = (1, ends) if ends[0] > 0 else (-1, (-ends[1], -ends[0]))
-                low, high = _highest((low, _below(sizes[0].log()))), _lowest((high, _above(sizes[1].log())))
+        if parts:
+            sign, least, most = self._ends_of(parts)
+            low, high = _highest((low, least)), _lowest((high, most))
         found = (self.of_one_sign(value) or self._remainder(a, b)) if value else None
         if found is None:
             return sign, None, (low, high)
@@ -620,36 +748,56 @@ class Box:
             return sign, self.whole(value, sign, low, high)[1], (low, high)
         return sign, found[1], (low, high)
 
-    def _by_slopes(self, value: Signed) -> tuple[Ball, Ball] | None:
-        """The ends of a sum: where it grows or falls with a size all over the box, that is at an end of its own."""
-        numbers = sorted({n for key in value for n, _ in key})
-        if any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
+    def _cells(self, value: Signed) -> Parts | None:
+        """The box in parts in which a sum of few sizes is known well."""
+        numbers = {n for key in value for n, _ in key}
+        if len(value) > SOME or any(n in self.carriers or not self.atoms[n][0].is_finite() for n in numbers):
             return None
-        whole = {n: (self.atoms[n][0], self.atoms[n][1]) for n in numbers}
-        slopes = {
-            n: self._sum_on({k: c * self.rational(dict(k).get(n, 0)) for k, c in value.items()}, whole) for n in numbers
-        }
-        ends = []
-        for side in (0, 1):
-            there = {n: self._end(whole[n], slopes[n], side) for n in numbers}
-            ends.append(self._sum_on(value, there))
-        return _below(ends[0]), _above(ends[1])
+        sum_ = {key: self.flint.arb(c) for key, c in value.items()}
+        curves = {n: self.curves[n] for n in sorted(numbers) if n in self.curves}
+        if len({curve.argument for curve in curves.values()}) == 1:
+            return self._cells_along(sum_, curves)
+        found = cells(sum_, {n: self.atoms[n] for n in numbers})
+        return Parts(found) if found else None
 
-    @staticmethod
-    def _end(ends: tuple[Ball, Ball], slope: Ball, side: int) -> tuple[Ball, Ball]:
-        if slope > 0:
-            return ends[side], ends[side]
-        return (ends[1 - side], ends[1 - side]) if slope < 0 else ends
+    def _cells_along(self, sum_: Polynomial, curves: dict[int, Curve]) -> Parts | None:
+        """The same, where sizes are functions of one argument, by that."""
+        argument = next(iter(curves.values())).argument
+        span = max(curve.low for curve in curves.values()), min(curve.high for curve in curves.values())
+        by_argument = _by_argument(sum_, argument)
+        common = _common(by_argument)
+        rest = {product_of(key, common, -1.0): c for key, c in by_argument.items()}
+        others = {n: self.atoms[n] for key in rest for n, _ in key if n not in curves and n != ARGUMENT}
+        along = Along(ARGUMENT, {n: curve.logarithms for n, curve in curves.items()})
+        found = cells(rest, {**others, ARGUMENT: span}, along)
+        return Parts(found, common, argument, span) if found else None
 
-    def _sum_on(self, value: Signed, ends: dict[int, tuple[Ball, Ball]]) -> Ball:
-        total = self.ball(0)
-        for key, coefficient in value.items():
-            low, high = self.ball(0), self.ball(0)
-            for n, exponent in key:
-                first, last = ends[n] if exponent > 0 else ends[n][::-1]
-                low, high = low + first * exponent, high + last * exponent
-            total += self.flint.arb(coefficient) * low.exp().union(high.exp())
-        return total
+    def _ends_of(self, parts: Parts) -> tuple[int, Ball, Ball]:
+        """The sign of a sum in cells, and of the logarithm of its size the ends."""
+        least, most = ends_of(parts.cells)
+        sign, sizes = (1, (least, most)) if least > 0 else (-1, (-most, -least))
+        low, high = sizes[0].log(), sizes[1].log()
+        for n, exponent in parts.common:
+            ends = parts.span if n == ARGUMENT and parts.span else self.atoms[n]
+            first, last = ends if exponent > 0 else ends[::-1]
+            low, high = low + first * exponent, high + last * exponent
+        return sign, _below(low), _above(high)
+
+    def _by_cells(self, error: Polynomial, parts: Parts | None) -> Ball | None:
+        """A bound of an error by the sum that it is of, cell by cell."""
+        if parts is None:
+            return None
+        turned = _by_argument(error, parts.argument) if parts.argument else error
+        rest = {product_of(key, parts.common, -1.0): c for key, c in turned.items()}
+        others = dict(enumerate(self.atoms)) | ({ARGUMENT: parts.span} if parts.span else {})
+        return largest_share(rest, parts.cells, others)
+
+    def follows(self, key: Key, argument: Number, ends: Callable[[Ball, Ball], tuple[Ball, Ball]]) -> None:
+        """Note that a size is a function of an argument."""
+        if self.by_argument and len(argument.value) == len(argument.exactly) == 1 and argument.low.is_finite():
+            ((of, size),) = argument.exactly.items()
+            if size == 1:
+                self.curves[key[0][0]] = Curve(of, argument.low, argument.high, ends)
 
     def _remainder(self, a: Number, b: Number) -> tuple[int, Polynomial] | None:
         """The same of the parts as they came about."""
@@ -766,7 +914,9 @@ class Box:
         off = off if a.relative is None else min(off, a.relative * a.high.exp(), key=_float)
         change = (self.unit * off).expm1() / self.unit
         relative = self._rounded(_above(change), 2.0 * self.precision.ulps["exp"])
-        return self._new(1, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+        found = self._new(1, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+        self.follows(next(iter(found.exactly)), a, lambda low, high: ((a.sign * low).exp(), (a.sign * high).exp()))
+        return found
 
     def exponential_less_one(self, a: Number | None) -> Number | None:
         """e^a − 1; its condition is below 1 on the left, a/(1 − e^−a) on the right."""
@@ -781,7 +931,14 @@ class Box:
         condition = farthest / -(-farthest).expm1() if a.sign > 0 else self.ball(1)
         change = ((condition * -(1 - part).log()).expm1()) / self.unit
         relative = self._rounded(_above(change), 2.0 * self.precision.ulps["expm1"])
-        return self._new(a.sign, low, high, relative, float(low.lower()) / math.log(2) - 1e-3)
+        tiny = float(low.lower()) / math.log(2) - 1e-3
+        if not self.by_argument or not a.low.is_finite() or len(a.value) > 1 or len(a.exactly) > 1:
+            return self._new(a.sign, low, high, relative, tiny)
+        ends = [((a.sign * end.exp()).expm1() / end.exp() * a.sign).log() for end in (a.low, a.high)]
+        share = self.atom(_below(min(ends, key=_float)), _above(max(ends, key=_float)))
+        self.follows(share, a, lambda low, high: ((a.sign * low).expm1() / low, (a.sign * high).expm1() / high))
+        of_a, size = ({product_of(key, share): c for key, c in one.items()} for one in (a.value, a.exactly))
+        return self.made(a.sign, size, None, relative, tiny, of_a, ends=(low, high))
 
 
 def _put(sum_: Signed, key: Key, coefficient: Rational) -> None:
@@ -790,6 +947,29 @@ def _put(sum_: Signed, key: Key, coefficient: Rational) -> None:
         sum_.pop(key, None)
     else:
         sum_[key] = found
+
+
+def _is_mixed(value: Signed) -> bool:
+    """Whether its terms have both signs."""
+    return len({c > 0 for c in value.values()}) > 1
+
+
+def _common(value: Signed) -> Key:
+    """What all terms have as a factor."""
+    each = [dict(key) for key in value]
+    least = ((n, min(one.get(n, 0.0) for one in each)) for n in sorted({n for one in each for n in one}))
+    return tuple((n, exponent) for n, exponent in least if exponent)
+
+
+def _by_argument(sum_: Polynomial, argument: Key) -> Polynomial:
+    """A sum with one size for a product of powers, as often as a term has it."""
+    found: Polynomial = {}
+    for key, c in sum_.items():
+        exponents = dict(key)
+        power = max(min(exponents.get(n, 0.0) / e for n, e in argument), 0.0)
+        turned = product_of(product_of(key, argument, -power), ((ARGUMENT, power),))
+        found[turned] = found[turned] + c if turned in found else c
+    return found
 
 
 def _normal(value: Signed) -> tuple[Any, int]:
@@ -858,6 +1038,11 @@ def _near(ball: Ball) -> float:
 
 def _log(ball: Ball) -> float:
     return _near(ball.log()) if ball > 0 else -ENDLESS
+
+
+def _tops(sum_: Polynomial) -> Any:
+    """About the logarithms of coefficients."""
+    return np.array([_log(c.upper()) for c in sum_.values()])
 
 
 def _largest(balls: Sequence[Ball]) -> Ball:

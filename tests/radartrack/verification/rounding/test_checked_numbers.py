@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from radartrack.verification.rounding.checked_numbers import Box, Key, Polynomial
+from radartrack.verification.rounding import checked_numbers
+from radartrack.verification.rounding.checked_numbers import MOST_PAIRS, Box, Key, Polynomial
 
 flint = pytest.importorskip("flint")
 WIDTHS = (0.01, 0.3, 2.0, 8.0)
@@ -82,3 +83,56 @@ def size(sum_: Polynomial, box: Box, point: dict[int, float], before: int, end: 
         return point[n] if n < before else math.exp(float(box.atoms[n][end]))
 
     return sum(float(c) * math.prod(of(n) ** e for n, e in key) for key, c in sum_.items())
+
+
+def drawn_sum(box: Box, ends: Ends, random: Random, terms: int) -> Polynomial:
+    found: Polynomial = {}
+    for _ in range(terms):
+        key = tuple((n, float(e)) for n, e in ((n, random.choice([0, 1, 2, 3, -1])) for n in ends) if e)
+        found[key] = box.ball(random.choice((0.25, 1.0, 3.0)))
+    return found
+
+
+def wide_box(random: Random) -> tuple[Box, Ends]:
+    box, ends = Box(flint), {}
+    for _ in range(3):
+        low = random.uniform(-3, 0)
+        high = low + random.choice((0.3, 2.0, 8.0))
+        ends[box.atom(box.ball(low), box.ball(high))[0][0]] = low, high
+    return box, ends
+
+
+def test_a_long_sum_is_condensed_to_few_terms_that_are_as_much():
+    random, shorter = Random(7), 0
+    for _ in range(40):
+        box, ends = wide_box(random)
+        sum_ = drawn_sum(box, ends, random, 100)
+        before = len(box.atoms)
+        found = box.condensed(sum_)
+        if found is None:
+            continue
+        shorter += len(found) < len(sum_) / 2
+        for _ in range(20):
+            point = drawn_point(box, ends, None, random)
+            exact = size(sum_, box, point, before, 0)
+            low, high = (size(found, box, point, before, end) for end in (0, 1))
+            assert low * (1 - 1e-12) <= exact <= high * (1 + 1e-12)
+    assert shorter > 20
+
+
+@pytest.mark.parametrize("most", [MOST_PAIRS, 500])
+def test_no_error_is_above_its_share_of_two_variances(most: int, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(checked_numbers, "MOST_PAIRS", most)
+    random, found = Random(12), 0
+    for _ in range(40):
+        box, ends = wide_box(random)
+        first, second, error = (drawn_sum(box, ends, random, n) for n in (12, 9, 5))
+        share = box.paired(error, first, second)
+        if share is None:
+            continue
+        found += 1
+        for _ in range(20):
+            point = drawn_point(box, ends, None, random)
+            a, b, e = (size(one, box, point, len(box.atoms), 0) for one in (first, second, error))
+            assert e <= float(share) * math.sqrt(a * b) * (1 + 1e-12)
+    assert found > 10
