@@ -20,7 +20,7 @@ STEPS = 40  # of Newton's method, which are shortened
 LONGEST = 0.5  # of a step, in units of where it starts
 TURN = 1e-6  # of an argument, over which a slope is taken
 STEADY = 1e-8  # of a constant, by which it may scatter over the points
-SAME = 1e-7  # of the scale of an entry
+SAME, CLEARLY = 1e-7, 1e-2  # of the scale of an entry, and of what the function is off by
 ROUND = 1e-9  # of a number that is written with few digits
 DIGITS = 7
 NEAR_DEGREES = 0.02  # of pi/180, to which a factor is taken for it
@@ -139,5 +139,7 @@ def _is_so(expected: Expected, found: Array, symbol: Variable, moved: Callable[[
     if there.count < expected.count or not np.isfinite(found).any():
         return False
     with np.errstate(all="ignore"):
-        near = np.abs(found - there.values) <= SAME * np.maximum(there.scales, expected.scales)
-    return bool((near | ~np.isfinite(found)).all())
+        away = np.where(np.isfinite(found), np.abs(found - there.values), 0.0)
+        off = np.where(np.isfinite(found), np.abs(found - expected.values), 0.0)
+        near = away <= SAME * np.maximum(there.scales, expected.scales)
+    return bool(near.all() and (away.max(axis=0) <= CLEARLY * off.max(axis=0)).all())
