@@ -109,9 +109,11 @@ def examined(
         for one, once in zip(forms, known, strict=True)
     ]
     right = next((one for one in others if one[0].is_callable and one[0].readings[0].wrong == 0), None)
-    if right is not None:
+    if right is not None and right[0].readings[0].words == right[0].readings[0].form:
         return right[0].of(right[1]).diagnosis()
     found = plain.diagnosis() if fitting else None
+    if right is not None and not (found and _cost(found.slips) <= PLAIN and found.slips):
+        return right[0].of(right[1]).diagnosis()
     if found is not None and found.verdict != "differs":
         return found
     slipped = (one.of(again).diagnosis() for one, again in others if len(wanted.shape) > 1 and one.is_callable)
@@ -246,6 +248,8 @@ class Examination:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(place[0] for place in declared(self._function) or () if place != ANY_NAMES)
+            if isinstance(self._function, type):
+                return f"{self._function.__name__} is a class: hand over an object of it that is called, or a method"
             if taken.partition(", ")[0] in {"self", "cls"}:
                 return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""

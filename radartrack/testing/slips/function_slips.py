@@ -22,12 +22,26 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Call, Negation, Number, Power, Product, Quotient, Sum, Tree, replace_at, walk
+from radartrack.derive.formula.tree import (
+    Constant,
+    Name,
+    Negation,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    replace_at,
+    walk,
+)
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import Slip
+from radartrack.testing.function_conventions import angles_of
+from radartrack.testing.slips.constant_parts import constant_parts
 from radartrack.testing.wanted import Expected
 
 ONE = Number("1")
@@ -36,16 +50,13 @@ SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
 SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
 LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
 SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
+IN_A_SUM = 1e-12  # of the largest term, by which rounding moves a sum
 SHORTEST = 30  # nodes of a formula of which two edits are tried forwards: their number grows with the square
 SHORT = 400  # characters of a formula that is tried over one denominator
 POINTS, FEWEST = 18, 8  # at which edits are screened, and fewer than which say nothing
 PLAIN = 2.0  # the cost of one edit that is likelier than any other kind
 TWICE = 3.0  # the cost below which no two edits are
 CLEARLY, TINY = 0.1, 1e-300  # of what the function is off by, up to where an edit explains it; the least size
-FUDGE, OFFSET = 1.9, 2.6  # the cost of a constant that is added, small or not
-DIGIT = 0.3  # of each more of its digits
-STEADY, LAST, VISIBLE, SLIGHT = 1e-6, 1e-13, 1e-11, 1e-2  # of itself, and of what it is added to: by how much a
-# constant may scatter, from where on it is one, and up to where it is small
 DROPPED = 1.5  # the cost of a factor or a term that is missing
 CANCELLED = 50.0  # times which a function of single precision may be off where it cancels
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
@@ -72,6 +83,7 @@ class SlipSearch:
         self._confirming, self._found_there = confirming, found_there
         wanted = screening.wanted
         symbols = [symbol for symbol in wanted.quantity.symbols if wanted.given.get(symbol.name) != 0]
+        self._angles = angles_of(symbols)
         self._names = Names({symbol.name: symbol for symbol in symbols})
         self._here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
@@ -145,20 +157,11 @@ class SlipSearch:
         elif self._here:
             yield from search.single_edits(tree)
             yield from self._misread_powers(search, tree)
-            yield from self._with_a_constant(search, tree)
-
-    def _with_a_constant(self, search: Search, tree: Tree) -> Iterator[Candidate]:
-        """A constant added to a part, as against a division by zero; or to its root, of which it is the square."""
-        for part in search.parts(tree):
-            if isinstance(part.node, Number):
-                continue
-            for node, needed, put in _itself_and_root(part.node, part.needed):
-                if found := _constant_term(needed, self._screen(node)):
-                    terms = node.terms if isinstance(node, Sum) else (node,)
-                    yield Candidate(replace_at(tree, part.path, put(Sum((*terms, found[0])))), "", found[1])
+            yield from constant_parts(search, self._screen, tree, target)
 
     def _forwards_and_below(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
         yield from self._forwards(tree, target)
+        yield from self._in_terms(tree, target)
         if self._here:
             yield from self._below_even_powers(search, tree)
 
@@ -195,6 +198,27 @@ class SlipSearch:
                     if _near(self._screen(other), part.needed, part.needed):
                         yield Candidate(replace_at(tree, part.path, other), "", 1.3)
 
+    def _in_terms(self, tree: Tree, target: Values) -> Iterator[Candidate]:
+        """Edits of the terms of a long sum, by what is left for each: rounding of the sum hides what its parts need."""
+        if not isinstance(tree, Sum) or len(list(walk(tree))) <= SMALL:
+            return
+        values = [self._screen(term) for term in tree.terms]
+        if None in values:
+            return
+        table = np.array(values)
+        sizes, left = np.abs(table).max(axis=0), np.array(target) - table.sum(axis=0)
+        points = [{name: column[n] for name, column in self._screen.names.items()} for n in range(self._screen.size)]
+        for place, term in enumerate(tree.terms):
+            needed = table[place] + left
+            for edited, cost in self._edits(term):
+                program = Program(edited)
+                found = (program(point) for point in points)
+                if all(
+                    one is not None and abs(one[0] - value) <= IN_A_SUM * size
+                    for one, value, size in zip(found, needed, sizes, strict=True)
+                ):
+                    yield Candidate(replace_at(tree, (place,), edited), "", cost)
+
     def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
         for part in search.parts(tree):
@@ -228,7 +252,7 @@ class SlipSearch:
         kinds = {name: self._names.dimensions[name] for name in self._here}
         for path, node in nodes if len(nodes) <= SMALL else ():
             edits = (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node))
-            for edit in (*edits, *_without_one_of(node)):
+            for edit in (*edits, *_without_one_of(node), *_in_another_unit(node, self._angles)):
                 yield replace_at(tree, path, edit.tree), edit.cost
 
     def _is_nearer(self, tree: Tree) -> bool:
@@ -270,34 +294,6 @@ class SlipSearch:
         )
 
 
-def _itself_and_root(node: Tree, needed: Values) -> Iterator[tuple[Tree, Values, Callable[[Tree], Tree]]]:
-    """A part, what it would have to be worth, and what makes the part of it; then the root of a sum likewise."""
-    yield node, needed, lambda tree: tree
-    if isinstance(node, Sum) and min(needed) > 0:
-        yield Call("sqrt", (node,)), tuple(map(math.sqrt, needed)), lambda tree: Power(tree, Number("2"))
-
-
-def _constant_term(needed: Values, own: Values | None) -> tuple[Tree, float] | None:
-    """What is added everywhere, and what that costs: small ones of one digit are likely; None where it varies."""
-    if own is None:
-        return None
-    size, away = np.maximum(np.abs(needed), np.abs(own)), np.subtract(needed, own)
-    constant = float(np.median(away))
-    scatter = np.abs(away - constant)
-    if not (scatter <= STEADY * abs(constant) + LAST * size).all() or not (abs(constant) > VISIBLE * size).all():
-        return None
-    text = _short_number(abs(constant), float(scatter.max()))
-    cost = FUDGE if (abs(constant) <= SLIGHT * size).all() else OFFSET
-    term = Number(text)
-    return (term if constant > 0 else Negation(term)), cost + DIGIT * (len(text.partition("e")[0].strip("0.")) - 1)
-
-
-def _short_number(value: float, scatter: float) -> str:
-    """As few digits as it may have been written with."""
-    near = (f"{value:.{digits}g}" for digits in range(1, 9))
-    return next((text for text in near if abs(float(text) - value) <= 2 * scatter + STEADY * value), f"{value:.9g}")
-
-
 def _by_cost(candidate: Candidate) -> float:
     return candidate.cost
 
@@ -317,6 +313,8 @@ def _more(node: Tree) -> Iterator[Alternative]:
     """A number with the other sign; a sum with one of its terms twice."""
     if isinstance(node, Number):
         yield Alternative(Negation(node), "the sign of {}", 1.0, (node,))
+    if isinstance(node, Name):
+        yield Alternative(ONE, "{} should be {}", DROPPED, (node, ONE))
     for place, term in enumerate(node.terms) if isinstance(node, Sum) else ():
         inner, sign = (term.operand, Negation) if isinstance(term, Negation) else (term, lambda tree: tree)
         factors = inner.factors if isinstance(inner, Product) else (inner,)
@@ -333,6 +331,14 @@ def _without_one_of(node: Tree) -> Iterator[Alternative]:
         rest = (*parts[:place], *parts[place + 1 :])
         without = rest[0] if len(rest) == 1 else type(node)(rest)
         yield Alternative(without, "{} should be {}", DROPPED, (node, without))
+
+
+def _in_another_unit(node: Tree, angles: Sequence[str]) -> Iterator[Alternative]:
+    """An angle that is not converted from degrees, or once too often."""
+    if isinstance(node, Name) and node.name in angles:
+        half_turn, pi = Number("180"), Constant("pi")
+        for above, below in ((half_turn, pi), (pi, half_turn)):
+            yield Alternative(Quotient(Product((above, node)), below), "{} should be {}", LIKELY, (node,))
 
 
 def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:

@@ -21,6 +21,7 @@ SAME = 1e-25
 ORDER = re.compile(r"the entries in the order (?P<order>[\d, ]+)")
 COMPLEMENT = re.compile(r"(?P<symbol>\w+) counted from .+ \(pi/2 - \w+\)")
 OPPOSITE = re.compile(r"the opposite sign of (?P<symbol>\w+)")
+VARIANCES = re.compile(r"variances in place of (?P<symbol>\w+)")
 FOR_A_SYMBOL = re.compile(r"(?P<taken>.+) for (?P<symbol>\w+)")
 
 
@@ -52,9 +53,12 @@ def _in_convention(words: str, quantity: Quantity) -> Iterator[Tensor[Expr]]:
         order = [int(place) for place in match["order"].split(", ")]
         yield Tensor(shape, tuple(entries[place] for place in order))
         yield Tensor(shape, tuple(entries[order.index(place)] for place in range(len(order))))
-    elif match := COMPLEMENT.fullmatch(words) or OPPOSITE.fullmatch(words):
+    elif words in {"the reciprocal of the result", "rdot positive for what comes closer (-rdot)"}:
+        rdot = symbols.get("rdot")
+        yield Tensor(shape, tuple(1 / entry if rdot is None else entry.xreplace({rdot: -rdot}) for entry in entries))
+    elif match := COMPLEMENT.fullmatch(words) or OPPOSITE.fullmatch(words) or VARIANCES.fullmatch(words):
         symbol = symbols[match["symbol"]]
-        other = sp.pi / 2 - symbol if "counted" in words else -symbol
+        other = sp.pi / 2 - symbol if "counted" in words else -symbol if "opposite" in words else sp.sqrt(symbol)
         yield Tensor(shape, tuple(entry.xreplace({symbol: other}) for entry in entries))
 
 
