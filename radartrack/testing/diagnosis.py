@@ -9,6 +9,7 @@ from typing import Any
 FEW_ULP = 64.0
 CHANGING = "not deterministic"  # how what is said of a function begins that does not give the same twice
 WRAP = 3  # sentences of one kind that are shown
+LONG = 300  # characters of a formula that is shown
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ class Slip:
     Attributes:
         entries: the entries that have it.
         edit: what the function has, in words: "x for y".
-        formula: what the function computes there.
+        formula: what the function computes there; empty where the edit alone says it.
         derived: what is derived.
         cost: the higher, the less likely.
     """
@@ -140,7 +141,8 @@ class Diagnosis:
 
     @property
     def _shown(self) -> tuple[Slip, ...]:
-        return tuple(slip for slip in self.slips[:WRAP] if slip.formula)
+        """Those whose formulas a reader takes in."""
+        return tuple(slip for slip in self.slips[:WRAP] if 0 < max(len(slip.formula), len(slip.derived)) <= LONG)
 
     def _headline(self) -> str:
         convention = f" with {self.convention}" if self.convention else ""

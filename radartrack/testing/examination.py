@@ -49,7 +49,8 @@ from radartrack.testing.returned_values import (
 from radartrack.testing.slips.added_constants import added_constants
 from radartrack.testing.slips.argument_slips import argument_slip
 from radartrack.testing.slips.function_slips import SlipSearch, merged
-from radartrack.testing.slips.product_slips import product_slip
+from radartrack.testing.slips.half_planes import half_planes
+from radartrack.testing.slips.product_slips import product_slips
 from radartrack.testing.slips.rounded_parts import rounded_part
 from radartrack.testing.unexplained_difference import described, region
 from radartrack.testing.wanted import Expected, Wanted
@@ -108,9 +109,11 @@ def examined(
         for one, once in zip(forms, known, strict=True)
     ]
     right = next((one for one in others if one[0].is_callable and one[0].readings[0].wrong == 0), None)
-    if right is not None:
+    if right is not None and right[0].readings[0].words == right[0].readings[0].form:
         return right[0].of(right[1]).diagnosis()
     found = plain.diagnosis() if fitting else None
+    if right is not None and not (found and _cost(found.slips) <= PLAIN and found.slips):
+        return right[0].of(right[1]).diagnosis()
     if found is not None and found.verdict != "differs":
         return found
     slipped = (one.of(again).diagnosis() for one, again in others if len(wanted.shape) > 1 and one.is_callable)
@@ -163,21 +166,40 @@ class Examination:
             if found and (explained is None or _cost(found) + 1 < _cost(explained)):
                 return self._with_slips(other, found)
         if explained:
-            return self._with_slips(first, explained, product)
+            reading, slips = self._least_of_alike(first, explained)
+            return self._with_slips(reading, slips, product if reading is first else ())
         for reading in [one for one in best[1:] if one.wrong <= first.wrong][:READINGS]:
             if (found := self._slips(reading)) is not None:
                 return self._with_slips(reading, found)
         return self._unexplained(first)
+
+    def _least_of_alike(self, first: Reading, explained: tuple[Slip, ...]) -> tuple[Reading, tuple[Slip, ...]]:
+        """Of several slips, those that are fewest in a reading that leaves as much to explain, or a convention more."""
+        spare = _cost(explained) - len(explained)  # beyond the likeliest slips
+        known = {one.words: one for one in reversed(self.readings) if one.cost <= first.cost + spare}
+        alike = [one for one in reversed(known.values()) if one.words != first.words and one.wrong <= first.wrong]
+        others = ((one, self._slips(one)) for one in alike[: RIVALS if len(explained) > 1 else 0])
+        ways = [(first, explained), *((one, found) for one, found in others if found)]
+        return min(ways, key=lambda way: way[0].cost - way[0].wrong + _cost(way[1]))
 
     def _right_or_with_slips(self, reading: Reading) -> Diagnosis:
         """Of a function that is right at ordinary points: what it has beyond them may have a slip too small there."""
         found = self._right(reading)
         if found.verdict != "differs":
             return found
+        slips = next(filter(None, self._hidden(reading)), None)
+        if slips is None:
+            return found
+        return replace(self._with_slips(reading, slips), worst=found.worst, undefined=found.undefined)
+
+    def _hidden(self, reading: Reading) -> Iterator[tuple[Slip, ...] | None]:
+        """Slips that do not show at ordinary points."""
         spread = reading.wanted.domain(SCREENING)
-        slips = added_constants(spread, self._values(reading, spread)[1])
-        slips = slips or self._slips(reading, reading.wanted.coarse(SCREENING)) or ()
-        return self._with_slips(reading, slips) if slips else found
+        there = self._values(reading, spread)[1]
+        yield added_constants(spread, there)
+        yield half_planes(spread, there)
+        for screening in (reading.wanted.coarse(SCREENING), reading.wanted.small(SCREENING)):
+            yield self._slips(reading, screening)
 
     # How it is called, and in which convention
 
@@ -226,6 +248,8 @@ class Examination:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(place[0] for place in declared(self._function) or () if place != ANY_NAMES)
+            if isinstance(self._function, type):
+                return f"{self._function.__name__} is a class: hand over an object of it that is called, or a method"
             if taken.partition(", ")[0] in {"self", "cls"}:
                 return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""
@@ -410,27 +434,25 @@ class Examination:
 
     # What slip it has
 
-    def _explained(self, reading: Reading) -> tuple[tuple[Slip, ...] | None, Slip | None]:
+    def _explained(self, reading: Reading) -> tuple[tuple[Slip, ...] | None, tuple[Slip, ...]]:
         """The slips, and beside one in an entry and its mirror image what it is in a product of matrices."""
-        product = self._product_slip(reading)
-        if product is not None and reading.wrong > 1:
-            return (product,), None
+        product = self._product_slips(reading)
+        if product and reading.wrong > 1:
+            return product, ()
         slips = self._slips(reading)
-        return (slips, product) if slips or product is None else ((product,), None)
+        return (slips, product) if slips or not product else (product, ())
 
-    def _product_slip(self, reading: Reading) -> Slip | None:
-        """The slip in one of the matrices of which it is the product."""
-        screening, confirming = reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
-        found, found_there = (self._values(reading, expected)[1] for expected in (screening, confirming))
-        return product_slip(screening, found, confirming, found_there)
+    def _product_slips(self, reading: Reading) -> tuple[Slip, ...]:
+        """The slips in the matrices of which it is the product."""
+        screening, calls, found = self._screened(reading, reading.wanted.wide(SCREENING))
+        confirming = reading.wanted.coarse(CONFIRMING)
+        _, found_there = self._values(reading, confirming)
+        return product_slips(screening, found, confirming, found_there, self._share(calls, reading))
 
     def _slips(self, reading: Reading, screening: Expected | None = None) -> tuple[Slip, ...] | None:
         """For every entry that is wrong the slip that explains it; None where one is left."""
-        screening, confirming = screening or reading.wanted.wide(SCREENING), reading.wanted.coarse(CONFIRMING)
-        calls, found = self._values(reading, screening)
-        if calls.raised or calls.wrong or calls.unknown:  # it refuses large errors
-            screening = reading.wanted.ordinary(SCREENING)
-            calls, found = self._values(reading, screening)
+        screening, calls, found = self._screened(reading, screening or reading.wanted.wide(SCREENING))
+        confirming = reading.wanted.coarse(CONFIRMING)
         _, found_there = self._values(reading, confirming)
         share = self._share(calls, reading)
         search = SlipSearch(screening, found, confirming, found_there, share)
@@ -440,6 +462,14 @@ class Examination:
         if of_argument is not None and (slips is None or len(slips) > 1 or of_argument.cost < _cost(slips)):
             return (of_argument,)
         return slips
+
+    def _screened(self, reading: Reading, screening: Expected) -> tuple[Expected, Calls, Array]:
+        """Points, and what it has there; ordinary ones where it refuses large errors, or is a table without them."""
+        calls, found = self._values(reading, screening)
+        if not (calls.raised or calls.wrong or calls.unknown):
+            return screening, calls, found
+        ordinary = reading.wanted.ordinary(SCREENING)
+        return ordinary, *self._values(reading, ordinary)
 
     def _share(self, calls: Calls, reading: Reading) -> float:
         """Of a value, by which one that is right in its few digits is off; 0 in double precision."""
@@ -591,7 +621,7 @@ class Examination:
             arguments=_said(reading.binding),
         )
 
-    def _with_slips(self, reading: Reading, slips: tuple[Slip, ...], product: Slip | None = None) -> Diagnosis:
+    def _with_slips(self, reading: Reading, slips: tuple[Slip, ...], product: Sequence[Slip] = ()) -> Diagnosis:
         """Of a function that is no function nothing is explained by an edit."""
         if any(self._changing(reading)):
             return self._unexplained(reading)
@@ -605,7 +635,7 @@ class Examination:
             convention=reading.words,
             slip="; ".join(map(str, slips)),
             slips=slips,
-            remarks=(*([f"as if {product}"] if product else ()), *self._remarks(reading, calls)),
+            remarks=(*(f"as if {one}" for one in product), *self._remarks(reading, calls)),
             arguments=_said(reading.binding),
         )
 
@@ -643,7 +673,7 @@ class Examination:
         if calls is not None and calls.single:
             said.append("it returns single precision, in whose units errors are told")
         elif self._table is not None and self._table.share > CLOSE:
-            digits = round(-math.log10(self._table.share))
+            digits = math.ceil(-math.log10(self._table.share))
             said.append(f"the values are written with {digits} digits, in units of whose last one errors are told")
         elif reading.single:
             said.append("it computes in single precision, in whose units errors are told")

@@ -298,10 +298,16 @@ class Arrangements:
             counted = [
                 (int(wrong), own, said, sources)
                 for wrong, (said, sources, own) in zip(self._wrong(same), self.orders, strict=True)
+                if len(set(sources)) == self._size or self._is_symmetric(found)
             ]
             for wrong, own, said, sources in sorted(counted, key=lambda one: (one[0] + one[1], one[1]))[:2]:
                 both = " and ".join(filter(None, (said, words)))
                 yield wrong, Arrangement(both, sources, factors, offsets, cost + own)
+
+    def _is_symmetric(self, found: Array) -> bool:
+        """Whether what came back may have been a list of one half of a matrix, which is all that is read then."""
+        matrices = found.reshape(-1, *self._wanted.shape)
+        return bool(np.array_equal(matrices, matrices.mT, equal_nan=True))
 
     @cached_property
     def _sources(self) -> npt.NDArray[np.int_]:

@@ -88,6 +88,8 @@ def _of_a_covariance(wanted: Wanted) -> Iterator[ReturnedForm]:
     yield ReturnedForm("the diagonal of the result alone", diagonal, _itself)
     yield ReturnedForm("deviations alone, the square roots of the diagonal", diagonal, _of_one_sign)
     yield ReturnedForm("the result inverted (the information matrix)", wanted, _inverse)
+    if size == 1:
+        return
     yield ReturnedForm("the lower Cholesky factor of the result", wanted, partial(_product, np.triu))
     yield ReturnedForm("the upper Cholesky factor of the result", wanted, partial(_product, np.tril))
     yield ReturnedForm("the square root of the result as a matrix", wanted, _square)

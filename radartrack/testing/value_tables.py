@@ -130,15 +130,27 @@ def _half_unit(cell: str) -> float:
 
 
 def _precision(cells: Sequence[Sequence[str]]) -> Precision:
-    """How exact the entries are written: in the lines of ordinary size, and where all have as many decimals."""
-    columns = list(zip(*cells[:SCREENING], strict=True))
-    shares = []
-    for column in columns:
-        sizes = [abs(_number(cell, 0)) for cell in column]
-        typical = float(np.median([size for size in sizes if math.isfinite(size) and size] or [1.0]))
-        shares.append(max(map(_half_unit, column)) / typical)
+    """How exact the entries are written: with as many decimals all, or with as many digits as the longest has.
+
+    Of a single number nothing follows: 0, 1.0 and 0.25 may be exact.
+    """
     halves = {_half_unit(cell) for line in cells for cell in line if WRITTEN.fullmatch(cell)}
-    return Precision(max(shares, default=0.0), halves.pop() if len(halves) == 1 else 0.0)
+    if len(halves) == 1:
+        (half,) = halves
+        return Precision(max(half / _typical(column) for column in zip(*cells[:SCREENING], strict=True)), half)
+    longest = max((_digits(cell) for line in cells[:SCREENING] for cell in line), default=0)
+    return Precision(0.5 * 10.0 ** (1 - longest) if longest else 0.0, 0.0)
+
+
+def _typical(column: Sequence[str]) -> float:
+    """The size of a value of ordinary size."""
+    sizes = (abs(_number(cell, 0)) for cell in column)
+    return float(np.median([size for size in sizes if math.isfinite(size) and size] or [1.0]))
+
+
+def _digits(cell: str) -> int:
+    """How many digits a number is written with."""
+    return len(re.split("[eEdD]", cell)[0].strip("+-").replace(".", "").lstrip("0"))
 
 
 def _rows(wanted: Wanted) -> Iterator[Row]:

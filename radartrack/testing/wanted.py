@@ -29,6 +29,7 @@ NAME = re.compile(r"(?P<name>[\w.]+)(?:\[(?P<index>\s*\d+\s*(?:,\s*\d+\s*)*)\])?
 WIDE = 1.1  # twice an ordinary deviation without a unit
 WHOLE = 11  # how far whole numbers are spread at ordinary points; high powers of larger ones drown other terms
 BESIDE = 10.0  # times which a value may be larger than others of its unit at ordinary points: it drowns them beyond
+TINY = 1e-3  # of an ordinary value, at which a small constant stands out
 NEARLY_ZERO = (1e-3, -1e-6, 1e-9)  # of the upper end: where a formula divides by what may be zero it loses digits
 INSIDE = 0.6  # of the upper end of a domain, up to which values are raised beside larger ones
 
@@ -140,6 +141,15 @@ class Wanted:
         for symbol in self.quantity.symbols:
             if is_deviation(symbol) and symbol.high < WIDE:
                 found[symbol.name] = found[symbol.name] * (WIDE / symbol.high)
+        return self.at({name: values for name, values in found.items() if name not in self.given})
+
+    def small(self, count: int) -> Expected:
+        """As `ordinary`, with whatever has a unit as small as its domain allows, beside which no constant is small."""
+        found = self.ordinary(count).points
+        for symbol in self.quantity.symbols:
+            if symbol.unit != ONE and not symbol.is_angle and not symbol.whole:
+                values = found[symbol.name]
+                found[symbol.name] = values * max(TINY, symbol.low / np.abs(values).min())
         return self.at({name: values for name, values in found.items() if name not in self.given})
 
     def coarse(self, count: int) -> Expected:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import (
@@ -20,26 +21,54 @@ from radartrack.derive.formula.tree import (
 )
 
 LONG = 60  # characters of a part that is shown whole
-Pair = tuple[Tree, Tree]
+
+
+class Difference(NamedTuple):
+    """Two parts that differ.
+
+    Attributes:
+        old: what is derived.
+        new: what the edited formula has in its place.
+        around: of what that is directly a part; None for the whole formula.
+    """
+
+    old: Tree
+    new: Tree
+    around: Tree | None
+
+    def words(self, whole: Tree) -> str:
+        """What is there in place of what, and in which part of the whole edited formula, where that does not show."""
+        words = _words(self.old, self.new)
+        match self.old, self.new:
+            case (Name(), Name()) | (Number(), Number()):
+                shown = self.around if isinstance(self.around, Product | Quotient | Power) else whole
+            case _ if words.endswith("missing"):
+                shown = self.old
+            case _:
+                shown = self.new if words.startswith("an extra") else whole
+        is_all = whole in {shown, self.new, Negation(shown), Negation(self.new)}
+        return words if is_all else f"{words} in {_shown(shown)}"
 
 
 def edit_in_words(derived: Tree, edited: Tree) -> str:
     """What stands in the edited formula in place of parts of the derived one."""
-    pairs = list(_differences(derived, edited))
-    distinct = list(dict.fromkeys(pairs))
+    differences = list(_differences(derived, edited))
+    distinct = list(dict.fromkeys((one.old, one.new) for one in differences))
+    if len(differences) == 1:
+        return differences[0].words(edited)
     if len(distinct) == 1:
-        ((old, new),) = distinct
-        where = f" in {_shown(new)}" if isinstance(old, Name) and old != derived and isinstance(new, Product) else ""
-        return _words(old, new) + where + (" everywhere" if len(pairs) > 1 else "")
+        return f"{_words(*distinct[0])} everywhere"
     names = {(old.name, new.name) for old, new in distinct if isinstance(old, Name) and isinstance(new, Name)}
     if len(names) == len(distinct) == 2 and {(new, old) for old, new in names} == names:
         return f"{' and '.join(sorted(next(iter(names))))} are swapped"
-    if 0 < len(distinct) <= 2:
+    if len(differences) == 2:
+        return " and ".join(one.words(edited) for one in differences)
+    if len(distinct) == 2:
         return " and ".join(_words(*pair) for pair in distinct)
     return _swapped_functions(distinct) or _words(derived, edited)
 
 
-def _differences(old: Tree, new: Tree) -> Iterator[Pair]:
+def _differences(old: Tree, new: Tree, around: Tree | None = None) -> Iterator[Difference]:
     """The smallest parts that differ."""
     if old == new:
         return
@@ -48,10 +77,11 @@ def _differences(old: Tree, new: Tree) -> Iterator[Pair]:
     if isinstance(old, Call) and isinstance(new, Call):
         alike = alike and old.function == new.function
     if not alike or (isinstance(old, Power) and old.base == children(new)[0]):
-        yield old, new
+        yield Difference(old, new, around)
         return
-    found = [pair for pairs in map(_differences, *below) for pair in pairs]
-    yield from [(old, new)] if isinstance(old, Sum | Product) and len(set(found)) > 2 else found
+    found = [one for pair in zip(*below, strict=True) for one in _differences(*pair, new)]
+    several = len({(one.old, one.new) for one in found}) > 2
+    yield from [Difference(old, new, around)] if isinstance(old, Sum | Product) and several else found
 
 
 def _words(old: Tree, new: Tree) -> str:
@@ -129,7 +159,7 @@ def _fraction(tree: Tree) -> tuple[Counter[Tree], Counter[Tree]]:
     )
 
 
-def _swapped_functions(pairs: Sequence[Pair]) -> str:
+def _swapped_functions(pairs: Sequence[tuple[Tree, Tree]]) -> str:
     """`sin and cos are swapped everywhere`."""
     kinds = {(old.function, new.function) for old, new in pairs if isinstance(old, Call) and isinstance(new, Call)}
     if kinds and len(kinds) <= 2 and {(new, old) for old, new in kinds} == kinds:

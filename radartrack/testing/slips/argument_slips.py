@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,11 +22,14 @@ STEPS = 40  # of Newton's method, which are shortened
 LONGEST = 0.5  # of a step, in units of where it starts
 TURN = 1e-6  # of an argument, over which a slope is taken
 STEADY = 1e-8  # of a constant, by which it may scatter over the points
-SAME = 1e-7  # of the scale of an entry
+SAME, CLEARLY = 1e-7, 1e-2  # of the scale of an entry, and of what the function is off by
 ROUND = 1e-9  # of a number that is written with few digits
 DIGITS = 7
 NEAR_DEGREES = 0.02  # of pi/180, to which a factor is taken for it
 COST, ROUNDED = 1.5, 0.5  # of any constant, and of one with too few digits, which no edit of a formula is
+OFF_BY_ONE = 1.2  # of a whole number
+MANY_DIGITS = 3.5  # of a constant with many
+NUMBER = re.compile(r"[\d.]+")
 
 
 def argument_slip(
@@ -51,15 +56,39 @@ def argument_slip(
         with np.errstate(all="ignore"):
             return np.asarray(program(**points), dtype=np.float64)
 
-    for symbol in wanted.symbols:
-        if symbol.whole or symbol.is_correlation or not wrong:
+    places = tuple(wanted.places[place] if wanted.shape else () for place in wrong)
+    for symbol in wanted.symbols if wrong else ():
+        if symbol.whole:
+            for one in (1, -1):
+                moved = _Moved(one)
+                if _is_so(screening, found, symbol, moved) and _is_so(confirming, found_there, symbol, moved):
+                    return Slip(
+                        places, f"{symbol.name} {'+' if one > 0 else '-'} 1 for {symbol.name}", "", "", OFF_BY_ONE
+                    )
+        if symbol.whole or symbol.is_correlation:
             continue
         taken = _taken(values, screening.points, found[:, wrong], symbol)
         for moved, words in _constants(symbol, screening.points[symbol.name], taken, in_degrees):
             if _is_so(screening, found, symbol, moved) and _is_so(confirming, found_there, symbol, moved):
-                places = tuple(wanted.places[place] if wanted.shape else () for place in wrong)
-                return Slip(places, words, "", "", ROUNDED if "pi" in words else COST)
+                return Slip(places, words, "", "", _cost(words))
     return None
+
+
+@dataclass(frozen=True)
+class _Moved:
+    """One more or one less."""
+
+    term: float
+
+    def __call__(self, values: Array) -> Array:
+        return values + self.term
+
+
+def _cost(words: str) -> float:
+    """A constant of many digits is rather worked out from something else."""
+    if "pi" in words:
+        return ROUNDED
+    return COST if max(map(len, NUMBER.findall(words)), default=0) <= DIGITS else MANY_DIGITS
 
 
 def _wrong(expected: Expected, found: Array) -> list[int]:
@@ -139,5 +168,7 @@ def _is_so(expected: Expected, found: Array, symbol: Variable, moved: Callable[[
     if there.count < expected.count or not np.isfinite(found).any():
         return False
     with np.errstate(all="ignore"):
-        near = np.abs(found - there.values) <= SAME * np.maximum(there.scales, expected.scales)
-    return bool((near | ~np.isfinite(found)).all())
+        away = np.where(np.isfinite(found), np.abs(found - there.values), 0.0)
+        off = np.where(np.isfinite(found), np.abs(found - expected.values), 0.0)
+        near = away <= SAME * np.maximum(there.scales, expected.scales)
+    return bool(near.all() and (away.max(axis=0) <= CLEARLY * off.max(axis=0)).all())

@@ -22,12 +22,26 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Negation, Number, Power, Product, Quotient, Sum, Tree, replace_at, walk
+from radartrack.derive.formula.tree import (
+    Constant,
+    Name,
+    Negation,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    replace_at,
+    walk,
+)
 from radartrack.derive.language.tensor import Index, Tensor
 from radartrack.derive.stable.roots_and_quotients import collected_form
 from radartrack.derive.symbolic import Expr
 from radartrack.testing.calling.called_function import Array
 from radartrack.testing.diagnosis import Slip
+from radartrack.testing.function_conventions import angles_of
+from radartrack.testing.slips.constant_parts import constant_parts
 from radartrack.testing.wanted import Expected
 
 ONE = Number("1")
@@ -35,15 +49,14 @@ DECIMAL = re.compile(r"(10+)/(\d+) for (\d+)")
 SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
 SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
 LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
-LONG = 300  # characters of a formula that is told
 SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
+IN_A_SUM = 1e-12  # of the largest term, by which rounding moves a sum
+SHORTEST = 30  # nodes of a formula of which two edits are tried forwards: their number grows with the square
 SHORT = 400  # characters of a formula that is tried over one denominator
 POINTS, FEWEST = 18, 8  # at which edits are screened, and fewer than which say nothing
 PLAIN = 2.0  # the cost of one edit that is likelier than any other kind
 TWICE = 3.0  # the cost below which no two edits are
-FUDGE, OFFSET = 1.9, 2.6  # the cost of a constant that is added, small or not
-STEADY, LAST, VISIBLE, SLIGHT = 1e-6, 1e-13, 1e-11, 1e-2  # of itself, and of what it is added to: by how much a
-# constant may scatter, from where on it is one, and up to where it is small
+CLEARLY, TINY = 0.1, 1e-300  # of what the function is off by, up to where an edit explains it; the least size
 DROPPED = 1.5  # the cost of a factor or a term that is missing
 CANCELLED = 50.0  # times which a function of single precision may be off where it cancels
 LIKELY = 1.2  # the cost of an edit for which no other way to write the formula is searched
@@ -70,6 +83,7 @@ class SlipSearch:
         self._confirming, self._found_there = confirming, found_there
         wanted = screening.wanted
         symbols = [symbol for symbol in wanted.quantity.symbols if wanted.given.get(symbol.name) != 0]
+        self._angles = angles_of(symbols)
         self._names = Names({symbol.name: symbol for symbol in symbols})
         self._here, self._wider = (
             {symbol.name: tuple(map(float, one.points[symbol.name])) for symbol in symbols}
@@ -81,7 +95,8 @@ class SlipSearch:
         known = np.flatnonzero(np.isfinite(self._found[:, place]))[:POINTS]
         if len(known) < (FEWEST if self._here else 1):
             return None
-        target = tuple(map(float, self._found[known, place]))
+        self._target = target = tuple(map(float, self._found[known, place]))
+        self._exact = tuple(map(float, self._screening.values[known, place]))
         self._screen = Screen(
             {name: tuple(values[n] for n in known) for name, values in self._here.items()}, len(known)
         )
@@ -90,12 +105,13 @@ class SlipSearch:
         trees = self.trees(place)
         searches = [Search(self._screen, target, self._names, tree, ()) for tree in trees]
         found: tuple[Candidate, Tree] | None = None
-        stages: Sequence[tuple[Edits, float]] = (
+        exactly: Sequence[tuple[Edits, float]] = (
             (self._single, PLAIN),
             (self._forwards_and_below, TWICE),
             (self._double, math.inf),
         )
-        for edits, is_enough in stages if self._share == SAME else ((self._roughly, math.inf),):
+        roughly: Sequence[tuple[Edits, float]] = ((self._roughly, TWICE), (self._two_roughly, math.inf))
+        for edits, is_enough in exactly if self._share == SAME else roughly:
             found = self._likeliest(edits, searches, trees, target, place, found)
             if found is not None and found[0].cost <= is_enough:
                 break
@@ -128,7 +144,7 @@ class SlipSearch:
             if best is not None and best[0].cost <= LIKELY:
                 break
             limit = math.inf if best is None else best[0].cost
-            candidates = [one for one in edits(search, tree, target) if one.cost < limit]
+            candidates = [one for one in edits(search, tree, target) if one.cost < limit and self._is_nearer(one.tree)]
             sound = self._sound(tree, place) if candidates else []
             confirmed = (one for one in sorted(candidates, key=_by_cost) if self._is_confirmed(one.tree, place, sound))
             likeliest = next(confirmed, None)
@@ -141,27 +157,11 @@ class SlipSearch:
         elif self._here:
             yield from search.single_edits(tree)
             yield from self._misread_powers(search, tree)
-            yield from self._with_a_constant(search, tree)
-
-    def _with_a_constant(self, search: Search, tree: Tree) -> Iterator[Candidate]:
-        """A constant added to a part, as against a division by zero or a singular matrix."""
-        for part in search.parts(tree):
-            values = self._screen(part.node)
-            if values is None or isinstance(part.node, Number):
-                continue
-            needed, own = np.array(part.needed), np.array(values)
-            size, constant = np.maximum(np.abs(needed), np.abs(own)), float(np.median(needed - own))
-            scatter = np.abs(needed - own - constant)
-            is_constant = (scatter <= STEADY * abs(constant) + LAST * size).all()
-            if is_constant and (abs(constant) > VISIBLE * size).all():
-                text = _short_number(abs(constant), float(scatter.max()))
-                term = Number(text) if constant > 0 else Negation(Number(text))
-                terms = part.node.terms if isinstance(part.node, Sum) else (part.node,)
-                edited = replace_at(tree, part.path, Sum((*terms, term)))
-                yield Candidate(edited, "", FUDGE if (abs(constant) <= SLIGHT * size).all() else OFFSET)
+            yield from constant_parts(search, self._screen, tree, target)
 
     def _forwards_and_below(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
         yield from self._forwards(tree, target)
+        yield from self._in_terms(tree, target)
         if self._here:
             yield from self._below_even_powers(search, tree)
 
@@ -170,11 +170,21 @@ class SlipSearch:
         if not any(target):
             yield Candidate(Number("0"), "", 1.0)
             return
-        if _near(self._screen(Negation(tree)), target, target, self._share):
+        if self._is_roughly(Negation(tree)):
             yield Candidate(Negation(tree), "", 1.0)
-        for candidate in self._forwards(tree, target):
-            if _near(self._screen(candidate.tree), target, target, self._share):
-                yield candidate
+        yield from (one for one in self._forwards(tree, target) if self._is_roughly(one.tree))
+
+    def _two_roughly(self, _: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
+        """Two likely edits of a short formula, likewise."""
+        if not self._here or len(list(walk(tree))) > SHORTEST:
+            return
+        for first, cost in dict(self._edits(tree)).items():
+            for second in self._forwards(first, target) if cost <= LIKELY else ():
+                if second.cost < PLAIN and self._is_roughly(second.tree):
+                    yield Candidate(second.tree, "", cost + second.cost + 1)
+
+    def _is_roughly(self, tree: Tree) -> bool:
+        return _near(self._screen(tree), self._target, self._target, self._share)
 
     def _double(self, search: Search, tree: Tree, _: Values) -> list[Candidate]:
         """Of a number, which many things are worth, only what is plainly an edit of it is taken."""
@@ -187,6 +197,27 @@ class SlipSearch:
                 for other in (Product((part.node.exponent, part.node.base)), Sum((part.node.base, part.node.exponent))):
                     if _near(self._screen(other), part.needed, part.needed):
                         yield Candidate(replace_at(tree, part.path, other), "", 1.3)
+
+    def _in_terms(self, tree: Tree, target: Values) -> Iterator[Candidate]:
+        """Edits of the terms of a long sum, by what is left for each: rounding of the sum hides what its parts need."""
+        if not isinstance(tree, Sum) or len(list(walk(tree))) <= SMALL:
+            return
+        values = [self._screen(term) for term in tree.terms]
+        if None in values:
+            return
+        table = np.array(values)
+        sizes, left = np.abs(table).max(axis=0), np.array(target) - table.sum(axis=0)
+        points = [{name: column[n] for name, column in self._screen.names.items()} for n in range(self._screen.size)]
+        for place, term in enumerate(tree.terms):
+            needed = table[place] + left
+            for edited, cost in self._edits(term):
+                program = Program(edited)
+                found = (program(point) for point in points)
+                if all(
+                    one is not None and abs(one[0] - value) <= IN_A_SUM * size
+                    for one, value, size in zip(found, needed, sizes, strict=True)
+                ):
+                    yield Candidate(replace_at(tree, (place,), edited), "", cost)
 
     def _below_even_powers(self, search: Search, tree: Tree) -> Iterator[Candidate]:
         """Edits of what is raised to even powers: of its value nothing but the size follows from that of the power."""
@@ -206,19 +237,33 @@ class SlipSearch:
             target: what is to be seen of its values.
             seen: what that is, of a value.
         """
+        quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
+        for edited, cost in self._edits(tree):
+            program = Program(edited)
+            if all(
+                _near(_each(seen, program(point)), (value,), (value,), self._share)
+                for point, value in zip(quick, target, strict=False)
+            ):
+                yield Candidate(edited, "", cost)
+
+    def _edits(self, tree: Tree) -> Iterator[tuple[Tree, float]]:
+        """A short formula after every likely slip, and its cost."""
         nodes = list(walk(tree))
         kinds = {name: self._names.dimensions[name] for name in self._here}
-        quick = [{name: values[n] for name, values in self._screen.names.items()} for n in range(QUICK)]
         for path, node in nodes if len(nodes) <= SMALL else ():
             edits = (*alternatives(node, kinds), *exchanged(node), *other_numbers(node), *_more(node))
-            for edit in (*edits, *_without_one_of(node)):
-                edited = replace_at(tree, path, edit.tree)
-                program = Program(edited)
-                if all(
-                    _near(_each(seen, program(point)), (value,), (value,), self._share)
-                    for point, value in zip(quick, target, strict=False)
-                ):
-                    yield Candidate(edited, edit.words, edit.cost)
+            for edit in (*edits, *_without_one_of(node), *_in_another_unit(node, self._angles)):
+                yield replace_at(tree, path, edit.tree), edit.cost
+
+    def _is_nearer(self, tree: Tree) -> bool:
+        """Whether an edited formula is the function, and not what that is all but for a small term."""
+        values = self._screen(tree)
+        return values is not None and self._away(values) <= CLEARLY * self._away(self._exact)
+
+    def _away(self, values: Values) -> float:
+        """By how much values are off from those of the function, at most, in units of these."""
+        pairs = zip(values, self._target, strict=True)
+        return max(abs(one - target) / max(abs(one), abs(target), TINY) for one, target in pairs)
 
     def _sound(self, tree: Tree, place: int) -> list[int]:
         """The points in all directions at which the formula as it stands does not lose its digits.
@@ -249,12 +294,6 @@ class SlipSearch:
         )
 
 
-def _short_number(value: float, scatter: float) -> str:
-    """As few digits as it may have been written with."""
-    near = (f"{value:.{digits}g}" for digits in range(1, 9))
-    return next((text for text in near if abs(float(text) - value) <= 2 * scatter + STEADY * value), f"{value:.9g}")
-
-
 def _by_cost(candidate: Candidate) -> float:
     return candidate.cost
 
@@ -274,6 +313,8 @@ def _more(node: Tree) -> Iterator[Alternative]:
     """A number with the other sign; a sum with one of its terms twice."""
     if isinstance(node, Number):
         yield Alternative(Negation(node), "the sign of {}", 1.0, (node,))
+    if isinstance(node, Name):
+        yield Alternative(ONE, "{} should be {}", DROPPED, (node, ONE))
     for place, term in enumerate(node.terms) if isinstance(node, Sum) else ():
         inner, sign = (term.operand, Negation) if isinstance(term, Negation) else (term, lambda tree: tree)
         factors = inner.factors if isinstance(inner, Product) else (inner,)
@@ -290,6 +331,14 @@ def _without_one_of(node: Tree) -> Iterator[Alternative]:
         rest = (*parts[:place], *parts[place + 1 :])
         without = rest[0] if len(rest) == 1 else type(node)(rest)
         yield Alternative(without, "{} should be {}", DROPPED, (node, without))
+
+
+def _in_another_unit(node: Tree, angles: Sequence[str]) -> Iterator[Alternative]:
+    """An angle that is not converted from degrees, or once too often."""
+    if isinstance(node, Name) and node.name in angles:
+        half_turn, pi = Number("180"), Constant("pi")
+        for above, below in ((half_turn, pi), (pi, half_turn)):
+            yield Alternative(Quotient(Product((above, node)), below), "{} should be {}", LIKELY, (node,))
 
 
 def _each(seen: Callable[[float], float], values: Values | None) -> Values | None:
@@ -310,7 +359,7 @@ def _told(derived: Tree, candidate: Candidate, index: Index, names: Names) -> Sl
     """In the words of the formula as it was edited, or as it would be written then, whichever are shorter."""
     edited = rebuild(candidate.tree, _without_one)
     words, tree = min(((edit_in_words(derived, one), one) for one in (edited, _rewritten(edited, names))), key=_length)
-    return Slip((index,), _in_decimals(words), _short(tree), _short(derived), candidate.cost)
+    return Slip((index,), _in_decimals(words), to_text(tree), to_text(derived), candidate.cost)
 
 
 def _in_decimals(words: str) -> str:
@@ -343,11 +392,6 @@ def _rewritten(tree: Tree, names: Names) -> Tree:
         return to_tree(names.read(tree))
     except FormulaError:
         return tree
-
-
-def _short(tree: Tree) -> str:
-    text = to_text(tree)
-    return text if len(text) <= LONG else ""
 
 
 def merged(slips: Sequence[Slip]) -> tuple[Slip, ...]:
