@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.check import Question
+from radartrack.derive.checking.answers import Question
 from radartrack.derive.checking.comparing.counterexample import Relative, counterexample
 from radartrack.derive.checking.comparing.difference_scale import squared_scale
 from radartrack.derive.checking.comparing.error_bound import largest_error, proved_within

@@ -8,8 +8,8 @@ import sympy
 
 from radartrack.derive import check
 from radartrack.derive.algebra.equality import proved_equal
-from radartrack.derive.checking import check as checking
-from radartrack.derive.checking.check import ask
+from radartrack.derive.checking import answers as checking
+from radartrack.derive.checking.asking import ask
 from radartrack.derive.checking.comparing.counterexample import find_difference
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Values
 from radartrack.derive.checking.comparing.question_domain import Domain

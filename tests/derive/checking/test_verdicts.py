@@ -16,7 +16,7 @@ from typing import TypeAlias
 import pytest
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.check import Finding, Question
+from radartrack.derive.checking.answers import Finding, Question
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.question.compared_quantity import Reference, refer

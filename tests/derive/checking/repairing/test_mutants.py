@@ -15,7 +15,7 @@ import sympy
 
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.check import Question
+from radartrack.derive.checking.answers import Question
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.question.printed_formula import Printed, names_for
