@@ -10,7 +10,7 @@ from typing import Any
 from radartrack.derive.checking.answers import Question
 from radartrack.derive.checking.asking import ask
 from radartrack.derive.checking.comparing.numerical_comparison import is_real
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.papers.mathml import element
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
 from radartrack.derive.formula.tree import Name
