@@ -39,7 +39,7 @@ class Scale:
     def size(self) -> float:
         """The same in floating point."""
         roots = (float(base) ** float(power) for base, power in self.roots.items())
-        return math.prod(roots, start=float(self.number) * math.pi ** float(self.pi))
+        return float(math.prod(roots, start=float(self.number) * math.pi ** float(self.pi)))
 
     def __mul__(self, other: Scale) -> Scale:
         number, roots = self.number * other.number, {}

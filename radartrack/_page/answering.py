@@ -20,7 +20,8 @@ from radartrack._page.values_at_point import values_at
 from radartrack._reports import audit_page, audit_text
 from radartrack.derive.catalogue import UnknownQuantity, catalogue
 from radartrack.derive.checking.papers import audit
-from radartrack.derive.checking.papers.claims_file import Claim, ClaimsError, UnreadableClaim, read_claims
+from radartrack.derive.checking.papers.claim import Claim, ClaimsError, UnreadableClaim
+from radartrack.derive.checking.papers.claims_file import read_claims
 from radartrack.derive.checking.papers.deadline import undecided
 from radartrack.derive.checking.papers.mathml import block
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry

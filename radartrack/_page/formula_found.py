@@ -9,7 +9,7 @@ from importlib.resources import files
 from typing import Any
 
 from radartrack.derive.checking.papers import audit
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 from radartrack.derive.checking.papers.mathml import mathml
 from radartrack.derive.finding.formula_search import Candidate, FormulaSearch
 from radartrack.derive.formula.tree import Tree

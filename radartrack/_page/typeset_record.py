@@ -8,7 +8,7 @@ from typing import Any
 
 from radartrack._reports import audit_text
 from radartrack.derive.checking.papers import mathml
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.verdict import Verdict
 from radartrack.derive.formula.printing import to_latex, to_text

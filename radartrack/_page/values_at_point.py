@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
-from radartrack.derive.checking.check import Question, ask
+from radartrack.derive.checking.answers import Question
+from radartrack.derive.checking.asking import ask
 from radartrack.derive.checking.comparing.numerical_comparison import is_real
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.papers.mathml import element
 from radartrack.derive.evaluation.many_digits import Evaluator, Number
 from radartrack.derive.formula.tree import Name

@@ -16,7 +16,8 @@ from radartrack.commands.model_file import ModelFile, declared
 from radartrack.commands.seconds import seconds
 
 if TYPE_CHECKING:
-    from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile
+    from radartrack.derive.checking.papers.claim import Claim
+    from radartrack.derive.checking.papers.claims_file import ClaimsFile
     from radartrack.derive.checking.papers.deadline import Files
 
 PROCESSES = 2
@@ -39,7 +40,8 @@ def audit(
     Exit 0, or 2 when a file or a claim in it cannot be read, or a result cannot be written.
     """
     from radartrack._reports import audit_page, audit_table
-    from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims
+    from radartrack.derive.checking.papers.claim import ClaimsError
+    from radartrack.derive.checking.papers.claims_file import read_claims
 
     kept = [*(files or ()), *([model] if model else ())]
     output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, kept=kept)
@@ -73,7 +75,8 @@ def chosen(files: list[Path] | None) -> list[Path]:
     Raises:
         ClaimsError: where there is neither.
     """
-    from radartrack.derive.checking.papers.claims_file import ClaimsError, shipped, shipped_names
+    from radartrack.derive.checking.papers.claim import ClaimsError
+    from radartrack.derive.checking.papers.claims_file import shipped, shipped_names
 
     paths: list[Path] = []
     for one in files or [Path("papers")]:
@@ -113,7 +116,7 @@ def _decided(
     claims: list[Claim], worlds: Sequence[Files], timeout: float, *, typeset: bool
 ) -> tuple[list[dict[str, Any]], list[str]]:
     """A record for each claim, and what is wrong with it where it cannot be read."""
-    from radartrack.derive.checking.papers.claims_file import UnreadableClaim
+    from radartrack.derive.checking.papers.claim import UnreadableClaim
     from radartrack.derive.checking.papers.deadline import decide_all, undecided
 
     processes = max(1, min(PROCESSES, os.cpu_count() or 1))

@@ -39,7 +39,7 @@ def check(
 
     Exit 0 when it is equal, 1 when it differs, 2 when it cannot be read, 3 when nothing can be decided in time.
     """
-    from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+    from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
     from radartrack.derive.checking.papers.deadline import Decider
 
     if latex and code:

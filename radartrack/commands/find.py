@@ -134,7 +134,7 @@ def _judged(
     candidates: Sequence[Candidate], decider: Decider, models: tuple[Mapping[str, Any], ...] = ()
 ) -> Iterator[Judged]:
     """The same, and those that a formula is but for a slip that a check of it tells."""
-    from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+    from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 
     for candidate in candidates[:PROVED]:
         claim = Claim("formula", candidate.quantity, candidate.formula, given=candidate.given, let=candidate.let)

@@ -88,7 +88,8 @@ def declared(path: Path | None) -> tuple[Mapping[str, Any], ...]:
 
 
 def _data(path: Path) -> dict[str, Any]:
-    from radartrack.derive.checking.papers.claims_file import ClaimsError, declarations, read_toml
+    from radartrack.derive.checking.papers.claim import ClaimsError
+    from radartrack.derive.checking.papers.claims_file import declarations, read_toml
 
     try:
         data = declarations(read_toml(path))

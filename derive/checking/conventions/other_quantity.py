@@ -101,8 +101,7 @@ def siblings(asked: Asked) -> Iterator[tuple[str, Tensor[Expr]]]:
 
 def _others(asked: Asked, part: Part, trials: Sequence[Trial], candidates: Iterable[Quantity]) -> Iterator[str]:
     deadline = _processor_time() + SECONDS
-    whole = part.shape == part.quantity.shape
-    for quantity in sorted(candidates, key=lambda one: whole and one.shape != part.shape):
+    for quantity in candidates:
         for places, name in _slices(part, quantity):
             if _processor_time() > deadline:
                 return
@@ -192,8 +191,12 @@ def _candidates(quantity: Quantity) -> list[Quantity]:
 
 
 def _slices(part: Part, quantity: Quantity) -> list[tuple[list[Index], str]]:
-    """The same entries of another quantity; of a single entry, every entry of either that is not the same formula."""
-    return list(_all_slices(part, quantity))
+    """The same entries of another quantity; of a single entry, every entry of either that is not the same formula.
+
+    A matrix is no corner of a larger one: that is not even derived.
+    """
+    is_matrix = bool(part.shape) and part.shape == part.quantity.shape
+    return [] if is_matrix and quantity.shape != part.shape else list(_all_slices(part, quantity))
 
 
 def _all_slices(part: Part, quantity: Quantity) -> Iterator[tuple[list[Index], str]]:

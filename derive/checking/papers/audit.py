@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from radartrack.derive.catalogue import UnknownQuantity
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim, problems
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim, problems
 from radartrack.derive.checking.papers.formula_claims import formula_verdicts
 from radartrack.derive.checking.papers.number_claims import check_number
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry

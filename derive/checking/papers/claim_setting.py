@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.checking.comparing.rounding_to_print import in_unit
-from radartrack.derive.checking.papers.claims_file import Along, Claim
+from radartrack.derive.checking.papers.claim import Along, Claim
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, dimensions
 from radartrack.derive.checking.question.names import Names

@@ -15,7 +15,7 @@ from dataclasses import asdict, dataclass
 from types import TracebackType
 from typing import Any, Self, TextIO, cast
 
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 from radartrack.derive.checking.papers.processor_time import processor_time
 
 COMMAND = (sys.executable, "-P", "-m", "radartrack.derive.checking.papers.worker")

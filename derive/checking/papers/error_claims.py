@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from radartrack.derive import symbolic as sp
-from radartrack.derive.checking.check import Question
+from radartrack.derive.checking.answers import Question
 from radartrack.derive.checking.comparing.counterexample import Relative, counterexample
 from radartrack.derive.checking.comparing.difference_scale import squared_scale
 from radartrack.derive.checking.comparing.error_bound import largest_error, proved_within
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison
-from radartrack.derive.checking.papers.claims_file import BOUND
+from radartrack.derive.checking.papers.claim_fields import BOUND
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.formula_units import Dimension, WrongDimensions, check_dimension
 from radartrack.derive.checking.reporting.derived_formula import shown

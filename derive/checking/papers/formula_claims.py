@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from radartrack.derive.checking.check import Question, ask, ask_identity, too_much
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.answers import Question
+from radartrack.derive.checking.asking import ask, ask_identity
+from radartrack.derive.checking.check import too_much
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.papers.error_claims import bounded
 from radartrack.derive.checking.papers.implicit_claims import asked_of_equations, solution_verdicts
 from radartrack.derive.checking.question.sense import Sense

@@ -18,11 +18,11 @@ import mpmath
 from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.branch_of_root import vanishes_on_a_branch
 from radartrack.derive.algebra.equality import proved_equal
-from radartrack.derive.checking.check import Finding, Question
+from radartrack.derive.checking.answers import Finding, Question
 from radartrack.derive.checking.comparing.counterexample import counterexample, unreal_counterexample
 from radartrack.derive.checking.comparing.numerical_comparison import Imaginary, Values
 from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.question.compared_quantity import Reference
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.definitions.loose_definitions import WORD

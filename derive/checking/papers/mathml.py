@@ -8,7 +8,7 @@ from html import escape
 from itertools import pairwise
 from typing import Any
 
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.reporting.verdict import Suggestion, Verdict
 from radartrack.derive.formula.differing_parts import differing_parts
 from radartrack.derive.formula.error import FormulaError

@@ -9,8 +9,8 @@ from itertools import pairwise
 
 from radartrack.derive.checking.comparing.printed_number import PrintedNumber
 from radartrack.derive.checking.comparing.rounding_to_print import rounded, shown, shown_apart
+from radartrack.derive.checking.papers.claim import Along, Claim
 from radartrack.derive.checking.papers.claim_setting import HERE, Place, Setting
-from radartrack.derive.checking.papers.claims_file import Along, Claim
 from radartrack.derive.checking.question.formula_units import WrongDimensions
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict

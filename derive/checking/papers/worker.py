@@ -19,7 +19,7 @@ from io import TextIOWrapper
 from typing import Any, cast
 
 from radartrack.derive.checking.papers import audit, mathml
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 from radartrack.derive.checking.papers.deadline import CATALOGUE, DONE
 from radartrack.derive.checking.question import world
 from radartrack.derive.checking.question.declared_world import world_of

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.papers.audit import decide
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 

@@ -9,7 +9,9 @@ from typer.testing import CliRunner
 
 from radartrack.cli import app
 from radartrack.derive.checking.papers.audit import decide, record
-from radartrack.derive.checking.papers.claims_file import _FIELDS, Claim, ClaimsError, UnreadableClaim, read_claims
+from radartrack.derive.checking.papers.claim import Claim, ClaimsError, UnreadableClaim
+from radartrack.derive.checking.papers.claim_fields import FIELDS
+from radartrack.derive.checking.papers.claims_file import read_claims
 from radartrack.derive.checking.reporting.verdict import Counterexample, Outcome, Verdict
 
 GOOD = 'paper = "Smith 2001"\n\n[[claim]]\nid = "good"\nquantity = "polar.map[0]"\nformula = "r*cos(beta)"\n'
@@ -56,7 +58,7 @@ def _with(field: str, value: str, number: int) -> str:
     return "[[claim]]\n" + "".join(f"{name} = {one}\n" for name, one in fields.items())
 
 
-@pytest.mark.parametrize("field", sorted({*_FIELDS, "formule", "unreadable", "'a b'"}))
+@pytest.mark.parametrize("field", sorted({*FIELDS, "formule", "unreadable", "'a b'"}))
 def test_no_value_of_a_field_spoils_the_other_claims(tmp_path: Path, field: str) -> None:
     bad = "".join(_with(field, value, number) for number, value in enumerate(VALUES))
     path = _write(tmp_path, GOOD + bad + GOOD.partition("\n\n")[2].replace("good", "last"))

@@ -6,7 +6,8 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.checking.papers.audit import decisions
-from radartrack.derive.checking.papers.claims_file import ClaimsError, read_claims
+from radartrack.derive.checking.papers.claim import ClaimsError
+from radartrack.derive.checking.papers.claims_file import read_claims
 from radartrack.derive.checking.reporting.verdict import Outcome
 
 CLAIMS = """

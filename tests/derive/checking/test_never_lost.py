@@ -8,12 +8,12 @@ import sympy
 
 from radartrack.derive import check
 from radartrack.derive.algebra.equality import proved_equal
-from radartrack.derive.checking import check as checking
-from radartrack.derive.checking.check import ask
+from radartrack.derive.checking import answers as checking
+from radartrack.derive.checking.asking import ask
 from radartrack.derive.checking.comparing.counterexample import find_difference
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Values
 from radartrack.derive.checking.comparing.question_domain import Domain
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.papers.deadline import Decider
 from radartrack.derive.checking.question.compared_quantity import UnknownEntry
 from radartrack.derive.checking.question.names import Names

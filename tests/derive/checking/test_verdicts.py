@@ -16,7 +16,7 @@ from typing import TypeAlias
 import pytest
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.check import Finding, Question
+from radartrack.derive.checking.answers import Finding, Question
 from radartrack.derive.checking.comparing.numerical_comparison import Comparison, Imaginary, Values
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.question.compared_quantity import Reference, refer
@@ -182,6 +182,6 @@ def test_a_checker_that_is_wrong_is_caught(
     change: Change, broken: dict[str, Callable[..., object]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name, replacement in broken.items():
-        monkeypatch.setattr(f"radartrack.derive.checking.check.{name}", replacement)
+        monkeypatch.setattr(f"radartrack.derive.checking.answers.{name}", replacement)
     with pytest.raises(AssertionError, match="called"):
         test_no_verdict_on_a_formula_by_chance_is_wrong_or_lost(change, 0)

@@ -4,7 +4,7 @@ import mpmath
 import pytest
 from mpmath import mpf
 
-from radartrack.derive.checking.check import ask_identity
+from radartrack.derive.checking.asking import ask_identity
 from radartrack.derive.checking.question.declared_world import world_of
 from radartrack.derive.evaluation.many_digits import evaluate
 

@@ -6,7 +6,7 @@ import pytest
 
 from radartrack._reports import audit_page, audit_text
 from radartrack.derive.checking.papers import audit, mathml
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 
 VOID = {"input", "meta"}
 

@@ -6,7 +6,8 @@ import pytest
 from radartrack._reports import audit_page
 from radartrack._reports.scoreboard import Rating, place, rating
 from radartrack.derive.checking.papers.audit import decide, record
-from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile
+from radartrack.derive.checking.papers.claim import Claim
+from radartrack.derive.checking.papers.claims_file import ClaimsFile
 
 
 def told(claim: Claim) -> dict[str, Any]:

@@ -27,7 +27,7 @@ if __name__ == "__main__":
 """
 CHECKER = """
 import sys
-from radartrack.derive.checking.papers.claims_file import Claim
+from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.papers.deadline import Decider, decide_all
 
 WHOLE = "+".join(f"(sin(beta) + cos({n}*beta) + exp(sigma_beta**2) + rho)**50" for n in range(2, 9))

@@ -8,7 +8,7 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.check import ask
+from radartrack.derive.checking.asking import ask
 from radartrack.derive.checking.comparing.question_domain import Domain
 from radartrack.derive.checking.question.compared_quantity import refer
 from radartrack.derive.checking.reporting.derived_formula import shown

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from radartrack.derive.checking.papers.audit import decide, decisions
-from radartrack.derive.checking.papers.claims_file import Claim, ClaimsFile, read_claims, shipped
+from radartrack.derive.checking.papers.claim import Claim
+from radartrack.derive.checking.papers.claims_file import ClaimsFile, read_claims, shipped
 from radartrack.derive.checking.question.declared_world import world_of
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.checking.reporting.verdict import Verdict

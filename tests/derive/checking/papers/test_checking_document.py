@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from radartrack.derive.checking.check import ask_identity
+from radartrack.derive.checking.asking import ask_identity
 from radartrack.derive.checking.papers.audit import decide
-from radartrack.derive.checking.papers.claims_file import Claim, read_claims
+from radartrack.derive.checking.papers.claim import Claim
+from radartrack.derive.checking.papers.claims_file import read_claims
 from radartrack.derive.checking.question.declared_world import world_of
 from radartrack.derive.formula.functions import VERBS
 

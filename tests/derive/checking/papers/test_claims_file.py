@@ -3,14 +3,8 @@ from pathlib import Path
 import pytest
 
 from radartrack.derive.checking.papers.audit import decide
-from radartrack.derive.checking.papers.claims_file import (
-    Claim,
-    ClaimsError,
-    UnreadableClaim,
-    read_claims,
-    shipped,
-    shipped_names,
-)
+from radartrack.derive.checking.papers.claim import Claim, ClaimsError, UnreadableClaim
+from radartrack.derive.checking.papers.claims_file import read_claims, shipped, shipped_names
 from radartrack.derive.checking.reporting.verdict import Verdict
 
 GOOD = """

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from radartrack.derive.checking.papers import audit, deadline, worker
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 from radartrack.derive.checking.papers.deadline import Decider, decide_all, undecided
 from radartrack.derive.checking.question.world import World
 from radartrack.derive.checking.reporting.verdict import Verdict

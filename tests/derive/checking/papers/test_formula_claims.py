@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from radartrack.derive.checking.papers.audit import decide
-from radartrack.derive.checking.papers.claims_file import Claim, ClaimsError, UnreadableClaim, read_claims
+from radartrack.derive.checking.papers.claim import Claim, ClaimsError, UnreadableClaim
+from radartrack.derive.checking.papers.claims_file import read_claims
 from radartrack.derive.checking.question.declared_world import world_of
 from radartrack.derive.checking.question.world import World
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict

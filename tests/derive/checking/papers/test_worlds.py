@@ -16,7 +16,8 @@ import pytest
 from mpmath import cos, diff, matrix, mpf, sin, sqrt
 
 from radartrack.derive.checking.papers.audit import decisions
-from radartrack.derive.checking.papers.claims_file import Claim, read_claims
+from radartrack.derive.checking.papers.claim import Claim
+from radartrack.derive.checking.papers.claims_file import read_claims
 from radartrack.derive.checking.question.declared_world import world_of
 from radartrack.derive.formula.tree import Array, Name, Tree, names, parts
 from radartrack.derive.reading.text import read_text

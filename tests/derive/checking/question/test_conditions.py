@@ -7,7 +7,7 @@ import pytest
 
 from radartrack.derive import check
 from radartrack.derive.checking.papers.audit import decide
-from radartrack.derive.checking.papers.claims_file import Claim, UnreadableClaim
+from radartrack.derive.checking.papers.claim import Claim, UnreadableClaim
 from radartrack.derive.checking.question.compared_quantity import refer
 from radartrack.derive.formula.error import FormulaError
 

@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from radartrack.derive.catalogue import catalogue
-from radartrack.derive.checking.check import ask, ask_identity, check
+from radartrack.derive.checking.asking import ask, ask_identity
+from radartrack.derive.checking.check import check
 from radartrack.derive.checking.question.declared_world import world_of
 from radartrack.derive.checking.question.world import World
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict

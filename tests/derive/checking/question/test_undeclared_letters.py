@@ -2,7 +2,7 @@
 
 import pytest
 
-from radartrack.derive.checking.check import ask_identity
+from radartrack.derive.checking.asking import ask_identity
 from radartrack.derive.checking.reporting.verdict import Outcome, Verdict
 from radartrack.derive.formula.error import FormulaError
 

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack.derive.checking.check import ask_identity, check
+from radartrack.derive.checking.asking import ask_identity
+from radartrack.derive.checking.check import check
 
 fractions = st.builds(Fraction, st.integers(1, 40), st.sampled_from([3, 6, 7, 9, 12, 24, 30]))
 
