@@ -328,7 +328,7 @@ def test_rounding_is_not_taken_for_a_difference() -> None:
     ("name", "formula", "options", "error"),
     [
         ("polar.covariance.linaer", "r", {}, UnknownQuantity),
-        ("polar.covariance.linear[0]", "r", {}, UnknownEntry),
+        ("polar.covariance.linear[2]", "r", {}, UnknownEntry),
         ("polar.covariance.linear[0,2]", "r", {}, UnknownEntry),
         ("polar.map + polar.jacobian", "r", {}, UnknownEntry),
         ("r + 1", "r", {}, UnknownQuantity),
