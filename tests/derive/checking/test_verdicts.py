@@ -172,6 +172,6 @@ def test_a_checker_that_is_wrong_is_caught(
     change: Change, broken: dict[str, Callable[..., object]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name, replacement in broken.items():
-        monkeypatch.setattr(f"radartrack.derive.checking.check.{name}", replacement)
+        monkeypatch.setattr(f"radartrack.derive.checking.answers.{name}", replacement)
     with pytest.raises(AssertionError, match="called"):
         test_no_verdict_on_a_formula_by_chance_is_wrong_or_lost(change, 0)

@@ -115,8 +115,8 @@ def _differ(first: Expr, second: Expr, symbols: tuple[Variable, ...]) -> bool:
 
 
 def test_a_checker_that_calls_everything_equal_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("radartrack.derive.checking.check.find_difference", lambda *_: None)
-    monkeypatch.setattr("radartrack.derive.checking.check.proved_equal", lambda *_: True)
+    monkeypatch.setattr("radartrack.derive.checking.answers.find_difference", lambda *_: None)
+    monkeypatch.setattr("radartrack.derive.checking.answers.proved_equal", lambda *_: True)
     with pytest.raises(AssertionError):
         test_slips_are_told_from_the_formula_and_traced_to_it("polar.covariance.linear")
 
