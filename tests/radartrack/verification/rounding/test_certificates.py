@@ -177,7 +177,10 @@ def test_in_every_way_of_telling_errors_no_error_is_above_the_bound(expression: 
     assert bound / 60 < worst <= bound
 
 
-@pytest.mark.parametrize("expression", ["b / (np.exp(-a) + 0.5 * a - 0.7)", "b / (np.exp(-(a * b)) + 0.5 * a - 0.5)"])
+@pytest.mark.parametrize(
+    "expression",
+    ["b / (np.exp(-a) + np.exp(-b) + 0.5 * (a + b) - 1.3)", "b / (np.exp(-(a * b)) + 0.5 * a - 0.5)"],
+)
 def test_where_the_whole_domain_has_no_bound_boxes_are_found_that_have(expression: str):
     arguments = [positive(name, 1e-9, 1.0) for name in "ab"]
     whole = claim("ab", "norm", {"a:+ b:+": "."}) | {"arguments": arguments}
