@@ -21,6 +21,7 @@ from radartrack.verification.rounding import checked_numbers, error_rules
 from radartrack.verification.rounding.bisection import bisected
 from radartrack.verification.rounding.certificate_checker import WAYS, confirmed
 from radartrack.verification.rounding.certificates import (
+    WORTH,
     claim_of,
     code_of,
     confirmed_bound,
@@ -65,6 +66,10 @@ def test_every_certificate_is_of_the_code_that_is_there():
     assert KEPT.keys() == catalogue().keys()
     digests = {name: code_of(source_of(quantity), quantity.function) for name, quantity in catalogue().items()}
     assert {name: row["code"] for name, row in KEPT.items()} == digests
+
+
+def test_no_bound_is_so_large_that_it_says_nothing():
+    assert [name for name, row in KEPT.items() for kind, bound in proved_bounds(row).items() if bound > WORTH[kind]] == []
 
 
 def test_no_error_that_was_measured_is_above_the_proved_bound():
