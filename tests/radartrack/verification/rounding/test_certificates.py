@@ -69,7 +69,9 @@ def test_every_certificate_is_of_the_code_that_is_there():
 
 
 def test_no_bound_is_so_large_that_it_says_nothing():
-    assert [name for name, row in KEPT.items() for kind, bound in proved_bounds(row).items() if bound > WORTH[kind]] == []
+    assert [
+        name for name, row in KEPT.items() for kind, bound in proved_bounds(row).items() if bound > WORTH[kind]
+    ] == []
 
 
 def test_no_error_that_was_measured_is_above_the_proved_bound():
