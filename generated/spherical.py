@@ -701,7 +701,7 @@ def covariance_third_order(
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
     Accuracy: at most 357 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 1.69e+17.
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1290,7 +1290,7 @@ def covariance_averaged(
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
     Accuracy: at most 668 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 9.04e+60.
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments

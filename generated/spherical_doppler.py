@@ -707,7 +707,7 @@ def covariance_third_order(
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
     Accuracy: at most 662 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 1.69e+17.
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -1615,7 +1615,7 @@ def unbiased_covariance(
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
     Accuracy: at most 324 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 2.53e+133.
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments

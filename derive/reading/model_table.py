@@ -245,7 +245,7 @@ class _ModelTable:
             scale = read_unit(text)
         except ValueError as error:
             raise self._error(f"units.{name}: {error}") from None
-        if scale.factor != 1:
+        if scale.formula != "1":
             raise self._error(f"units.{name} must be an SI unit, {scale.unit}; formulas are in SI; given {shown(text)}")
         return scale.unit
 

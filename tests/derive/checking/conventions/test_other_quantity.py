@@ -73,7 +73,7 @@ def test_the_same_thing_in_another_model_is_known_in_whatever_letters(monkeypatc
         derivation=lambda: Tensor.build((3, 3), lambda i, j: sigma_w**2 * response[i] * response[j]),
     )
     known = catalogues.catalogue() | {piecewise.name: piecewise}
-    for module in ("catalogue", "checking.conventions.other_quantity", "checking.check"):
+    for module in ("catalogue", "checking.conventions.other_quantity", "checking.answers"):
         monkeypatch.setattr(f"radartrack.derive.{module}.catalogue", lambda: known)
     g = ("dt^3/6", "dt^2/2", "dt")
     printed = "[" + ", ".join("[" + ", ".join(f"sigma^2*{a}*{b}" for b in g) + "]" for a in g) + "]"
