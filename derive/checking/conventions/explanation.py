@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import product
 
@@ -151,8 +152,9 @@ def _magnitude(part: Expr) -> tuple[Expr | None, Expr]:
     if isinstance(part, sp.Abs):
         return part.args[0], part.args[0]
     base, exponent = part.as_base_exp()
-    if exponent.is_Rational and exponent.q == 2:
-        above, below = sp.fraction(sp.together(base.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))))
+    if isinstance(exponent, sp.Rational) and exponent.q == 2:
+        quotients = {one: sp.sin(one.args[0]) / sp.cos(one.args[0]) for one in base.atoms(sp.tan)}
+        above, below = sp.fraction(sp.together(base.xreplace(quotients)))
         root = sp.sqrt(below)
         sizes = root.atoms(sp.Abs)
         if len(sizes) == 1:
@@ -241,7 +243,9 @@ class _Values:
     def _expected(self, convention: Convention, place: Index, value: float, point: Point) -> float:
         """What an entry is worth in a convention."""
         factor, offset = convention.factors.get(place), convention.offsets.get(place)
-        known = {symbol: sp.Rational(point[symbol.name]) for symbol in (factor.free_symbols if factor else ())}
+        known = {
+            symbol: sp.Rational(Fraction(point[symbol.name])) for symbol in (factor.free_symbols if factor else ())
+        }
         scale = 1.0 if factor is None else float(under(known, factor))
         return scale * value + (0.0 if offset is None else float(offset))
 

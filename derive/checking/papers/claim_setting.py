@@ -20,7 +20,6 @@ from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.evaluation.exact_numbers import Exact, Function, NoRealValue, compared, order
 from radartrack.derive.evaluation.many_digits import Number
 from radartrack.derive.formula.error import FormulaError
-from radartrack.derive.formula.to_expression import to_expression
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.text import read_text
 from radartrack.derive.reading.unit_text import Scale, read_unit
@@ -212,7 +211,7 @@ class Setting:
 
 def size_of(scale: Scale) -> Expr:
     """How many of the SI unit one of a unit is."""
-    return to_expression(read_text(scale.formula, ()), {})
+    return scalar_expression(read_text(scale.formula, ()), {})
 
 
 def _scale(unit: str) -> Scale:

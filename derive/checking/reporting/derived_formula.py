@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from radartrack.derive import symbolic as sp
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.tensor import Tensor, nested
@@ -21,7 +22,7 @@ def shown(entries: Tensor[Expr]) -> str:
 
 def _decimal(entry: Expr) -> str:
     """A number of many decimals as one; nothing for anything else."""
-    if not entry.is_Rational or entry.q < 10**FEW_DECIMALS:
+    if not isinstance(entry, sp.Rational) or entry.q < 10**FEW_DECIMALS:
         return ""
     places = len(str(entry.q)) - 1
     if entry.q != 10**places:
