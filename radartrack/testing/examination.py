@@ -159,7 +159,7 @@ class Examination:
         is_in_one_place = explained and (first.wrong == 1 or not explained[0].entries)
         if explained and is_in_one_place and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
             return self._with_slips(first, explained, product)
-        other = self._other_quantity(first)
+        other = None if self._form else self._other_quantity(first)  # a form of another one is too far to seek
         if other is not None and other.wrong == 0:
             return self._right(other)
         if other is not None and (explained is None or len(explained) > 1):
