@@ -154,11 +154,12 @@ class Examination:
         first = best[0]
         if first.wrong == 0:
             return self._right_or_with_slips(first)
+        first = self._as_asked_with_one_slip() or first
         explained, product = self._explained(first)
         is_in_one_place = explained and (first.wrong == 1 or not explained[0].entries)
         if explained and is_in_one_place and explained[0].cost <= PLAIN and len(set(first.wanted.entries)) > 1:
             return self._with_slips(first, explained, product)
-        other = self._other_quantity(first)
+        other = None if self._form else self._other_quantity(first)  # a form of another one is too far to seek
         if other is not None and other.wrong == 0:
             return self._right(other)
         if other is not None and (explained is None or len(explained) > 1):
@@ -172,6 +173,13 @@ class Examination:
             if (found := self._slips(reading)) is not None:
                 return self._with_slips(reading, found)
         return self._unexplained(first)
+
+    def _as_asked_with_one_slip(self) -> Reading | None:
+        """The reading in no convention, where one slip in a product of matrices explains it: more than any other."""
+        as_asked = next((one for one in self.readings if not one.words), None)
+        if as_asked is None or not self.readings[0].words:
+            return None
+        return as_asked if len(self._product_slips(as_asked)) == 1 else None
 
     def _least_of_alike(self, first: Reading, explained: tuple[Slip, ...]) -> tuple[Reading, tuple[Slip, ...]]:
         """Of several slips, those that are fewest in a reading that leaves as much to explain, or a convention more."""

@@ -60,8 +60,8 @@ def argument_slip(
     for symbol in wanted.symbols if wrong else ():
         if symbol.whole:
             for one in (1, -1):
-                moved = _Moved(one)
-                if _is_so(screening, found, symbol, moved) and _is_so(confirming, found_there, symbol, moved):
+                off = _Moved(one)
+                if _is_so(screening, found, symbol, off) and _is_so(confirming, found_there, symbol, off):
                     return Slip(
                         places, f"{symbol.name} {'+' if one > 0 else '-'} 1 for {symbol.name}", "", "", OFF_BY_ONE
                     )

@@ -15,6 +15,7 @@ from radartrack.derive.algebra.differential_ring import NotDifferentiable
 from radartrack.derive.checking.question.names import Names
 from radartrack.derive.checking.repairing.edit_in_words import edit_in_words
 from radartrack.derive.checking.repairing.edit_search import Candidate, Search
+from radartrack.derive.checking.repairing.monomial_fit import number_tree
 from radartrack.derive.checking.repairing.print_slips import Alternative, alternatives, exchanged, other_numbers
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.evaluation.tree_values import TOLERANCE, Program, Screen, Values
@@ -50,6 +51,7 @@ SAME = 1e-7  # of the sizes, at points at which an edit is tried once more
 SOUND = 1e-9  # of the sizes, which a formula keeps to where an edit of it may be tried
 LAST_DIGITS = (0.0, 2.0**-52, -(2.0**-52), 3 * 2.0**-52)  # by which arguments are moved
 SMALL, QUICK = 120, 2  # nodes of a formula that is edited forwards, and points that rule out nearly every edit
+LARGEST = 12  # divisor of a factor of a number
 IN_A_SUM = 1e-12  # of the largest term, by which rounding moves a sum
 SHORTEST = 30  # nodes of a formula of which two edits are tried forwards: their number grows with the square
 SHORT = 400  # characters of a formula that is tried over one denominator
@@ -158,6 +160,10 @@ class SlipSearch:
             yield from search.single_edits(tree)
             yield from self._misread_powers(search, tree)
             yield from constant_parts(search, self._screen, tree, target)
+        elif (values := self._screen(tree)) and values[0]:
+            share = Fraction(target[0] / values[0]).limit_denominator(LARGEST)
+            if share and abs(target[0] - share * values[0]) <= TOLERANCE * abs(target[0]):
+                yield Candidate(Product((number_tree(share), tree)), "", PLAIN)
 
     def _forwards_and_below(self, search: Search, tree: Tree, target: Values) -> Iterator[Candidate]:
         yield from self._forwards(tree, target)

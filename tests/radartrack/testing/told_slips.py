@@ -18,7 +18,7 @@ from radartrack.verification.domain_points import coarse
 
 POINTS = 5
 SAME = 1e-25
-ORDER = re.compile(r"the entries in the order (?P<order>[\d, ]+)")
+ORDER = re.compile(r"the (?:entries|columns) in the order (?P<order>[\d, ]+)")
 COMPLEMENT = re.compile(r"(?P<symbol>\w+) counted from .+ \(pi/2 - \w+\)")
 OPPOSITE = re.compile(r"the opposite sign of (?P<symbol>\w+)")
 VARIANCES = re.compile(r"variances in place of (?P<symbol>\w+)")
@@ -51,8 +51,9 @@ def _in_convention(words: str, quantity: Quantity) -> Iterator[Tensor[Expr]]:
         yield Tensor(shape, tuple(-entry for entry in entries))
     elif match := ORDER.fullmatch(words):
         order = [int(place) for place in match["order"].split(", ")]
-        yield Tensor(shape, tuple(entries[place] for place in order))
-        yield Tensor(shape, tuple(entries[order.index(place)] for place in range(len(order))))
+        for way in (order, [order.index(place) for place in range(len(order))]):
+            rows = range(0, len(entries), len(order))
+            yield Tensor(shape, tuple(entries[row + place] for row in rows for place in way))
     elif words in {"the reciprocal of the result", "rdot positive for what comes closer (-rdot)"}:
         rdot = symbols.get("rdot")
         yield Tensor(shape, tuple(1 / entry if rdot is None else entry.xreplace({rdot: -rdot}) for entry in entries))
