@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Mapping
+from functools import partial
 from random import Random
 
 import pytest
@@ -326,14 +327,16 @@ def test_a_slice_that_there_is_not_is_refused(place: str) -> None:
         check(f"observe.polar_doppler.jacobian[{place}]", "x")
 
 
+def _renamed(letters: Mapping[str, str], node: Tree) -> Tree:
+    return Name(letters.get(node.name, node.name)) if isinstance(node, Name) else node
+
+
 @pytest.mark.parametrize("name", [name for name in catalogue() if name.startswith(("line.", "initiation.two"))])
 def test_a_name_without_its_underscores_is_the_same_name(name: str) -> None:
     for entry, formula in entries(name):
         tree = read_text(formula, None)
         letters = {one: one.replace("_", "") for one in names(tree) if "_" in one and not one[-1].isdigit()}
-        plain = rebuild(
-            tree, lambda node, to=letters: Name(to.get(node.name, node.name)) if isinstance(node, Name) else node
-        )  # type: ignore[misc]
+        plain = rebuild(tree, partial(_renamed, letters))
         assert check(entry, to_text(plain)).verdict in EQUAL, to_text(plain)
 
 
