@@ -32,6 +32,7 @@ For an error covariance $`K`$, $`L = \\tfrac12 \\sum_{ij} K_{ij}\\, \\partial_i 
 exponential takes the expectation over the errors, $`e^{L} h(\\theta) = \\mathrm{E}\\, h(\\theta + w)`$; $`h`$ is the
 map, $`J`$ its Jacobian and $`G`$ its Hessian, and $`C = e^{L}(h h^T) - (e^{L} h)(e^{L} h)^T`$. In the formulas $`q`$ is
 an attenuation, $`u = 1 - q`$ its shortfall, and $`a_1, a_2, \\dots`$ are parts that occur more than once.
+What is said of a formula *in code* is how far rounding takes the generated function from it.
 """
 
 
@@ -174,7 +175,7 @@ def _page(page: Page, names: Sequence[str]) -> str:
         f"- conditioning: {quantity.conditioning.value}",
         f"- symbols: {symbols}; unit {quantity.unit_text}{shape}",
         f"- source: {_cited(quantity.source)}",
-        f"- generated function: {page.accuracy}",
+        f"- in code: {page.accuracy}",
         *([f"- related: {related}"] if related else []),
     ]
     title = f"\n### {quantity.name}\n\n{quantity.meaning[0].upper()}{quantity.meaning[1:]}.\n"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -32,6 +33,7 @@ Entry = tuple[int, ...]
 Claim = Mapping[str, Any]
 
 SMALLEST, LARGEST_CORRELATION = 1e-20, 0.99
+BITS = 53  # of balls
 GOOD = 16.0  # a bound that no second way of telling errors is tried for
 PRECISIONS = {"double": DOUBLE, "single": SINGLE}
 
@@ -118,16 +120,25 @@ def figure(source: str, claim: Claim, case: str, box: Mapping[str, tuple[float, 
         raise Refused(f"there is no function {claim['function']}")
     waiting: list[dict[str, bool]] = [{}]
     worst = 0.0
-    while waiting:
-        outcomes = waiting.pop()
-        try:
-            worst = max(worst, _best(functions, claim, case, box, outcomes))
-        except Undefined:
-            if tuple(claim["shape"]):
-                raise
-        except Open as question:
-            waiting += [{**outcomes, str(question): answer} for answer in (False, True)]
+    with _precision():
+        while waiting:
+            outcomes = waiting.pop()
+            try:
+                worst = max(worst, _best(functions, claim, case, box, outcomes))
+            except Undefined:
+                if tuple(claim["shape"]):
+                    raise
+            except Open as question:
+                waiting += [{**outcomes, str(question): answer} for answer in (False, True)]
     return worst
+
+
+def _precision() -> AbstractContextManager[Any]:
+    """Of balls; what else runs in this process sets another, and a bound depends on it."""
+    import flint  # noqa: PLC0415
+
+    found: AbstractContextManager[Any] = flint.ctx.workprec(BITS)
+    return found
 
 
 def _best(

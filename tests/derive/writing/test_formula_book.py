@@ -22,7 +22,7 @@ ANY = catalogue()["polar.map"]
 def test_every_quantity_has_its_heading_and_its_error_proved_or_measured() -> None:
     headings = re.findall(r"^### (.+)$", SHIPPED, flags=re.MULTILINE)
     assert headings == list(catalogue())
-    stated = re.findall(r"^- generated function: (?:measured, not proved: )?at most ", SHIPPED, flags=re.MULTILINE)
+    stated = re.findall(r"^- in code: (?:measured, not proved: )?at most ", SHIPPED, flags=re.MULTILINE)
     assert len(stated) == len(headings)
 
 

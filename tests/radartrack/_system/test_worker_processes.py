@@ -92,7 +92,7 @@ def test_an_interrupt_of_all_ends_all_at_once_and_only_the_parent_speaks(program
 
 
 COMMAND = CHECKER.partition("decide_all([")[0] + (
-    "import radartrack.derive.checking.papers.claims_file as claims; claims.Claim = lambda *_, **__: SLOW\n"
+    "import radartrack.derive.checking.papers.claim as claims; claims.Claim = lambda *_, **__: SLOW\n"
     'from radartrack.cli import app; app(["check", "polar.map[0]", "r"])\n'
 )
 REGENERATION = """

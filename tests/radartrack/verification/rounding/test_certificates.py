@@ -392,3 +392,17 @@ def test_a_certificate_is_of_the_helpers_too(name: str):
     assert code_of(text, quantity.function) != code_of(spoilt, quantity.function)
     with pytest.raises(Refused, match="other code"):
         confirmed_bound(quantity, KEPT[name], spoilt)
+
+
+@pytest.mark.parametrize("name", ["polar.covariance.averaged", "line.slope", "motion.singer.transition"])
+def test_a_bound_does_not_depend_on_the_precision_that_others_set(name: str):
+    import flint  # noqa: PLC0415 - the extra that the rest of this file is skipped without
+
+    quantity, row = catalogue()[name], KEPT[name]
+    for kind in PROVED[name]:
+        bounds = set()
+        for bits in (30, 53, 170):
+            with flint.ctx.workprec(bits):
+                bounds.add(confirmed_bound(quantity, row, source_of(quantity), kind))
+                assert flint.ctx.prec == bits
+        assert len(bounds) == 1
