@@ -91,6 +91,7 @@ def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits
     """
     if not errors.size or errors.max() <= MANY_ULP:
         return None
+    errors = np.minimum(errors, epsilon**-2)  # beside an exact zero every error is infinite
     place, entry = np.unravel_index(int(errors.argmax()), errors.shape)
     held = -math.log10(epsilon)
     digits = min(math.floor(math.log10(max(errors.max(), 1.0))), math.ceil(held))

@@ -597,3 +597,14 @@ def test_the_formula_of_a_slip_is_what_the_function_computes() -> None:
                 for n in range(5):
                     first, second = pair([float(values[n]) for values in points.values()])
                     assert mpmath.almosteq(first, second, 1e-30)
+
+
+def test_beside_an_exact_zero_all_digits_are_lost_and_that_is_told() -> None:
+    quantity = find("observe.bistatic_range_rate.jacobian")
+    rows, columns = quantity.shape
+    order = [0, 1, 3, 2]
+    turned = tuple(quantity.expression[row, order[column]] for row in range(rows) for column in range(columns))
+    found = diagnose(function_of(Tensor(quantity.shape, turned), quantity), quantity.name)
+    assert found.verdict == "convention"
+    assert "order 0, 1, 3, 2" in str(found)
+    assert found.lost_digits is None or 0 < found.lost_digits.digits <= 16
