@@ -120,6 +120,7 @@ def typed(kind: str, *, slips: bool) -> Iterator[Typed]:
             letters |= {name: name for name in names(tree) - letters.keys()}
         printed = rebuild(tree, lambda node, to=letters: Name(to[node.name]) if isinstance(node, Name) else node)  # type: ignore[misc]
         notation = NOTATIONS[number % len(NOTATIONS)]
+        symbols = refer(quantity).symbols  # with what is understood: a slip may write that, too
         yield Typed(quantity, _written(printed, notation), notation, letters, tree, right, symbols)
 
 
