@@ -17,9 +17,9 @@ from radartrack.derive.checking.comparing.counterexample import (
     TELLS,
     Relative,
     counterexample,
+    example,
     find_difference,
     measured_against,
-    unreal_counterexample,
     worst_over_domain,
 )
 from radartrack.derive.checking.comparing.difference_scale import squared_floor
@@ -118,7 +118,7 @@ class Question:
             printed=self.printed.text,
             derived="",
             reason=_reason(worst, findings, conditions, self.sense),
-            counterexample=_example(worst, self.symbols) if wrong else None,
+            counterexample=example(worst.values, worst.entry, self.symbols) if wrong else None,
             conditions=conditions,
             remarks=self.printed.remarks,
             reading=self.reading.words,
@@ -359,16 +359,6 @@ def _with(verdict: Verdict, words: str, addition: Addition) -> Verdict:
         lambda: addition(verdict),
         lambda why: replace(verdict, remarks=(*verdict.remarks, f"{words} {why}")),
     )
-
-
-def _example(finding: Finding, symbols: Sequence[Variable]) -> Counterexample | None:
-    match finding.values:
-        case Values() as values:
-            return counterexample(values, finding.entry, None, symbols)
-        case Imaginary() as imaginary:
-            return unreal_counterexample(imaginary, finding.entry, symbols)
-        case None:
-            return None
 
 
 def _without_proof(entry: Index, comparison: Comparison, domain: Domain) -> Finding:

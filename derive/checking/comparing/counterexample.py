@@ -179,6 +179,17 @@ def measured_against(beside: str) -> str:
     )
 
 
+def example(values: Values | Imaginary | None, entry: Index, symbols: Sequence[Variable]) -> Counterexample | None:
+    """What was found at a point, for people; nothing where nothing was."""
+    match values:
+        case Values():
+            return counterexample(values, entry, None, symbols)
+        case Imaginary():
+            return unreal_counterexample(values, entry, symbols)
+        case None:
+            return None
+
+
 def unreal_counterexample(imaginary: Imaginary, entry: Index, symbols: Sequence[Variable]) -> Counterexample:
     """A point at which what is printed is no real number as data."""
     return Counterexample(imaginary.point, entry, None, float(imaginary.derived), None, _units(symbols))

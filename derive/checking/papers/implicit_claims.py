@@ -19,8 +19,7 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.branch_of_root import vanishes_on_a_branch
 from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.answers import Finding, Question
-from radartrack.derive.checking.comparing.counterexample import counterexample, unreal_counterexample
-from radartrack.derive.checking.comparing.numerical_comparison import Imaginary, Values
+from radartrack.derive.checking.comparing.counterexample import example
 from radartrack.derive.checking.comparing.question_domain import Domain, everywhere
 from radartrack.derive.checking.papers.claim import Claim
 from radartrack.derive.checking.question.compared_quantity import Reference
@@ -146,7 +145,11 @@ class _Solution:
         question, worst = max(findings, key=lambda pair: GRAVITY.index(pair[1].outcome))
         if worst.outcome in (Outcome.DIFFERS, Outcome.WRONG_DIMENSIONS):
             told = worst.reason if worst.outcome is Outcome.WRONG_DIMENSIONS else "it is not satisfied"
-            wrong = self.verdict(worst.outcome, f"{question.reference.text}: {told}", _example(worst, question.symbols))
+            wrong = self.verdict(
+                worst.outcome,
+                f"{question.reference.text}: {told}",
+                example(worst.values, worst.entry, question.symbols),
+            )
         elif (found := self.against_conditions()) is not None:
             wrong = found
         else:
@@ -411,13 +414,3 @@ def _vanishes_roughly(entry: Expr, symbols: Sequence[Variable]) -> bool:
         if worth is None or abs(worth[0]) > SMALL * abs(worth[1]):
             return False
     return True
-
-
-def _example(finding: Finding, symbols: Sequence[Variable]) -> Counterexample | None:
-    match finding.values:
-        case Values() as values:
-            return counterexample(values, finding.entry, None, symbols)
-        case Imaginary() as imaginary:
-            return unreal_counterexample(imaginary, finding.entry, symbols)
-        case None:
-            return None
