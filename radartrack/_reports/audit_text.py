@@ -121,7 +121,7 @@ def _example(example: Record) -> str:
 
 def _worst(example: Record) -> str:
     relative = example["largest_relative_difference"]
-    if relative is None:
+    if relative is None or not example["largest_at"]:  # of a number the example says it all
         return ""
     units = example["units"]
     values = (

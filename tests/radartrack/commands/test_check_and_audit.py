@@ -223,3 +223,9 @@ def test_a_formula_is_latex_or_code_and_not_both():
 def test_text_from_a_page_is_read_and_echoed():
     result = _run("check", "polar.covariance.linear[0,0]", "c₁₁ = r²σβ² sin²β + σr² cos²β", "--given", "rho=0")
     assert (result.exit_code, result.output.splitlines()[0]) == (0, "read as: r² σ_β² sin²(β) + σ_r² cos²(β)")
+
+
+def test_of_a_number_nothing_is_at_worst_anywhere() -> None:
+    said = CliRunner().invoke(app, ["check", "chi2inv(0.99, 2)", "9.3"]).output
+    assert "for example: printed 9.3, derived 9.21034" in said
+    assert "at worst" not in said
