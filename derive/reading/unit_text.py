@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from types import MappingProxyType
 
+from radartrack.derive.formula.limits import MAX_DIGITS
 from radartrack.derive.units import METRE, ONE, RADIAN, SECOND, Unit
 
 LONGEST = 60  # characters
@@ -32,8 +33,9 @@ class Scale:
         """The size as a formula."""
         bases = {"pi": self.pi, **{f"({base})": power for base, power in self.roots.items()}}
         powers = [name if power == 1 else f"{name}**({power})" for name, power in bases.items() if power]
-        above = "*".join([str(self.number.numerator)] * (self.number.numerator != 1 or not powers) + powers)
-        return above if self.number.denominator == 1 else f"{above}/{self.number.denominator}"
+        numerator, denominator = self.number.as_integer_ratio()
+        above = "*".join([_digits(numerator)] * (numerator != 1 or not powers) + powers)
+        return above if denominator == 1 else f"{above}/{_digits(denominator)}"
 
     @property
     def size(self) -> float:
@@ -57,6 +59,12 @@ class Scale:
         if not whole and self.number != 1:
             roots[self.number] = power
         return Scale(self.unit) * Scale(self.unit**power * self.unit**-1, number, self.pi * power, roots)
+
+
+def _digits(whole: int) -> str:
+    """A whole number in pieces that are not too long to be read."""
+    upper, lower = divmod(whole, 10**MAX_DIGITS)
+    return f"({_digits(upper)}*10**{MAX_DIGITS} + {lower})" if upper else str(lower)
 
 
 BASE: Mapping[str, Scale] = MappingProxyType(
