@@ -67,10 +67,10 @@ class TestSpherical:
 
     def test_numpy(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(machine_code, "is_available", lambda: False)
-        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3)
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=20)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:
-        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=3)
+        timed(convert.spherical, *(plots[n] for n in SPHERICAL), items=PLOTS, rounds=20)
 
     def test_fast_on_one_core(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(batches, "_most_at_once", lambda: 1)
@@ -78,7 +78,7 @@ class TestSpherical:
 
     def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
         arrays = [*(plots[n] for n in SPHERICAL), np.zeros(PLOTS)]
-        timed(fused_loop("spherical_unbiased", 3), *arrays, items=PLOTS, rounds=3)
+        timed(fused_loop("spherical_unbiased", 3), *arrays, items=PLOTS, rounds=20)
 
 
 class TestSphericalDoppler:
@@ -86,14 +86,14 @@ class TestSphericalDoppler:
 
     def test_numpy(self, timed: Timed, plots: dict[str, Floats], monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(machine_code, "is_available", lambda: False)
-        timed(convert.spherical_doppler, *(plots[n] for n in SPHERICAL_DOPPLER), items=PLOTS, rounds=3)
+        timed(convert.spherical_doppler, *(plots[n] for n in SPHERICAL_DOPPLER), items=PLOTS, rounds=10)
 
     def test_fast(self, timed: Timed, plots: dict[str, Floats]) -> None:
-        timed(convert.spherical_doppler, *(plots[n] for n in SPHERICAL_DOPPLER), items=PLOTS, rounds=3)
+        timed(convert.spherical_doppler, *(plots[n] for n in SPHERICAL_DOPPLER), items=PLOTS, rounds=10)
 
     def test_fused(self, timed: Timed, plots: dict[str, Floats]) -> None:
         arrays = [*(plots[n] for n in SPHERICAL_DOPPLER), np.zeros(PLOTS)]
-        timed(fused_loop("spherical_doppler_unbiased", 4), *arrays, items=PLOTS, rounds=3)
+        timed(fused_loop("spherical_doppler_unbiased", 4), *arrays, items=PLOTS, rounds=10)
 
 
 class TestOnePlot:

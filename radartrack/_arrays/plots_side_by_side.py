@@ -1,9 +1,10 @@
 """The loops over plots as machine code that computes several plots at once: loaded where Numba is.
 
 A compiler does so where it sees that no result is read as an argument, and where nothing branches. So plots are copied
-into columns of its own, some at a time, which stay in the nearest cache; and in place of `math` stand the generated
-elementary functions, whose two primitives become a selection and the bits of a number. They are compiled without
-leave to reorder or to fuse operations, so results have the same bits on every processor.
+into columns of its own, some at a time, which stay in the nearest cache, while memory is asked for the next ones. In
+place of `math` stand the generated elementary functions, whose two primitives become a selection and the bits of a
+number. They are compiled without leave to reorder or to fuse operations, so results have the same bits on every
+processor.
 """
 
 import math
@@ -25,7 +26,9 @@ from numba.extending import intrinsic
 from radartrack._arrays.validation import RealArray
 from radartrack.generated import elementary
 
-PLOTS = 128  # at a time; the columns of the largest conversion take some 40 kB
+PLOTS = 16  # at a time, two vectors of AVX-512; of more, memory is asked for too many lines at once
+AHEAD = 64  # plots; as many take longer than memory does
+LINE = 8  # numbers that come together from memory
 CHAINS = 2  # with four, registers run out: AVX2 has 16
 INTERLEAVE, NEWEST_LLVM = "-force-vector-interleave", 22  # tried from 15
 ELEMENTARY = ("sin_and_cos", "sin", "cos", "exp", "expm1")  # in the order in which they call each other
@@ -61,6 +64,32 @@ def _power_of_two(_context: Any, exponent: Any) -> Any:
     return numba.float64(numba.float64), generate
 
 
+def _fetching(*, to_be_written: bool) -> Any:
+    """Lets the line of memory come that holds an element of an array, or would beyond its end; nothing waits for it.
+
+    Without it a processor waits: it asks ahead by itself only of what is read without a pause.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
+        array, place = values
+        first = context.make_array(signature.args[0])(context, builder, array).data
+        address = builder.bitcast(builder.gep(first, [place]), ir.IntType(8).as_pointer())
+        word = ir.IntType(32)
+        kind = ir.FunctionType(ir.VoidType(), [address.type, word, word, word])
+        fetch = builder.module.declare_intrinsic("llvm.prefetch", (address.type,), kind)
+        builder.call(fetch, [address, *(ir.Constant(word, flag) for flag in (int(to_be_written), 3, 1))])
+        return context.get_dummy_value()
+
+    def typed(_context: Any, array: Any, place: Any) -> Any:
+        del place
+        return numba.void(array, numba.int64), generate
+
+    return intrinsic(typed)
+
+
+_fetch_to_read, _fetch_to_write = _fetching(to_be_written=False), _fetching(to_be_written=True)
+
+
 def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options: Any) -> Fill:
     """A conversion of columns between limits, which fills means and covariances.
 
@@ -76,8 +105,11 @@ def compiled(loop: Callable[..., None], inputs: int, coordinates: int, **options
     functions = ModuleType("math")
     vars(functions).update({**vars(math), **elementary_functions()})
     loop_inlined = _NJIT(**INLINED)(_with(loop, {"math": functions}))
-    put_inlined = _NJIT(**INLINED)(_with(_put, {"COORDINATES": coordinates}))
-    filling = _with(_fill, {"LOOP": loop_inlined, "PUT": put_inlined, "COORDINATES": coordinates})
+    fetch_inlined, take_inlined, put_inlined = (
+        _NJIT(**INLINED)(_with(part, {"COORDINATES": coordinates})) for part in (_fetch, _take, _put)
+    )
+    parts = {"LOOP": loop_inlined, "FETCH": fetch_inlined, "TAKE": take_inlined, "PUT": put_inlined}
+    filling = _with(_fill, {**parts, "COORDINATES": coordinates})
     filling.__qualname__ = f"{loop.__name__}_{_digest(loop)}"  # by which Numba finds what it kept
     readable = _TYPES.Array(numba.float64, 1, "C", readonly=True)
     limits = _TYPES.Array(numba.float64, 2, "C", readonly=True)
@@ -129,7 +161,9 @@ def _digest(loop: Callable[..., None]) -> str:
 
 
 LOOP: Any = None  # of one conversion, as is the number of coordinates
-PUT: Any = None  # `_put`, compiled
+FETCH: Any = None  # `_fetch`, compiled, as are the next two
+TAKE: Any = None
+PUT: Any = None
 COORDINATES = 0
 
 
@@ -142,28 +176,51 @@ def _fill(
     """
     given = np.empty((len(inputs), PLOTS))
     means, covariances = np.empty((COORDINATES, PLOTS)), np.empty((COORDINATES, COORDINATES, PLOTS))
+    flat_mean, flat_covariance = mean.reshape(-1), covariance.reshape(-1)
     strange = outside = 0
     for n in range(len(inputs) if len(mean) else 0):
         given[n] = inputs[n][0]
     for start in range(0, len(mean), PLOTS):
         count = min(PLOTS, len(mean) - start)
-        for n in range(len(inputs)):
-            column = inputs[n]
-            if len(column) > 1:
-                for i in range(count):
-                    given[n, i] = column[start + i]
+        flat = flat_mean[COORDINATES * start :], flat_covariance[COORDINATES**2 * start :]
+        FETCH(inputs, start + AHEAD, *flat)
+        if count == PLOTS:
+            TAKE(inputs, start, PLOTS, given)
+        else:
+            TAKE(inputs, start, count, given)
         LOOP(given, means.T, covariances.T)
         for i in range(PLOTS):
             for n in range(len(inputs)):
                 outside += not ((given[n, i] >= limits[n, 0]) & (given[n, i] <= limits[n, 1]))  # `and` would branch
             for a in range(COORDINATES):
                 strange += means[a, i] != means[a, i]
-        flat = mean[start : start + count].reshape(-1), covariance[start : start + count].reshape(-1)
         if count == PLOTS:
             PUT(means, covariances, PLOTS, *flat)
         else:
             PUT(means, covariances, count, *flat)
     return strange == 0, outside == 0
+
+
+def _fetch(inputs: tuple[RealArray, ...], start: int, mean: RealArray, covariance: RealArray) -> None:
+    """Of plots to come: what is read from there on, and what is to be written as far behind what is written now."""
+    for n in range(len(inputs)):
+        column = inputs[n]
+        if len(column) > 1:
+            for place in range(0, PLOTS, LINE):
+                _fetch_to_read(column, start + place)
+    for place in range(0, COORDINATES * PLOTS, LINE):
+        _fetch_to_write(mean, COORDINATES * AHEAD + place)
+    for place in range(0, COORDINATES**2 * PLOTS, LINE):
+        _fetch_to_write(covariance, COORDINATES**2 * AHEAD + place)
+
+
+def _take(inputs: tuple[RealArray, ...], start: int, count: int, given: RealArray) -> None:
+    """Column by column; for a number of plots that it knows, a compiler copies several at once."""
+    for n in range(len(inputs)):
+        column = inputs[n]
+        if len(column) > 1:
+            for i in range(count):
+                given[n, i] = column[start + i]
 
 
 def _put(means: RealArray, covariances: RealArray, count: int, mean: RealArray, covariance: RealArray) -> None:
