@@ -83,6 +83,8 @@ class Question:
     reading: Reading = AS_TYPED
     other_model: Callable[[Reference], Question | None] | None = None
     where: Callable[[Point], bool] = everywhere
+    most: float = math.inf
+    """The cost above which another explanation is of no use, as there is a better reading."""
 
     @cached_property
     def symbols(self) -> tuple[Variable, ...]:
@@ -96,7 +98,7 @@ class Question:
     @property
     def is_equal(self) -> bool:
         """Whether all entries are."""
-        return all(self.finding(entry).outcome in GRAVITY[:2] for entry, _ in self.printed.entries.items())
+        return all(finding.outcome in GRAVITY[:2] for finding in self._findings)
 
     @cached_property
     def domain(self) -> Domain:
@@ -108,7 +110,7 @@ class Question:
 
         What is said beside it takes longest, and may fail: the verdict is known before.
         """
-        findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
+        findings = self._findings
         worst = max(findings, key=lambda finding: GRAVITY.index(finding.outcome))
         conditions = tuple(f"{symbol} = {value}" for symbol, value in self.conditions.items())
         wrong = [finding for finding in findings if finding.outcome in _WRONG]
@@ -152,6 +154,10 @@ class Question:
     def printed_entry(self, entry: Index) -> Expr:
         """The printed formula under the conditions."""
         return under(self.conditions, self.printed.expressions[entry])
+
+    @cached_property
+    def _findings(self) -> list[Finding]:
+        return [self.finding(entry) for entry, _ in self.printed.entries.items()]
 
     def finding(self, entry: Index) -> Finding:
         """What is found out about one entry: a difference, a proof, or neither."""
@@ -287,27 +293,27 @@ class Question:
 
     @cached_property
     def _account(self) -> Account:
-        findings = [self.finding(entry) for entry, _ in self.printed.entries.items()]
-        wrong = tuple(one.entry for one in findings if one.outcome in _WRONG)
+        wrong = tuple(one.entry for one in self._findings if one.outcome in _WRONG)
         account = self._print.account(wrong)
-        unexplained = not account.suggestions and not account.convention
-        slips = [] if account.is_complete else attempted(lambda: self._slips_inside(plain=unexplained), lambda _: [])
-        if not slips or slips[0].cost > account.cost:
+        slips = [] if account.is_complete else attempted(lambda: self._slips_inside(account), lambda _: [])
+        if not slips:
             return account
         inside = (Suggestion(slip.formula, slip.words, definition=slip.definition) for slip in slips)
         edits = () if account.convention or len(wrong) > 1 else account.suggestions
         return Account("", wrong, (*inside, *edits), slips[0].cost)
 
-    def _slips_inside(self, *, plain: bool) -> list[Slip]:
-        """Slips inside of what is worked out, of which each explains all that is wrong: no edit of an entry can.
+    def _slips_inside(self, account: Account) -> list[Slip]:
+        """Slips inside of what is worked out, of which each explains all that is wrong as well: no edit of an entry can.
 
         In plain definitions too where nothing else explains it: floating point does not see all that is wrong there.
         """
-        is_inside = has_inside(self.printed) or (plain and bool(self.printed.names.definitions))
+        unexplained = not account.suggestions and not account.convention
+        is_inside = has_inside(self.printed) or (unexplained and bool(self.printed.names.definitions))
         if not (self._is_compared and is_inside):
             return []
         derived = self.reference.entries.map(lambda entry: under(self.conditions, entry))
-        return Repair(self.printed, self.printed.names, derived, self.symbols, self.conditions).slips()
+        repair = Repair(self.printed, self.printed.names, derived, self.symbols, self.conditions)
+        return repair.slips(min(self.most, account.cost))
 
     @cached_property
     def _is_compared(self) -> bool:

@@ -89,10 +89,9 @@ def ask(
     formula = formula if code else without_arguments(formula, every)
     paper = Paper(formula, code or (LATEX if latex else TEXT), function, conditions, definitions, world, sense)
     try:
-        question = paper.ask(quantity)
+        return paper.ask(quantity)
     except FormulaError as error:
-        question = _of_another_model(paper, quantity, error)
-    return replace(question, other_model=paper.other_model)
+        return _of_another_model(paper, quantity, error)
 
 
 def _of_another_model(paper: Paper, quantity: str | Quantity, error: FormulaError) -> Question:
@@ -218,7 +217,7 @@ class Paper:
         printed = self._printed(reference, {**reading.vanished, **reading.letters})
         reference = reference.with_symbols(printed.names.symbols.values())
         question = asked(reference, printed, self.given, self.world, self.sense)
-        return replace(question, reading=reading)
+        return replace(question, reading=reading, other_model=self.other_model)
 
     def _printed(self, reference: Reference, letters: Letters) -> Printed:
         """The formula with the letters read so."""
@@ -236,7 +235,11 @@ def _likeliest(questions: Sequence[Question]) -> Question:
     """
     if len(questions) == 1:
         return questions[0]
-    best, *others = sorted(questions, key=lambda one: (one.to_explain, one.reading.wrong, one.reading.rank))
+    considered: list[Question] = []
+    for question in questions:
+        least = min((one.to_explain for one in considered), default=math.inf)
+        considered.append(replace(question, most=least))
+    best, *others = sorted(considered, key=lambda one: (one.to_explain, one.reading.wrong, one.reading.rank))
     alike = [one.reading for one in others if one.reading.rank == best.reading.rank and best.to_explain >= UNEXPLAINED]
     if alike:
         raise ambiguous([best.reading, *alike])

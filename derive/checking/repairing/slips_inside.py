@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -69,12 +70,13 @@ class Repair:
     symbols: Sequence[Variable]
     conditions: Mapping[Symbol, Expr]
 
-    def slips(self) -> list[Slip]:
-        """The likeliest single slips of which each explains every entry."""
+    def slips(self, most: float = math.inf) -> list[Slip]:
+        """The likeliest single slips of which each explains every entry, none of them above a cost."""
         until = processor_time() + SECONDS
         found: list[Slip] = []
         told: list[object] = []  # what is the same in other words is told once
-        for where, one in sorted(self._candidates(), key=lambda pair: pair[1].cost)[:MOST]:
+        candidates = (pair for pair in self._candidates() if pair[1].cost <= most)
+        for where, one in sorted(candidates, key=lambda pair: pair[1].cost)[:MOST]:
             if processor_time() > until or len(found) >= ENOUGH or (found and one.cost > found[0].cost):
                 break
             if self._screened(where, one.tree) and attempted(self._confirmation(where, one.tree), lambda _: False):

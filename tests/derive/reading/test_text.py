@@ -73,6 +73,23 @@ def test_functions_by_their_other_names(typed: str, name: str):
     assert read_text(f"{typed}(r)", NAMES) == Call(name, (r,))
 
 
+@pytest.mark.parametrize("function", ["abs", "acos", "arccos", "cos", "exp", "log", "sqrt", "tanh"])
+@pytest.mark.parametrize("brackets", ["()", "[]"])
+def test_functions_as_algebra_systems_print_them(function: str, brackets: str):
+    opener, closer = brackets
+    for name in (function.capitalize(), function.upper(), "ArcCos" if function == "arccos" else function.title()):
+        typed = f"2*{name}{opener}k + {name}{opener}r{closer}{closer}"
+        assert read_text(typed, NAMES) == read_text(f"2*{function}(k + {function}(r))", NAMES)
+
+
+def test_a_symbol_in_capitals_is_no_function():
+    assert read_text("EXP*(r)", ("EXP", "r")) == Product((Name("EXP"), r))
+    with pytest.raises(FormulaError, match="written out"):
+        read_text("COS(r)", ("COS", "r"))
+    with pytest.raises(FormulaError):
+        read_text("MyCos(r)", NAMES)
+
+
 def test_a_symbol_hides_a_constant():
     assert read_text("e*E*pi", ["e", "pi"]) == Product((Name("e"), Constant("e"), Name("pi")))
 
