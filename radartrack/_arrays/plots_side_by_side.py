@@ -176,13 +176,12 @@ def _fill(
     """
     given = np.empty((len(inputs), PLOTS))
     means, covariances = np.empty((COORDINATES, PLOTS)), np.empty((COORDINATES, COORDINATES, PLOTS))
-    flat_mean, flat_covariance = mean.reshape(-1), covariance.reshape(-1)
+    flat = mean.reshape(-1), covariance.reshape(-1)
     strange = outside = 0
     for n in range(len(inputs) if len(mean) else 0):
         given[n] = inputs[n][0]
     for start in range(0, len(mean), PLOTS):
         count = min(PLOTS, len(mean) - start)
-        flat = flat_mean[COORDINATES * start :], flat_covariance[COORDINATES**2 * start :]
         FETCH(inputs, start + AHEAD, *flat)
         if count == PLOTS:
             TAKE(inputs, start, PLOTS, given)
@@ -195,23 +194,23 @@ def _fill(
             for a in range(COORDINATES):
                 strange += means[a, i] != means[a, i]
         if count == PLOTS:
-            PUT(means, covariances, PLOTS, *flat)
+            PUT(means, covariances, start, PLOTS, *flat)
         else:
-            PUT(means, covariances, count, *flat)
+            PUT(means, covariances, start, count, *flat)
     return strange == 0, outside == 0
 
 
 def _fetch(inputs: tuple[RealArray, ...], start: int, mean: RealArray, covariance: RealArray) -> None:
-    """Of plots to come: what is read from there on, and what is to be written as far behind what is written now."""
+    """What will be read and written of plots from there on, by its place: of each view a reference would be counted."""
     for n in range(len(inputs)):
         column = inputs[n]
         if len(column) > 1:
             for place in range(0, PLOTS, LINE):
                 _fetch_to_read(column, start + place)
     for place in range(0, COORDINATES * PLOTS, LINE):
-        _fetch_to_write(mean, COORDINATES * AHEAD + place)
+        _fetch_to_write(mean, COORDINATES * start + place)
     for place in range(0, COORDINATES**2 * PLOTS, LINE):
-        _fetch_to_write(covariance, COORDINATES**2 * AHEAD + place)
+        _fetch_to_write(covariance, COORDINATES**2 * start + place)
 
 
 def _take(inputs: tuple[RealArray, ...], start: int, count: int, given: RealArray) -> None:
@@ -223,12 +222,14 @@ def _take(inputs: tuple[RealArray, ...], start: int, count: int, given: RealArra
                 given[n, i] = column[start + i]
 
 
-def _put(means: RealArray, covariances: RealArray, count: int, mean: RealArray, covariance: RealArray) -> None:
+def _put(
+    means: RealArray, covariances: RealArray, start: int, count: int, mean: RealArray, covariance: RealArray
+) -> None:
     """Plot by plot: in one dimension, and for a number of plots that it knows, a compiler shuffles several at once."""
     for i in range(count):
         for a in range(COORDINATES):
-            mean[COORDINATES * i + a] = means[a, i]
+            mean[COORDINATES * (start + i) + a] = means[a, i]
     for i in range(count):
         for a in range(COORDINATES):
             for b in range(COORDINATES):
-                covariance[COORDINATES * (COORDINATES * i + a) + b] = covariances[b, a, i]
+                covariance[COORDINATES * (COORDINATES * (start + i) + a) + b] = covariances[b, a, i]

@@ -77,6 +77,32 @@ def test_plots_at_angles_beyond_the_largest_are_converted_by_numpy(monkeypatch: 
     np.testing.assert_array_equal(found.covariance, expected.covariance)
 
 
+def test_every_plot_is_filled_alone_whatever_their_number_and_nothing_is_written_beside_them():
+    """However far ahead memory is asked for."""
+    filled = machine_code.conversion("polar_unbiased", 2)
+    assert filled is not None
+    arrays = [1e3 + 1e5 * share(0.618), 6.0 * share(0.414) - 3.0, 10.0 + share(0.732), 1e-3 + 0.3 * share(0.236)]
+    whole_mean, whole_covariance = np.empty((SIZE, 2)), np.empty((SIZE, 2, 2))
+    filled(*arrays, np.array(0.3), whole_mean, whole_covariance)
+    for start, count in (
+        (0, 0),
+        (0, 1),
+        (1, side_by_side.PLOTS - 1),
+        (3, side_by_side.PLOTS + 1),
+        (5, 200),
+        (900, 100),
+    ):
+        some = slice(start, start + count)
+        mean, covariance = np.full((SIZE + 2, 2), -7.0), np.full((SIZE + 2, 2, 2), -7.0)
+        inside = slice(start + 1, start + 1 + count)
+        filled(*(array[some] for array in arrays), np.array(0.3), mean[inside], covariance[inside])
+        np.testing.assert_array_equal(mean[inside], whole_mean[some])
+        np.testing.assert_array_equal(covariance[inside], whole_covariance[some])
+        mean[inside], covariance[inside] = -7.0, -7.0
+        assert np.all(mean == -7.0)
+        assert np.all(covariance == -7.0)
+
+
 def test_code_that_changed_is_not_taken_from_what_was_kept(monkeypatch: pytest.MonkeyPatch):
     before = side_by_side._digest(loops.polar_linear)
     monkeypatch.setattr(side_by_side, "PLOTS", 64)
