@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
 
 from radartrack._system import output_files, terminal
+from radartrack._system.progress import progress_on_terminals
 from radartrack.commands.model_file import ModelFile, declared
 from radartrack.commands.seconds import seconds
 
@@ -134,7 +135,6 @@ def _decided(
 def _progress(total: int) -> Iterator[Callable[[], None]]:
     """A bar on the error stream."""
     columns = (TextColumn("auditing"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    console = terminal.error_console()
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+    with progress_on_terminals(*columns) as progress:
         task = progress.add_task("", total=total)
         yield lambda: progress.update(task, advance=1)

@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
-from rich.progress import MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.progress import MofNCompleteColumn, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from radartrack._system import output_files, terminal
+from radartrack._system.progress import progress_on_terminals
 from radartrack.commands.model_file import ModelFile, own_quantities
 
 if TYPE_CHECKING:
@@ -158,8 +159,7 @@ def _report(found: list[str], directory: Path) -> None:
 def _progress(total: int) -> Iterator[Callable[[str], None]]:
     """A bar on the error stream; each step names what is being worked on."""
     columns = (SpinnerColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
-    console = terminal.error_console()
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+    with progress_on_terminals(*columns) as progress:
         task = progress.add_task("", total=total)
 
         def step(description: str) -> None:

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 from rich.markup import escape
-from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from radartrack._system import output_files, terminal, written_files
+from radartrack._system.progress import progress_on_terminals
 
 if TYPE_CHECKING:
     from radartrack._reports.experiment_section import Experiment
@@ -138,8 +139,7 @@ def _cell(text: str) -> str:
 @contextmanager
 def _progress() -> Iterator[Callable[[str], None]]:
     """What is worked on, on the error stream."""
-    console = terminal.error_console()
     columns = (SpinnerColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+    with progress_on_terminals(*columns) as progress:
         task = progress.add_task("", total=None)
         yield lambda description: progress.update(task, description=description)

@@ -14,13 +14,13 @@ import typer
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
-    Progress,
     TextColumn,
     TimeElapsedColumn,
     TimeRemainingColumn,
 )
 
 from radartrack._system import output_files, terminal
+from radartrack._system.progress import progress_on_terminals
 from radartrack._system.termination import exit_code
 from radartrack.commands.model_file import ModelFile, NoModel, load_models
 
@@ -325,8 +325,7 @@ def _progress() -> Iterator[Callable[[str, int], None]]:
     """A bar with the time left, on the error stream."""
     columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     named = TextColumn("{task.description}")
-    console = terminal.error_console()
-    with Progress(*columns, named, console=console, transient=True, disable=not console.is_terminal) as progress:
+    with progress_on_terminals(*columns, named) as progress:
         task = progress.add_task("", total=None)
 
         def step(description: str, total: int) -> None:

@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from rich.progress import BarColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from radartrack._system import output_files, terminal
+from radartrack._system.progress import progress_on_terminals
 from radartrack.commands.pairs import pairs
 from radartrack.commands.verify import EngineName, chosen_engine
 
@@ -157,8 +158,7 @@ def _progress(total: int) -> Iterator[Callable[[int], None]]:
         TimeElapsedColumn(),
         TimeRemainingColumn(),
     )
-    console = terminal.error_console()
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+    with progress_on_terminals(*columns) as progress:
         task = progress.add_task("", total=total, speed="")
 
         def step(rows: int) -> None:
