@@ -57,13 +57,18 @@ class Fault:
 
     def put_in(self, patch: pytest.MonkeyPatch) -> None:
         """Let whoever imports the module have the one with the fault."""
-        name = f"radartrack.generated.{self.module}"
-        written = _Written(self.source())
-        spec = spec_from_loader(name, written)
-        assert spec is not None
-        faulty = module_from_spec(spec)
-        written.exec_module(faulty)
-        patch.setitem(sys.modules, name, faulty)
+        put_in(self.module, self.source(), patch)
+
+
+def put_in(module: str, source: str, patch: pytest.MonkeyPatch) -> None:
+    """Let whoever imports a generated module have this source of it."""
+    name = f"radartrack.generated.{module}"
+    written = _Written(source)
+    spec = spec_from_loader(name, written)
+    assert spec is not None
+    loaded = module_from_spec(spec)
+    written.exec_module(loaded)
+    patch.setitem(sys.modules, name, loaded)
 
 
 @dataclass(frozen=True)

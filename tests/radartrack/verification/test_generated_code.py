@@ -1,5 +1,6 @@
 """A fault anywhere in the generated code is found: in the functions, the conversions over arrays, and the loops."""
 
+import ast
 import json
 import os
 from functools import cache
@@ -18,7 +19,7 @@ from radartrack.verification.domain_points import coarse, sample
 from radartrack.verification.outcome import FUNCTION, Verdict, examined
 from radartrack.verification.paths import ARRAYS, MACHINE_CODE, ONE_PLOT, along, conversion_of, paths_of
 from radartrack.verification.subject import evaluated, scale_of
-from tests.faulty_code import Fault, faults, faults_of
+from tests.faulty_code import Fault, faults, faults_of, parsed, put_in
 
 HELPERS = ("_floats", "_empty", "_ratio", "_remainder", "_stumpff", "_third")
 SEED = 2
@@ -71,6 +72,14 @@ def test_a_fault_in_any_place_of_the_generated_code_is_found(number: int, monkey
     if not is_found(fault) and not is_found(fault, WHOLE):
         for before, after in zip(right, values(fault), strict=True):
             np.testing.assert_allclose(after, before, rtol=0, atol=SAME, err_msg=str(fault))
+
+
+@pytest.mark.parametrize("module", ["polar", "steady_state", *PATHS])
+def test_right_code_that_is_put_in_as_a_fault_is_passes_every_layer(module: str, monkeypatch: pytest.MonkeyPatch):
+    fault = next(faults_of(module))
+    put_in(module, ast.unparse(parsed(module)), monkeypatch)
+    assert computed_by(module, fault.function)
+    assert not is_found(fault)
 
 
 def test_every_conversion_is_looked_at_through_its_mean_and_its_covariance():
