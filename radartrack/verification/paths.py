@@ -89,8 +89,8 @@ class ByConversion:
     def __call__(self, **given: npt.ArrayLike) -> Array:
         """Keywords that broadcast; shape (..., *tensor)."""
         columns = [np.asarray(given.get(name, other), dtype=np.float64) for name, other in self.part.symbols]
-        spread = np.broadcast_arrays(*columns)
-        shape, flat = spread[0].shape, [np.ascontiguousarray(column).ravel() for column in spread]
+        shape = np.broadcast_shapes(*(column.shape for column in columns))
+        flat = [np.broadcast_to(column, shape).flatten() for column in columns]
         size = self.part.map_quantity.shape[0]
         mean, covariance = np.full((len(flat[0]), size), np.nan), np.full((len(flat[0]), size, size), np.nan)
         _fill(self.path, self.part.conversion, size)(*flat, mean, covariance)

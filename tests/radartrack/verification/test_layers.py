@@ -174,7 +174,7 @@ def command(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
 
 def test_the_command_writes_a_record_and_shows_a_table(tmp_path: Path):
     done = command("polar.map", "--points", "40", "--workers", "1", "--json", "record.json", cwd=tmp_path)
-    assert (done.returncode, done.stderr.strip()) == (0, "")  # rich 13 ends the line of a bar that it does not draw
+    assert (done.returncode, done.stderr) == (0, "")
     assert "polar.map" in done.stdout
     record = json.loads((tmp_path / "record.json").read_text())
     assert record["effort"]["seed"] == 0
