@@ -88,6 +88,11 @@ class _Observed(NamedTuple):
         """The scans from number `first` to the one before `end`, counted from 0."""
         return _Observed(*(None if part is None else part[..., first:end] for part in self))  # type: ignore[arg-type]
 
+    def in_double(self) -> _Observed:
+        """The same in float64."""
+        parts = (None if part is None else part.astype(np.float64, copy=False) for part in self)
+        return _Observed(*parts)  # type: ignore[arg-type]
+
     def without_missing(self, tracks: NDArray[np.bool_]) -> _Observed:
         """Some tracks, with 0 for what is missing."""
         parts = (None if part is None else np.nan_to_num(part[tracks]) for part in self)
@@ -495,7 +500,8 @@ class HandOver:
             TypeError, ValueError: as `FiniteSampleFilter.estimate`; or there are fewer than k scans.
 
         """
-        observed = self.start._checked(ranges, rates, None)  # noqa: SLF001 - one thought in two classes
+        given = self.start._checked(ranges, rates, None)  # noqa: SLF001 - one thought in two classes
+        observed, dtype = given.in_double(), given.ranges.dtype  # states are rounded once, to the type that was given
         count = observed.ranges.shape[-1]
         if count < self.k:
             raise ValueError(f"ranges must have at least {self.k} scans to start from; got {count}")
@@ -509,10 +515,9 @@ class HandOver:
             self.matrix,
             self.noise,
         )
-        return Estimate(
-            np.concatenate([started.state[..., np.newaxis, :], later.mean], axis=-2),
-            np.concatenate([started.covariance[..., np.newaxis, :, :], later.covariance], axis=-3),
-        )
+        states = np.concatenate([started.state[..., np.newaxis, :], later.mean], axis=-2)
+        covariances = np.concatenate([started.covariance[..., np.newaxis, :, :], later.covariance], axis=-3)
+        return Estimate(rounded_to(dtype, "the state", states), _in_type(covariances, dtype))
 
 
 class _Closed(NamedTuple):
