@@ -205,8 +205,8 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes do not
-            fit.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the shapes do not
+            fit, or the result overflows.
 
     Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
 
@@ -218,7 +218,9 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
     if not shapes[0] or shapes[0][-1:] != shapes[1][-1:]:
         raise ValueError(f"mean and truth must both have shape (..., n); got {shapes[0]} and {shapes[1]}")
     broadcast_shape({name: arrays[name] for name in ("mean", "truth")})
-    return _normalised(arrays["mean"] - arrays["truth"], arrays["covariance"])
+    with np.errstate(over="ignore"):
+        errors = arrays["mean"] - arrays["truth"]
+    return _normalised(errors, arrays["covariance"])
 
 
 def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
@@ -271,6 +273,7 @@ def _normalised(errors: RealArray, covariance: RealArray) -> RealArray:
     except ValueError:  # of one block; the message is to count among all
         require_covariance("covariance", covariance)
         raise
+    require_finite("the square of the result", squares.reshape(shape))
     return np.asarray(squares.reshape(shape))[()]
 
 

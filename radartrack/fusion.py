@@ -410,7 +410,7 @@ def cross_covariances(motion: LinearMotion, first: Filtered, second: Filtered, s
 
     Raises:
         TypeError: an argument is not made of real numbers, or `seen` not of booleans.
-        ValueError: the shapes do not fit, a number is not finite, or a covariance is none.
+        ValueError: the shapes do not fit, a number is not finite, a covariance is none, or the result overflows.
 
     Source: Bar-Shalom & Campo 1986, (5), doi:10.1109/TAES.1986.310815.
     """

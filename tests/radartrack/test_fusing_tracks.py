@@ -263,6 +263,13 @@ def test_scans_that_were_seen_are_as_many_as_the_covariances() -> None:
         fusion.cross_covariances(moves, filtered, filtered._replace(seen=np.ones(3, dtype=bool)))
 
 
+def test_a_cross_covariance_that_overflows_is_refused() -> None:
+    moves = kalman.Motion(1e100 * np.eye(2), np.eye(2))
+    filtered = fusion.Filtered(np.tile(0.1 * np.eye(2), (5, 1, 1)), H, [[1.0]])
+    with pytest.raises(ValueError, match="cross covariance of the result must be finite"):
+        fusion.cross_covariances(moves, filtered, filtered)
+
+
 SITES = np.array([[0.0, 0.0], [60e3, 10e3], [20e3, 70e3]])
 BIAS = np.array([[120.0, 0.004], [-80.0, -0.003], [40.0, 0.002]])
 STD = np.array([[30.0, 0.002], [60.0, 0.003], [45.0, 0.001]])
