@@ -317,7 +317,7 @@ class FiniteSampleFilter:
         return _Observed(spread["ranges"], spread.get("rates"), spread.get("times"))
 
     def _nothing(self, ranges: RealArray) -> Run:
-        """The run of no scans."""
+        """A run of as many scans, of which nothing is estimated yet."""
         size = self.degree + 1
         return Run(
             np.empty((*ranges.shape, size), ranges.dtype),
@@ -328,8 +328,7 @@ class FiniteSampleFilter:
     def _fit(self, observed: _Observed, ends: range, length: int) -> Run:
         """The estimates after each of these numbers of scans, from the last `length` of them."""
         if observed.times is not None:
-            nothing = np.zeros((*observed.ranges.shape[:-1], len(ends), self.degree + 1), observed.ranges.dtype)
-            return self._with_uneven(self._shared(nothing, ends, length), observed, ends, length)
+            return self._with_uneven(self._nothing(observed.ranges[..., : len(ends)]), observed, ends, length)
         used = observed.window(max(ends.start - length, 0), ends.stop - 1)
         fitted, is_finite = self._banded(used, ends, length)
         if is_finite:
