@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from radartrack import convert, frames, kalman, observe
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
+from radartrack.testing import strategies
 from tests.examples import share
 
 SITE: dict[str, Any] = {"latitude": 0.81, "longitude": -2.1, "height": 1234.5}
@@ -176,6 +177,16 @@ def test_what_a_frame_returns_of_a_covariance_of_any_rank_is_taken_by_what_comes
     point = here.to_ecef(np.zeros((2, 3)), belief.covariance[:, :3, :3])
     back = frames.ecef_from_geodetic(*frames.geodetic_from_ecef(*point))
     np.testing.assert_allclose(back.covariance, point.covariance, atol=1e-6)
+
+
+@given(believed=strategies.covariances(6), azimuth=ANGLES)
+@share(0.3)
+def test_covariances_on_any_scales_are_turned_to_covariances(believed: np.ndarray, azimuth: float):
+    moved = frames.enu(**SITE).to(frames.antenna(**SITE, azimuth=azimuth, tilt=0.1), np.zeros(6), 1e100 * believed)
+    for block in (slice(0, 3), slice(3, 6)):
+        trace = np.trace(believed[block, block])
+        np.testing.assert_allclose(np.trace(moved.covariance[block, block]), 1e100 * trace, rtol=1e-12)
+    assert (np.diagonal(moved.covariance) >= 0).all()
 
 
 def test_float32_stays_float32():
