@@ -8,6 +8,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from radartrack import kalman
+from radartrack._filtering.extended import curvature_of
 from radartrack._filtering.factors import factored, product_of
 from radartrack.kalman import Belief
 from radartrack.testing import strategies
@@ -55,3 +56,29 @@ def test_a_motion_that_moves_nothing_changes_no_covariance_that_is_accepted(
     moved = kalman.predict(Belief(np.zeros((4, 5)), believed), kalman.Motion(np.eye(5), np.zeros((5, 5))))
     assert worst(moved.covariance, believed) <= 1e-14 + 20 * 10.0**below
     assert (np.diagonal(moved.covariance, axis1=-2, axis2=-1) > 0).all()
+
+
+@given(seed=st.integers(0, 10**6), size=st.integers(2, 5), rank=st.integers(1, 5))
+@share(0.3)
+def test_what_curvature_adds_is_a_covariance_and_right_to_rounding(seed: int, size: int, rank: int) -> None:
+    """Of a covariance of any rank; of rank one, in a direction in which there is no curvature, it is nearly nothing."""
+    generator = np.random.default_rng(seed)
+    hessian = generator.standard_normal((4, 3, size, size))
+    hessian += np.swapaxes(hessian, -1, -2)
+    root = generator.standard_normal((4, size, rank))
+    along = root[1, :, 0]
+    root[1, :, 1:] = 0
+    hessian[1] -= (
+        (along @ hessian[1] @ along)[:, np.newaxis, np.newaxis] * np.outer(along, along) / (along @ along) ** 2
+    )
+    P = root @ np.swapaxes(root, -1, -2)
+    shift, spread = curvature_of(hessian, np.moveaxis(P, 0, -1))
+    turned = np.swapaxes(root, -1, -2)[:, np.newaxis] @ hessian @ root[:, np.newaxis]
+    np.testing.assert_allclose(shift.T, np.trace(turned, axis1=-2, axis2=-1) / 2, atol=1e-12 * np.abs(P).max() * size)
+    flat = turned.reshape(4, 3, -1)
+    expected = flat @ np.swapaxes(flat, -1, -2) / 2
+    norms = np.sqrt((hessian**2).sum(axis=(-2, -1))) * np.trace(P, axis1=-2, axis2=-1)[:, np.newaxis]
+    scale = norms[:, :, np.newaxis] * norms[:, np.newaxis]
+    assert (np.abs(np.moveaxis(spread, -1, 0) - expected) <= 1e-13 * scale).all()
+    assert (np.linalg.eigvalsh(np.moveaxis(spread, -1, 0) / scale) >= -1e-15).all()
+    assert (np.diagonal(spread) >= 0).all()
