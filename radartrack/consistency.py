@@ -197,7 +197,7 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
 
     Args:
         mean: estimates, shape (..., n).
-        covariance: what is said of their errors, positive definite, shape (..., n, n).
+        covariance: what is said of their errors, positive definite by more than rounding, shape (..., n, n).
         truth: shape (..., n).
 
     Returns:
@@ -228,7 +228,7 @@ def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
 
     Args:
         innovation: measured less predicted, shape (..., m).
-        covariance: S, that of the innovation, H P H' + R, positive definite, shape (..., m, m).
+        covariance: S, that of the innovation, H P H' + R, as for `nees`, shape (..., m, m).
 
     Returns:
         Shape (...).
@@ -264,8 +264,11 @@ def _normalised(errors: RealArray, covariance: RealArray) -> RealArray:
         table[:, :size], table[:, size] = checked, flat[numbers].T
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             eliminate(table)
-            if not (pivots(table) > 0).all():
-                raise ValueError("covariance must be positive definite; got a matrix that is not")
+            rounding = ROUNDING * np.finfo(squares.dtype).eps * np.diagonal(checked).T
+            if not (pivots(table) > rounding).all():
+                raise ValueError(
+                    "covariance must be positive definite, by more than rounding; got a matrix that is not"
+                )
             found[...] = np.square(table[:, size]).sum(axis=0)
 
     try:
