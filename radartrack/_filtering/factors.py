@@ -56,7 +56,7 @@ def factored(covariance: RealArray) -> tuple[RealArray, RealArray]:
     size = len(covariance)
     upper, rest = np.zeros_like(covariance), covariance.copy()
     variances, lost = np.zeros_like(covariance[0]), np.zeros(covariance.shape[2:], dtype=bool)
-    share = size * np.finfo(covariance.dtype).eps
+    share = size * float(np.finfo(covariance.dtype).eps)
     for j in reversed(range(size)):
         rounding = share * covariance[j, j]
         kept = rest[j, j] > rounding
@@ -89,8 +89,8 @@ def _factored_by_root(covariance: RealArray, share: float) -> tuple[RealArray, R
     first = np.moveaxis(covariance, -1, 0)
     more = np.sqrt(share * np.diagonal(first, axis1=1, axis2=2))[:, np.newaxis] * np.eye(len(covariance))
     rows = np.concatenate([np.swapaxes(roots(first), 1, 2), more], axis=1).astype(first.dtype)
-    triangle = np.linalg.qr(rows[..., ::-1], mode="r")[..., ::-1, ::-1]  # lower, and its transpose times it is P
-    columns = np.moveaxis(triangle, 0, -1).swapaxes(0, 1)
+    triangle = np.asarray(np.linalg.qr(rows[..., ::-1], mode="r"))
+    columns = np.moveaxis(triangle[..., ::-1, ::-1], 0, -1).swapaxes(0, 1)  # upper, and it times its transpose is P
     places = range(len(covariance))
     scale = columns[places, places]
     upper = columns / np.where(scale == 0, 1, scale)

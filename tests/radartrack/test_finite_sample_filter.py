@@ -212,9 +212,10 @@ def test_a_kalman_filter_that_is_handed_float32_gives_float32(degree: int, rate_
     f = FiniteSampleFilter(10.0, 250.0, rate_std, degree)
     ranges, rates = (part.astype(np.float32) for part in observations((4, 30)))
     ranges[1, 5] = np.nan
-    given = [(ranges, None if rate_std is None else rates)]
-    given += [tuple(part if part is None else part.astype(np.float64) for part in given[0])]
-    single, double = (f.kalman(degree + 1, 0.1).run(*each) for each in given)
+    single, double = (
+        f.kalman(degree + 1, 0.1).run(ranges.astype(kind), None if rate_std is None else rates.astype(kind))
+        for kind in (np.float32, np.float64)
+    )
     assert {part.dtype for part in single} == {np.dtype(np.float32)}
     for part, other in zip(single, double, strict=True):
         np.testing.assert_array_equal(part, other.astype(np.float32))

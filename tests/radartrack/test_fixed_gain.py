@@ -152,7 +152,11 @@ STEADY = fixed_gain.alpha_beta(2.0, 20.0, 1.0)
         (lambda: FixedGainFilter(1.0, 0.5, [[1.0]]), ValueError, r"gain must have shape \(..., n\)"),
         (lambda: FixedGainFilter(1.0, [0.5, 0.1], [[1.0]]), ValueError, r"covariance must have shape \(..., 2, 2\)"),
         (lambda: FixedGainFilter(1.0, [0.5], [[-1.0]]), ValueError, "covariance must be without a negative variance"),
-        (lambda: FixedGainFilter(1.0, [0.5, 0.1], [[1, 0], [0.5, 1]]), ValueError, "covariance must be symmetric"),
+        (
+            lambda: FixedGainFilter(1.0, [0.5, 0.1], [[1.0, 0.0], [0.5, 1.0]]),
+            ValueError,
+            "covariance must be symmetric",
+        ),
     ],
 )
 def test_bad_arguments_are_named(call: Any, error: type[Exception], message: str) -> None:

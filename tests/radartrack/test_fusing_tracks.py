@@ -109,13 +109,13 @@ def test_a_poor_estimate_takes_no_digits_from_a_good_one(
     mean = generator.standard_normal(size) + deviations * generator.standard_normal((2, size))
     roots = np.linalg.cholesky(P)
     cross = 0.5 * roots[0] @ roots[1].T
-    got = fusion.covariance_intersection(mean, P, weight=w), fusion.fuse_correlated(mean, P, cross)
+    got = [fusion.Fused(*fusion.covariance_intersection(mean, P, weight=w)[:2]), fusion.fuse_correlated(mean, P, cross)]
     with mpmath.workdps(80):
         inverse = [mpmath.inverse(mpmath.matrix(part.tolist())) for part in P]
         joint = mpmath.inverse(mpmath.matrix(np.block([[P[0], cross], [cross.T, P[1]]]).tolist()))
         both = mpmath.matrix(np.concatenate([np.eye(size)] * 2).tolist())
         points = [mpmath.matrix(part.tolist()) for part in mean]
-        parts = [mpmath.mpf(share) * part for share, part in zip((w, 1 - w), inverse, strict=True)]
+        parts = [mpmath.mpf(weight) * part for weight, part in zip((w, 1 - w), inverse, strict=True)]
         information = parts[0] + parts[1], both.T * joint * both
         told = parts[0] * points[0] + parts[1] * points[1], both.T * joint * mpmath.matrix(mean.ravel().tolist())
         for found, inverted, weighed in zip(got, information, told, strict=True):

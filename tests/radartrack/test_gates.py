@@ -108,7 +108,10 @@ def test_the_nees_of_a_kalman_filter_lies_in_its_band() -> None:
         (lambda: consistency.nis([1.0, np.nan], np.eye(2)), "innovation must be finite"),
         (lambda: consistency.nees([1e200, 1.0], np.eye(2), np.zeros(2)), "result must be finite; got inf"),
         (lambda: consistency.nees([1.7e308, 0.0], np.eye(2), [-1.7e308, 0.0]), "result must be finite; got nan"),
-        (lambda: consistency.nis(np.float32([1e30, 1.0]), np.eye(2, dtype=np.float32)), "square of the result must"),
+        (
+            lambda: consistency.nis(np.array([1e30, 1.0], np.float32), np.eye(2, dtype=np.float32)),
+            "square of the result must",
+        ),
         (lambda: consistency.nees([1.0, 2.0], np.eye(3), [0.0, 0.0]), "covariance must have shape"),
     ],
 )
