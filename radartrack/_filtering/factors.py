@@ -67,6 +67,7 @@ def factored(covariance: RealArray) -> tuple[RealArray, RealArray]:
         upper[j, j] = 1
         rest[:j, :j] -= upper[:j, j] * (upper[:j, np.newaxis, j] * variances[j])
     if lost.any():
+        lost &= np.isfinite(covariance).all(axis=(0, 1))  # what overflowed is refused in the result
         upper[..., lost], variances[..., lost] = _factored_by_root(covariance[..., lost], share)
     return upper, variances
 

@@ -82,3 +82,22 @@ def test_what_curvature_adds_is_a_covariance_and_right_to_rounding(seed: int, si
     assert (np.abs(np.moveaxis(spread, -1, 0) - expected) <= 1e-13 * scale).all()
     assert (np.linalg.eigvalsh(np.moveaxis(spread, -1, 0) / scale) >= -1e-15).all()
     assert (np.diagonal(spread) >= 0).all()
+
+
+@pytest.mark.parametrize("bad", [np.inf, -np.inf, np.nan])
+def test_what_has_overflowed_is_left_to_be_refused_in_the_result(bad: float) -> None:
+    singular = np.array([[1.0, 1.0, 1.0], [1.0, 1.0, 0.5], [1.0, 0.5, 1.0]])  # so that the elimination is lost
+    broken = singular.copy()
+    broken[0, 1] = broken[1, 0] = bad
+    with np.errstate(all="ignore"):
+        product = product_of(*factored(np.stack([broken, singular], axis=-1)))
+    assert not np.isfinite(product[..., 0]).all()
+    assert np.isfinite(product[..., 1]).all()
+    with pytest.raises(ValueError, match="of the result must be finite"), np.errstate(all="ignore"):
+        kalman.run(
+            Belief(np.zeros(2), [[1e200, 0], [0, 1e-200]]),
+            kalman.Motion(np.array([[1e100, 1e50], [1e-30, 1e120]]), 1e-9 * np.eye(2)),
+            np.zeros((6, 1)),
+            [[1e-9, 1e9]],
+            [[1.0]],
+        )
