@@ -305,8 +305,9 @@ class FiniteSampleFilter:
         if (rates is None) != (self.rate_std is None):
             wanted = "given for a filter with" if rates is None else "omitted for a filter without"
             raise ValueError(f"rates must be {wanted} rate_std")
-        given = {"ranges": ranges, "rates": rates, "times": times}
-        arrays = real_arrays({name: value for name, value in given.items() if value is not None})
+        optional = {"rates": rates, "times": times}
+        given = {name: value for name, value in optional.items() if value is not None}
+        arrays = real_arrays({"ranges": ranges, **given})
         for name, array in arrays.items():
             if array.ndim == 0:
                 raise ValueError(f"{name} must have shape (..., k); got a single number")

@@ -19,6 +19,7 @@ from radartrack._arrays.validation import (
     require_covariance,
     require_trailing_shape,
     require_within,
+    whole_number,
 )
 from radartrack._filtering.moved_beliefs import carried
 from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic
@@ -76,13 +77,14 @@ class Frame:
         """First derivatives of what `to` gives by what it takes, shape (..., components, components).
 
         Raises:
-            ValueError: components is not 3, 6 or 9.
+            TypeError: components is no whole number.
+            ValueError: it is not 3, 6 or 9.
         """
-        if components not in BLOCKS:
+        if (size := whole_number("components", components, 0)) not in BLOCKS:
             raise ValueError(f"components must be one of {list(BLOCKS)}; got {components!r}")
         rotation = self.rotation(other)
-        blocks = np.zeros((*rotation.shape[:-2], components, components))
-        for first in range(0, components, 3):
+        blocks = np.zeros((*rotation.shape[:-2], size, size))
+        for first in range(0, size, 3):
             blocks[..., first : first + 3, first : first + 3] = rotation
         return blocks
 

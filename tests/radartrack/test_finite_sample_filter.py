@@ -270,6 +270,13 @@ def test_too_few_scans_are_refused_with_what_they_support(rate_std: float | None
             call(k)
 
 
+@pytest.mark.parametrize("call", [FiniteSampleFilter.estimate, FiniteSampleFilter.run])
+@pytest.mark.parametrize("given", [None, "1", [1.0, None], [True, 2.0], object()])
+def test_ranges_that_are_no_numbers_are_named(call: Any, given: Any) -> None:
+    with pytest.raises(TypeError, match="ranges must be real numbers"):
+        call(FiniteSampleFilter(10.0, 250.0), given)
+
+
 def test_bad_observations_are_refused() -> None:
     f, alone = FiniteSampleFilter(10.0, 250.0, 15.0), FiniteSampleFilter(10.0, 250.0)
     ranges, rates = observations((3, 6))
