@@ -197,7 +197,7 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
 
     Args:
         mean: estimates, shape (..., n).
-        covariance: what is said of their errors, positive definite, shape (..., n, n).
+        covariance: what is said of their errors, positive definite by more than rounding, shape (..., n, n).
         truth: shape (..., n).
 
     Returns:
@@ -205,8 +205,8 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
 
     Raises:
         TypeError: an argument is not made of real numbers.
-        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, or the shapes do not
-            fit.
+        ValueError: an entry is not finite, a covariance is not symmetric and positive definite, the shapes do not
+            fit, or the result overflows.
 
     Source: Bar-Shalom, Li & Kirubarajan 2001, 5.4.2, doi:10.1002/0471221279.
 
@@ -218,7 +218,9 @@ def nees(mean: ArrayLike, covariance: ArrayLike, truth: ArrayLike) -> RealArray:
     if not shapes[0] or shapes[0][-1:] != shapes[1][-1:]:
         raise ValueError(f"mean and truth must both have shape (..., n); got {shapes[0]} and {shapes[1]}")
     broadcast_shape({name: arrays[name] for name in ("mean", "truth")})
-    return _normalised(arrays["mean"] - arrays["truth"], arrays["covariance"])
+    with np.errstate(over="ignore"):
+        errors = arrays["mean"] - arrays["truth"]
+    return _normalised(errors, arrays["covariance"])
 
 
 def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
@@ -226,7 +228,7 @@ def nis(innovation: ArrayLike, covariance: ArrayLike) -> RealArray:
 
     Args:
         innovation: measured less predicted, shape (..., m).
-        covariance: S, that of the innovation, H P H' + R, positive definite, shape (..., m, m).
+        covariance: S, that of the innovation, H P H' + R, as for `nees`, shape (..., m, m).
 
     Returns:
         Shape (...).
@@ -262,8 +264,11 @@ def _normalised(errors: RealArray, covariance: RealArray) -> RealArray:
         table[:, :size], table[:, size] = checked, flat[numbers].T
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             eliminate(table)
-            if not (pivots(table) > 0).all():
-                raise ValueError("covariance must be positive definite; got a matrix that is not")
+            rounding = ROUNDING * np.finfo(squares.dtype).eps * np.diagonal(checked).T
+            if not (pivots(table) > rounding).all():
+                raise ValueError(
+                    "covariance must be positive definite, by more than rounding; got a matrix that is not"
+                )
             found[...] = np.square(table[:, size]).sum(axis=0)
 
     try:
@@ -271,6 +276,7 @@ def _normalised(errors: RealArray, covariance: RealArray) -> RealArray:
     except ValueError:  # of one block; the message is to count among all
         require_covariance("covariance", covariance)
         raise
+    require_finite("the square of the result", squares.reshape(shape))
     return np.asarray(squares.reshape(shape))[()]
 
 

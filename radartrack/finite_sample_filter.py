@@ -88,6 +88,11 @@ class _Observed(NamedTuple):
         """The scans from number `first` to the one before `end`, counted from 0."""
         return _Observed(*(None if part is None else part[..., first:end] for part in self))  # type: ignore[arg-type]
 
+    def in_double(self) -> _Observed:
+        """The same in float64."""
+        parts = (None if part is None else part.astype(np.float64, copy=False) for part in self)
+        return _Observed(*parts)  # type: ignore[arg-type]
+
     def without_missing(self, tracks: NDArray[np.bool_]) -> _Observed:
         """Some tracks, with 0 for what is missing."""
         parts = (None if part is None else np.nan_to_num(part[tracks]) for part in self)
@@ -300,8 +305,9 @@ class FiniteSampleFilter:
         if (rates is None) != (self.rate_std is None):
             wanted = "given for a filter with" if rates is None else "omitted for a filter without"
             raise ValueError(f"rates must be {wanted} rate_std")
-        given = {"ranges": ranges, "rates": rates, "times": times}
-        arrays = real_arrays({name: value for name, value in given.items() if value is not None})
+        optional = {"rates": rates, "times": times}
+        given = {name: value for name, value in optional.items() if value is not None}
+        arrays = real_arrays({"ranges": ranges, **given})
         for name, array in arrays.items():
             if array.ndim == 0:
                 raise ValueError(f"{name} must have shape (..., k); got a single number")
@@ -312,7 +318,7 @@ class FiniteSampleFilter:
         return _Observed(spread["ranges"], spread.get("rates"), spread.get("times"))
 
     def _nothing(self, ranges: RealArray) -> Run:
-        """The run of no scans."""
+        """A run of as many scans, of which nothing is estimated yet."""
         size = self.degree + 1
         return Run(
             np.empty((*ranges.shape, size), ranges.dtype),
@@ -323,8 +329,7 @@ class FiniteSampleFilter:
     def _fit(self, observed: _Observed, ends: range, length: int) -> Run:
         """The estimates after each of these numbers of scans, from the last `length` of them."""
         if observed.times is not None:
-            nothing = np.zeros((*observed.ranges.shape[:-1], len(ends), self.degree + 1), observed.ranges.dtype)
-            return self._with_uneven(self._shared(nothing, ends, length), observed, ends, length)
+            return self._with_uneven(self._nothing(observed.ranges[..., : len(ends)]), observed, ends, length)
         used = observed.window(max(ends.start - length, 0), ends.stop - 1)
         fitted, is_finite = self._banded(used, ends, length)
         if is_finite:
@@ -495,7 +500,8 @@ class HandOver:
             TypeError, ValueError: as `FiniteSampleFilter.estimate`; or there are fewer than k scans.
 
         """
-        observed = self.start._checked(ranges, rates, None)  # noqa: SLF001 - one thought in two classes
+        given = self.start._checked(ranges, rates, None)  # noqa: SLF001 - one thought in two classes
+        observed, dtype = given.in_double(), given.ranges.dtype  # states are rounded once, to the type that was given
         count = observed.ranges.shape[-1]
         if count < self.k:
             raise ValueError(f"ranges must have at least {self.k} scans to start from; got {count}")
@@ -509,10 +515,9 @@ class HandOver:
             self.matrix,
             self.noise,
         )
-        return Estimate(
-            np.concatenate([started.state[..., np.newaxis, :], later.mean], axis=-2),
-            np.concatenate([started.covariance[..., np.newaxis, :, :], later.covariance], axis=-3),
-        )
+        states = np.concatenate([started.state[..., np.newaxis, :], later.mean], axis=-2)
+        covariances = np.concatenate([started.covariance[..., np.newaxis, :, :], later.covariance], axis=-3)
+        return Estimate(rounded_to(dtype, "the state", states), _in_type(covariances, dtype))
 
 
 class _Closed(NamedTuple):

@@ -331,11 +331,12 @@ def fuse_correlated(mean: ArrayLike, covariance: ArrayLike, cross_covariance: Ar
     joint[..., :size, :size], joint[..., size:, size:] = errors[..., 0, :, :], errors[..., 1, :, :]
     joint[..., :size, size:], joint[..., size:, :size] = cross, np.swapaxes(cross, -1, -2)
     white = whitener("covariance with cross_covariance", joint).matrix
-    first = np.broadcast_to(points[..., 0, :], (*shape, size))
-    differences = np.concatenate([np.zeros((*shape, size)), points[..., 1, :] - first], axis=-1)
+    both = np.broadcast_to(points, (*shape, 2, size))
+    origin = _of_more_accurate(both, errors)
     rows = white @ np.concatenate([np.eye(size)] * 2)
+    differences = (both - origin[..., np.newaxis, :]).reshape(*shape, 2 * size)
     estimate = factorised(rows[..., np.newaxis, :, :], applied(white, differences)[..., np.newaxis, :])
-    return Fused(estimate.value + first, squares(estimate.root))
+    return Fused(estimate.value + origin, squares(estimate.root))
 
 
 def covariance_intersection(
@@ -382,11 +383,13 @@ def covariance_intersection(
     except np.linalg.LinAlgError:
         raise ValueError("covariance must be positive definite; got a matrix that is not") from None
     share = arrays["weight"] if weight is not None else pencil.best_share(chosen)
-    across = applied(pencil.inverse, points[..., 1, :] - points[..., 0, :])
-    moved = (1 - share)[..., np.newaxis] / pencil.mixed(share) * across
-    fused = np.broadcast_to(points[..., 0, :] + applied(pencil.axes, moved), (*shape, size))
+    both = np.broadcast_to(points, (*shape, 2, size))
+    origin = _of_more_accurate(both, errors)
+    one, other = (applied(pencil.inverse, both[..., k, :] - origin) for k in (0, 1))
+    w, mixed = share[..., np.newaxis], pencil.mixed(share)
+    fused = origin + applied(pencil.axes, w * pencil.ratios / mixed * one + (1 - w) / mixed * other)
     found = np.broadcast_to(pencil.intersected(share), (*shape, size, size))
-    return Intersection(fused.copy(), found.copy(), np.broadcast_to(share, shape).copy())
+    return Intersection(fused, found.copy(), np.broadcast_to(share, shape).copy())
 
 
 def cross_covariances(motion: LinearMotion, first: Filtered, second: Filtered, start: ArrayLike = 0.0) -> Floats:
@@ -407,7 +410,7 @@ def cross_covariances(motion: LinearMotion, first: Filtered, second: Filtered, s
 
     Raises:
         TypeError: an argument is not made of real numbers, or `seen` not of booleans.
-        ValueError: the shapes do not fit, a number is not finite, or a covariance is none.
+        ValueError: the shapes do not fit, a number is not finite, a covariance is none, or the result overflows.
 
     Source: Bar-Shalom & Campo 1986, (5), doi:10.1109/TAES.1986.310815.
     """
@@ -494,6 +497,15 @@ def registration(
     found = estimated(Plots(measured, deviations, places, axis), unknown)
     require_finite("the bias", found.bias)
     return Registration(found.bias[..., 0], found.bias[..., 1], found.covariance)
+
+
+def _of_more_accurate(points: Floats, errors: Floats) -> Floats:
+    """Each coordinate of the one of two estimates that has less variance along it, (..., d).
+
+    Counted from there no rounding error of a poor estimate is taken for one of the good one.
+    """
+    variances = np.broadcast_to(np.diagonal(errors, axis1=-2, axis2=-1), points.shape)
+    return np.where(variances[..., 0, :] <= variances[..., 1, :], points[..., 0, :], points[..., 1, :])
 
 
 def _size_of_two(points: Floats, errors: Floats) -> int:

@@ -265,7 +265,7 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
 
     """
     values, H, R = _measurement(measured, matrix, noise, belief)
-    tracks, mean, covariance = tracks_last(belief, common(values.shape[:-1], R.shape[:-2]))
+    tracks, mean, covariance = tracks_last(belief, common(values.shape[:-1], R.shape[:-2]), values.dtype)
     flat = np.broadcast_to(values, (*tracks, len(H))).reshape(-1, len(H))
     with np.errstate(over="ignore", invalid="ignore"):
         [sensor] = sensors(H, R[..., np.newaxis, :, :] if R.ndim > 2 else R, tracks, 1)
@@ -379,8 +379,10 @@ def run(
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
     *others, scans = common(values.shape[:-1], R.shape[:-2])
-    tracks, mean, covariance = tracks_last(start, tuple(others))
-    checked = _checked(motion, len(mean))
+    checked = _checked(motion, H.shape[1])
+    dtype = np.result_type(values, *(() if isinstance(checked, NonlinearMotion) else checked))
+    values, H, R = (array.astype(dtype, copy=False) for array in (values, H, R))
+    tracks, mean, covariance = tracks_last(start, tuple(others), dtype)
     flat = np.broadcast_to(values, (*tracks, scans, len(H))).reshape(math.prod(tracks), scans, len(H))
     means = np.empty((scans, *mean.shape), mean.dtype)
     covariances = []
@@ -427,19 +429,23 @@ def run_with(
 
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
-    values, R = measured_values(real_arrays({"measured": measured, "noise": noise}), len(sight.outputs))
+    given = {"mean": start.mean, "covariance": start.covariance, "measured": measured, "noise": noise}
+    arrays = real_arrays({**given, **site_of(sight, site)})
+    values, R = measured_values(arrays, len(sight.outputs))
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
     *leading, scans = common(values.shape[:-1], R.shape[:-2])
     others = tuple(leading)
-    for symbol, array in sight.read_site(real_arrays(site_of(sight, site))).items():
+    for symbol, array in sight.read_site(arrays).items():
         others = common(others, array.shape, symbol)
     tracks, mean, covariance = flat_tracks(start, others)
     size = mean.shape[-1]
     values = np.broadcast_to(values, (*others, scans, len(sight.outputs)))
-    belief = Belief(mean.reshape(*tracks, size), np.broadcast_to(covariance, (len(mean), size, size)))
-    belief = Belief(belief.mean, belief.covariance.reshape(*tracks, size, size))
-    means, covariances = np.empty((*tracks, scans, size)), np.empty((*tracks, scans, size, size))
+    checked = _checked(motion, size)
+    dtype = np.result_type(values, *(() if isinstance(checked, NonlinearMotion) else checked))
+    spread = np.broadcast_to(covariance, (len(mean), size, size)).reshape(*tracks, size, size)
+    belief = Belief(mean.reshape(*tracks, size).astype(dtype), spread.astype(dtype))
+    means, covariances = np.empty((*tracks, scans, size), dtype), np.empty((*tracks, scans, size, size), dtype)
     if not scans:  # what is out of place is refused all the same
         nothing, errors = np.full(len(sight.outputs), np.nan), R if R.ndim == 2 else np.eye(len(sight.outputs))
         update_with(sensor, predict(belief, motion, order), nothing, errors, order, azimuth_from, **site)
@@ -471,11 +477,12 @@ def _stacked(covariances: list[RealArray], size: int) -> RealArray:
 def _measurement(
     measured: ArrayLike, matrix: ArrayLike, noise: ArrayLike, belief: Belief
 ) -> tuple[RealArray, RealArray, RealArray]:
-    arrays = real_arrays({"measured": measured, "matrix": matrix, "noise": noise})
-    H = arrays["matrix"]
+    """What is measured, H and R, in float32 where what is believed is too."""
+    given = {"measured": measured, "matrix": matrix, "noise": noise}
+    arrays = real_arrays({**given, "mean": belief.mean, "covariance": belief.covariance})
+    H, mean = arrays["matrix"], arrays["mean"]
     if H.ndim != 2 or not H.size or not np.isfinite(H).all():
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
-    [mean] = real_arrays({"mean": belief.mean}).values()
     if mean.ndim and H.shape[1:] != mean.shape[-1:]:  # a single number is refused beside the covariance
         raise ValueError(f"matrix must have {mean.shape[-1]} columns, one a component; got {H.shape[1]}")
     values, R = measured_values(arrays, len(H))

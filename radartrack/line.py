@@ -24,7 +24,9 @@ from radartrack._arrays.validation import (
     RealArray,
     broadcast_shape,
     one_of,
+    positive_number,
     real_arrays,
+    real_number,
     require_trailing_shape,
     require_within,
     whole_number,
@@ -218,18 +220,23 @@ class MeasurementStd:
 
         A Gaussian error stays within twice its true deviation in 95.4 % and within three times in 99.7 % of
         cases.
+
+        Raises:
+            TypeError: the multiple is no real number.
+            ValueError: it is not finite, or not more than 0.
         """
-        return multiple * np.stack([self.x, self.y, self.position], axis=-1)
+        return positive_number("multiple", multiple) * np.stack([self.x, self.y, self.position], axis=-1)
 
     def interval(self, confidence: float = 0.95) -> Interval:
         """Confidence interval for the true deviations along x and y, for independent Gaussian errors.
 
         Raises:
+            TypeError: the confidence is no real number.
             ValueError: for the printed method, and for a confidence that is not between 0 and 1.
         """
         if self.degrees_of_freedom is None:
             raise ValueError("interval needs method 'consistent'; the printed deviations have no known distribution")
-        if not 0 < confidence < 1:
+        if not 0 < real_number("confidence", confidence) < 1:
             raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
         estimates = np.stack([self.x, self.y], axis=-1)
         tails = (1 + confidence) / 2, (1 - confidence) / 2

@@ -80,12 +80,14 @@ def matrices(name: str, period: float, axes: int, parameters: Mapping[str, float
         raise ValueError(f"{noise} must be finite and at least 0; got {parameters[noise]}")
     function, symbol = known.noises[noise]
     prefix = name.replace(".", "_")
-    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # what is not finite is refused below
+    with np.errstate(all="ignore"):  # what is not finite is refused below
         transition: RealArray = getattr(motion, f"{prefix}_transition")(**symbols)
         process_noise: RealArray = getattr(motion, f"{prefix}_{function}")(**symbols, **{symbol: strength})
     require_finite(f"the transition over the period {period}", transition)
+    title = f"the process noise of {noise} {strength} over {period} s"
+    require_finite(title, process_noise)
     if strength:
-        require_variances(f"the process noise of {noise} {strength} over {period} s", np.diagonal(process_noise))
+        require_variances(title, np.diagonal(process_noise))
     return np.kron(np.eye(blocks), transition), np.kron(np.eye(blocks), process_noise)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,11 +44,13 @@ def common(measured: tuple[int, ...], noise: tuple[int, ...], name: str = "noise
         raise ValueError(f"measured and {name} must broadcast; got leading shapes {measured} and {noise}") from None
 
 
-def tracks_last(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
-    """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared."""
+def tracks_last(
+    belief: Belief, others: tuple[int, ...], dtype: np.dtype[np.floating[Any]]
+) -> tuple[tuple[int, ...], RealArray, RealArray]:
+    """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared, in a type."""
     tracks, mean, covariance = flat_tracks(belief, others)
-    last = np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
-    return tracks, np.ascontiguousarray(mean.T), checked_covariances("covariance", last)
+    last = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(covariance, 0, -1)))
+    return tracks, np.ascontiguousarray(mean.T, dtype), last.astype(dtype, copy=False)
 
 
 def flat_tracks(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:

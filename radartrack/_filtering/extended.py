@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from radartrack._arrays.validation import RealArray
-from radartrack._filtering.factors import combination
+from radartrack._filtering.factors import combination, factored
 from radartrack._filtering.refinement import Told
 from radartrack._observation.sights import Sight
 
@@ -55,17 +55,22 @@ class Look(NamedTuple):
 def curvature_of(hessian: RealArray, covariance: RealArray) -> tuple[RealArray, RealArray]:
     """What curvature adds to a mean and its covariance: tr(G P)/2, (m, tracks), and tr(G_a P G_b P)/2, (m, m, tracks).
 
+    Both are taken of a root of P: so the latter are sums of squares, and small where P is large along straight lines.
+
     Args:
         hessian: (tracks, m, n, n), as formulas give it.
         covariance: of what is differentiated by, (n, n, tracks or 1).
 
     """
+    columns, variances = factored(covariance)
+    root = columns * np.sqrt(variances)
     curvature = np.ascontiguousarray(np.moveaxis(hessian, 0, -1))
-    turned = combination(np.moveaxis(curvature, 2, 0)[:, :, :, np.newaxis], covariance)
+    half = combination(np.moveaxis(curvature, 2, 0)[:, :, :, np.newaxis], root[:, np.newaxis, np.newaxis])
+    turned = combination(np.moveaxis(half, 1, 0)[:, :, np.newaxis], root[:, np.newaxis, :, np.newaxis])
     size, tracks = len(turned), turned.shape[-1]
-    flat, across = (part.reshape(size, turned.shape[1] ** 2, tracks) for part in (turned, turned.swapaxes(1, 2)))
+    flat = turned.reshape(size, turned.shape[1] ** 2, tracks)
     spread = np.empty((size, size, tracks), turned.dtype)
     for i in range(size):
         for j in range(i + 1):
-            spread[i, j] = spread[j, i] = combination(flat[i], across[j]) / 2
+            spread[i, j] = spread[j, i] = combination(flat[i], flat[j]) / 2
     return np.trace(turned, axis1=1, axis2=2) / 2, spread

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from radartrack._arrays.validation import RealArray
+from radartrack._conversion.semidefinite import roots
 
 
 class Observation(NamedTuple):
@@ -53,15 +55,48 @@ def factored(covariance: RealArray) -> tuple[RealArray, RealArray]:
     """
     size = len(covariance)
     upper, rest = np.zeros_like(covariance), covariance.copy()
-    variances = np.zeros_like(covariance[0])
+    variances, lost = np.zeros_like(covariance[0]), np.zeros(covariance.shape[2:], dtype=bool)
+    share = size * float(np.finfo(covariance.dtype).eps)
     for j in reversed(range(size)):
-        rounding = size * np.finfo(covariance.dtype).eps * covariance[j, j]
+        rounding = share * covariance[j, j]
         kept = rest[j, j] > rounding
+        if not kept.all():
+            lost |= ~kept & _is_more_than_rounding(rest[: j + 1, j], covariance, share)
         variances[j] = np.where(kept, rest[j, j], rounding)
         upper[:j, j] = np.where(kept, rest[:j, j], 0) / np.where(kept, rest[j, j], 1)
         upper[j, j] = 1
-        rest[:j, :j] -= upper[:j, j] * upper[:j, np.newaxis, j] * variances[j]
+        rest[:j, :j] -= upper[:j, j] * (upper[:j, np.newaxis, j] * variances[j])
+    if lost.any():
+        lost &= np.isfinite(covariance).all(axis=(0, 1))  # what overflowed is refused in the result
+        upper[..., lost], variances[..., lost] = _factored_by_root(covariance[..., lost], share)
     return upper, variances
+
+
+def _is_more_than_rounding(column: RealArray, covariance: RealArray, share: float) -> NDArray[np.bool_]:
+    """Whether an elimination has left more beside a variance that it took for nothing, or less than nothing of it.
+
+    A pivot that is itself little more than rounding may leave that: nearly all of another variance goes with it.
+    """
+    j = len(column) - 1
+    deviations = np.sqrt(np.stack([covariance[i, i] for i in range(len(column))]))
+    return np.asarray((np.abs(column) > share * deviations * deviations[j]).any(axis=0))
+
+
+def _factored_by_root(covariance: RealArray, share: float) -> tuple[RealArray, RealArray]:
+    """The same by eigenvalues, in which all of a covariance is right to rounding, for (n, n, tracks).
+
+    Each component gets a share of its variance more, independent of the others: what rounding may have been.
+    """
+    first = np.moveaxis(covariance, -1, 0)
+    more = np.sqrt(share * np.diagonal(first, axis1=1, axis2=2))[:, np.newaxis] * np.eye(len(covariance))
+    rows = np.concatenate([np.swapaxes(roots(first), 1, 2), more], axis=1).astype(first.dtype)
+    triangle = np.asarray(np.linalg.qr(rows[..., ::-1], mode="r"))
+    columns = np.moveaxis(triangle[..., ::-1, ::-1], 0, -1).swapaxes(0, 1)  # upper, and it times its transpose is P
+    places = range(len(covariance))
+    scale = columns[places, places]
+    upper = columns / np.where(scale == 0, 1, scale)
+    upper[places, places] = 1
+    return upper, scale**2
 
 
 def product_of(columns: RealArray, variances: RealArray) -> RealArray:

@@ -35,6 +35,13 @@ def _extended(
     return found.astype(mean.dtype, copy=False), spread.astype(covariance.dtype, copy=False)
 
 
+def carried(jacobian: RealArray, covariance: RealArray) -> RealArray:
+    """J P J' of matrices (..., n, n), a sum of squares: no variance turns negative, whatever axes it is turned to."""
+    shape = np.broadcast_shapes(jacobian.shape, covariance.shape)
+    J, P = (np.moveaxis(np.broadcast_to(part, shape), (-2, -1), (0, 1)) for part in (jacobian, covariance))
+    return np.moveaxis(_carried(J, P), (0, 1), (-2, -1))
+
+
 def _carried(F: RealArray, covariance: RealArray) -> RealArray:
     """F P F', a sum of squares, with F of shape (n, n, tracks or 1)."""
     upper, variances = factored(covariance)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from radartrack._arrays import patterns
 from radartrack._arrays.validation import RealArray
-from radartrack._filtering.factors import Observation, combination
+from radartrack._filtering.factors import Observation, combination, factored
 
 
 class Sensor(NamedTuple):
@@ -62,10 +62,15 @@ def sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans:
 def independent(values: RealArray, matrix: RealArray, noise: RealArray) -> Observation:
     """Measurements, (m, tracks), of tracks that each have an H, (m, n, tracks), with their errors made independent.
 
-    R is (m, m, tracks or 1).
+    R is (m, m, tracks or 1), semidefinite but for rounding, as it is where curvature has added far more than there was:
+    what others determine of an error counts as what rounding may have been.
     """
-    across = _inverse_roots(noise).swapaxes(0, 1)
-    return Observation(combination(across, values[:, np.newaxis]), _rows(across, matrix))
+    upper, variances = factored(noise)
+    told = np.concatenate([values[:, np.newaxis], matrix], axis=1)
+    for j in reversed(range(len(told))):
+        told[:j] -= upper[:j, np.newaxis, j] * told[j]
+    told /= np.sqrt(variances)[:, np.newaxis]
+    return Observation(told[:, 0], told[:, 1:])
 
 
 def _rows(across: RealArray, matrix: RealArray) -> RealArray:

@@ -13,9 +13,10 @@ MOST_STEPS = 1100  # halvings of the interval come to an end before; Newton's st
 SHARP = 4e-16  # of the interval from 0 to 1
 SAME = 1e-14  # ratios of variances no farther from one, which no weight changes beyond rounding
 LEAST_RATIO = 1e-12  # of deviations along one axis to those along another; rounding leaves four digits of it
+LARGEST_RATIO = 1e60  # of variances of one component; cubes of what is far larger overflow
 UNEQUAL = (
     "covariance must hold two that are not too unequal: along one axis the first may be better than the second by 1e12 "
-    "times what it is along another, in deviations"
+    "times what it is along another, in deviations, and no variance may be more than 1e60 times the other"
 )
 
 
@@ -50,6 +51,7 @@ class Pencil(NamedTuple):
         halves of the interval where such a step would leave it. Of equal covariances every w is best: a half.
         """
         sizes = (self.axes**2).sum(axis=-2) * self.ratios
+        sizes = sizes / sizes.max(axis=-1, keepdims=True)
 
         def slopes(share: Floats) -> tuple[Floats, Floats]:
             relative = (self.ratios - 1) / self.mixed(share)
@@ -82,14 +84,16 @@ def pencil_of(first: Floats, second: Floats) -> Pencil:
         numpy.linalg.LinAlgError: a matrix is not positive definite.
         ValueError: they are too unequal for the digits of a float.
     """
-    scale = np.sqrt(np.diagonal(first, axis1=-2, axis2=-1))
-    if not (scale > 0).all():
+    variances, others = (np.diagonal(part, axis1=-2, axis2=-1) for part in (first, second))
+    if not ((variances > 0).all() and (others > 0).all()):
         raise np.linalg.LinAlgError
+    distance = np.abs(np.log10(variances) - np.log10(others))
+    if not (distance <= np.log10(LARGEST_RATIO)).all():
+        raise ValueError(UNEQUAL)
+    scale = np.sqrt(variances)
     one, other = (part / scale[..., :, np.newaxis] / scale[..., np.newaxis, :] for part in (first, second))
     factor = np.linalg.cholesky(one)
     size = np.sqrt(np.trace(other, axis1=-2, axis2=-1))[..., np.newaxis]
-    if not (size > 0).all():
-        raise np.linalg.LinAlgError
     inner = np.linalg.solve(factor, np.linalg.cholesky(other / size[..., np.newaxis] ** 2))
     vectors, roots, _ = np.linalg.svd(inner)
     if not (roots[..., -1] > LEAST_RATIO * roots[..., 0]).all():

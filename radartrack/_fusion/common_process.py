@@ -83,10 +83,12 @@ def recursion(motion: Motion, first: Filtered, second: Filtered, start: ArrayLik
     one, other = np.broadcast_to(one, shape), np.broadcast_to(other, shape)
     cross = np.broadcast_to(cross, (*tracks, size, size))
     found = np.empty(shape)
-    for scan in range(scans):
-        moved = F @ cross @ F.T + Q
-        cross = one[..., scan, :, :] @ moved @ np.swapaxes(other[..., scan, :, :], -1, -2)
-        found[..., scan, :, :] = cross
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+        for scan in range(scans):
+            moved = F @ cross @ F.T + Q
+            cross = one[..., scan, :, :] @ moved @ np.swapaxes(other[..., scan, :, :], -1, -2)
+            found[..., scan, :, :] = cross
+    require_finite("the cross covariance of the result", found)
     return found
 
 

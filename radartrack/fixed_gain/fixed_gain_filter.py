@@ -12,6 +12,7 @@ from radartrack._arrays.validation import (
     RealArray,
     broadcast_shape,
     real_arrays,
+    require_covariance,
     require_finite,
     require_trailing_shape,
 )
@@ -28,7 +29,8 @@ class FixedGainFilter:
 
     Raises:
         TypeError: a part is not made of real numbers.
-        ValueError: the shapes do not fit, a number is not finite, or the period is not positive.
+        ValueError: the shapes do not fit, a number is not finite, the period is not positive, or the covariance is
+            none.
 
     """
 
@@ -46,6 +48,7 @@ class FixedGainFilter:
         if not (self.period > 0).all():
             raise ValueError(f"period must be more than 0; got {self.period.min()}")
         require_trailing_shape("covariance", self.covariance, self.gain.shape[-1:] * 2)
+        require_covariance("covariance", self.covariance)
         _tracks({"period": self.period[..., np.newaxis], "gain": self.gain, "covariance": self.covariance[..., 0]})
 
     def run(self, measured: ArrayLike, start: ArrayLike) -> RealArray:

@@ -19,7 +19,9 @@ from radartrack._arrays.validation import (
     require_covariance,
     require_trailing_shape,
     require_within,
+    whole_number,
 )
+from radartrack._filtering.moved_beliefs import carried
 from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
@@ -75,13 +77,14 @@ class Frame:
         """First derivatives of what `to` gives by what it takes, shape (..., components, components).
 
         Raises:
-            ValueError: components is not 3, 6 or 9.
+            TypeError: components is no whole number.
+            ValueError: it is not 3, 6 or 9.
         """
-        if components not in BLOCKS:
+        if (size := whole_number("components", components, 0)) not in BLOCKS:
             raise ValueError(f"components must be one of {list(BLOCKS)}; got {components!r}")
         rotation = self.rotation(other)
-        blocks = np.zeros((*rotation.shape[:-2], components, components))
-        for first in range(0, components, 3):
+        blocks = np.zeros((*rotation.shape[:-2], size, size))
+        for first in range(0, size, 3):
             blocks[..., first : first + 3, first : first + 3] = rotation
         return blocks
 
@@ -115,13 +118,15 @@ class Frame:
         dtype = np.dtype(np.float32 if single else np.float64)
         values = np.asarray(arrays["mean"], np.float64)
         _require_states(values)
-        broadcast_shape({"mean": values[..., 0], "this frame": _number(self), "the other frame": _number(other)})
+        numbers = {"mean": values[..., 0], "this frame": _number(self), "the other frame": _number(other)}
+        shape = broadcast_shape(numbers)
         offsets = (self.origin - other.origin, self.velocity - other.velocity, np.zeros(3))
         parts = [
             _rotated(other.axes, _rotated(np.swapaxes(self.axes, -1, -2), values[..., first : first + 3]) + offset)
             for first, offset in zip(range(0, values.shape[-1], 3), offsets, strict=False)
         ]
-        moved = np.concatenate(parts, axis=-1).astype(dtype, copy=False)
+        spread = [np.broadcast_to(part, (*shape, 3)) for part in parts]  # frames may differ in their velocities alone
+        moved = np.concatenate(spread, axis=-1).astype(dtype, copy=False)
         if covariance is None:
             return moved
         errors = np.asarray(arrays["covariance"], np.float64)
@@ -130,9 +135,7 @@ class Frame:
         require_covariance("covariance", errors)
         require_within("covariance", errors, COVARIANCE)
         broadcast_shape({"mean": moved[..., 0], "covariance": errors[..., 0, 0]})
-        jacobian = self.jacobian(other, size)
-        turned = jacobian @ errors @ np.swapaxes(jacobian, -1, -2)
-        return Belief(moved, np.asarray(0.5 * (turned + np.swapaxes(turned, -1, -2)), dtype))
+        return Belief(moved, np.asarray(carried(self.jacobian(other, size), errors), dtype))
 
     @overload
     def to_ecef(self, mean: ArrayLike, covariance: None = ...) -> RealArray: ...

@@ -19,6 +19,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
+from radartrack._filtering.moved_beliefs import carried
 from radartrack.frames.exact_sines import angle_of
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
@@ -104,7 +105,7 @@ def ecef_from_geodetic(
         return position.astype(dtype, copy=False)
     errors = _read_covariance(covariance, position)
     jacobian = _formula("ecef_from_geodetic_jacobian", where, ellipsoid)
-    return Belief(position.astype(dtype, copy=False), _through(jacobian, errors, dtype))
+    return Belief(position.astype(dtype, copy=False), np.asarray(carried(jacobian, errors), dtype))
 
 
 @overload
@@ -154,7 +155,7 @@ def geodetic_from_ecef(
     require_within("position's distance from the axis", np.hypot(values[..., 0], values[..., 1]), FROM_AXIS)
     require_within("position's height", where.height, ABOVE_CURVATURE)
     jacobian = _formula("geodetic_from_ecef_jacobian", where, ellipsoid)
-    return GeodeticBelief(*typed, covariance=_through(jacobian, errors, dtype))
+    return GeodeticBelief(*typed, covariance=np.asarray(carried(jacobian, errors), dtype))
 
 
 def ecef_jacobian(
@@ -258,12 +259,6 @@ def _read_covariance(covariance: ArrayLike, position: RealArray) -> RealArray:
     require_within("covariance", errors, COVARIANCE)
     broadcast_shape({"position": position[..., 0], "covariance": errors[..., 0, 0]})
     return errors
-
-
-def _through(jacobian: RealArray, covariance: RealArray, dtype: "np.dtype[np.floating]") -> RealArray:
-    """J P J', symmetric to the last bit."""
-    moved = jacobian @ covariance @ np.swapaxes(jacobian, -1, -2)
-    return np.asarray(0.5 * (moved + np.swapaxes(moved, -1, -2)), dtype)
 
 
 def _type(**given: ArrayLike | None) -> "np.dtype[np.floating]":

@@ -7,6 +7,7 @@ from stonesoup.models.base import LinearModel
 from stonesoup.types.state import State
 
 from radartrack._arrays.validation import RealArray
+from radartrack._filtering.extended import curvature_of
 from radartrack.stone_soup.model_geometry import Geometry
 
 
@@ -34,9 +35,8 @@ def moments(model: Any, mean: Any, covariance: Any) -> Moments:
 
     """
     jacobian, hessian = _derivatives(model, mean)
-    turned = hessian @ np.asarray(covariance, dtype=np.float64)
-    spread = np.einsum("aij,bji->ab", turned, turned) / 2
-    return Moments(np.trace(turned, axis1=1, axis2=2) / 2, jacobian, spread)
+    shift, spread = curvature_of(hessian[np.newaxis], np.asarray(covariance, dtype=np.float64)[..., np.newaxis])
+    return Moments(shift[:, 0], jacobian, spread[..., 0])
 
 
 def _derivatives(model: Any, mean: Any) -> tuple[RealArray, RealArray]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from radartrack._arrays.validation import number_between
 from radartrack.derive.checking.question.declared_world import having_models
 from radartrack.derive.language.model import Model
 from radartrack.testing.calling.argument_bindings import ANY_NAMES, declared
@@ -98,12 +100,15 @@ def assert_derived(
 
     Raises:
         AssertionError: it is something else, or less accurate; the message is the diagnosis.
-        CannotDiagnose, UnknownQuantity, ValueError: as `diagnose`.
+        CannotDiagnose, UnknownQuantity: as `diagnose`.
+        TypeError: ulp is no number.
+        ValueError: as `diagnose`; or ulp is less than 0.
     """
+    allowed = number_between("ulp", ulp, 0, math.inf)
     conventions = {"degrees": degrees, "variances": variances}
     found = diagnose(function, name, arguments=arguments, given=given, models=models, **conventions)
-    if not found.agrees or found.ulp is None or not found.ulp <= ulp:
-        limit = f"\n  {ulp:g} ulp are allowed" if found.agrees else ""
+    if not found.agrees or found.ulp is None or not found.ulp <= allowed:
+        limit = f"\n  {allowed:g} ulp are allowed" if found.agrees else ""
         raise AssertionError(f"{found}{limit}")
 
 

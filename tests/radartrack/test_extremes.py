@@ -90,6 +90,18 @@ def test_a_covariance_beyond_float32_is_refused_beside_data_in_float32_alone(
             filtered(ranges.astype(np.float32), times=single)
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("degree", range(4))
+@pytest.mark.parametrize("period", [1e-19, 1e-9, 10.0, 1e9, 1e19])
+def test_where_the_times_are_given_the_period_is_of_no_account(dtype: Any, degree: int, period: float) -> None:
+    """What even scans would have for a covariance is not asked then: in float32 it may be too large or too small."""
+    ranges, times = np.array([[1.0, 2.0, 3.0, 5.0, 4.0]], dtype), np.array([0.0, 10.0, 20.0, 25.0, 40.0], dtype)
+    f, other = FiniteSampleFilter(period, 20.0, None, degree), FiniteSampleFilter(7.0, 20.0, None, degree)
+    for filtered, expected in ((f.estimate, other.estimate), (f.run, other.run)):
+        for part, wanted in zip(filtered(ranges, times=times), expected(ranges, times=times), strict=True):
+            np.testing.assert_array_equal(part, wanted)
+
+
 @given(
     position=sizes, velocity=sizes, acceleration=sizes, period=scales, std=scales, rate=scales, turning=st.booleans()
 )

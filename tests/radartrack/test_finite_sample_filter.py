@@ -206,6 +206,21 @@ def test_a_kalman_filter_without_process_noise_continues_the_growing_sample(
     assert np.allclose(handed.covariance, grown.covariance[:, degree:], rtol=1e-7)
 
 
+@pytest.mark.parametrize("degree", range(4))
+@pytest.mark.parametrize("rate_std", [None, 15.0])
+def test_a_kalman_filter_that_is_handed_float32_gives_float32(degree: int, rate_std: float | None) -> None:
+    f = FiniteSampleFilter(10.0, 250.0, rate_std, degree)
+    ranges, rates = (part.astype(np.float32) for part in observations((4, 30)))
+    ranges[1, 5] = np.nan
+    single, double = (
+        f.kalman(degree + 1, 0.1).run(ranges.astype(kind), None if rate_std is None else rates.astype(kind))
+        for kind in (np.float32, np.float64)
+    )
+    assert {part.dtype for part in single} == {np.dtype(np.float32)}
+    for part, other in zip(single, double, strict=True):
+        np.testing.assert_array_equal(part, other.astype(np.float32))
+
+
 def test_process_noise_keeps_the_kalman_filter_awake() -> None:
     f = FiniteSampleFilter(10.0, 250.0, 15.0)
     ranges, rates = observations((30,))
@@ -253,6 +268,13 @@ def test_too_few_scans_are_refused_with_what_they_support(rate_std: float | None
     for call in (f.covariance, f.weights, f.kalman):
         with pytest.raises(ValueError, match=message):
             call(k)
+
+
+@pytest.mark.parametrize("call", [FiniteSampleFilter.estimate, FiniteSampleFilter.run])
+@pytest.mark.parametrize("given", [None, "1", [1.0, None], [True, 2.0], object()])
+def test_ranges_that_are_no_numbers_are_named(call: Any, given: Any) -> None:
+    with pytest.raises(TypeError, match="ranges must be real numbers"):
+        call(FiniteSampleFilter(10.0, 250.0), given)
 
 
 def test_bad_observations_are_refused() -> None:

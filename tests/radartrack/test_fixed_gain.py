@@ -106,6 +106,18 @@ def test_single_precision_stays_single_and_no_scans_are_natural() -> None:
     assert tracker.run(np.zeros((5, 0)), np.zeros(3)).shape == (5, 0, 3)
 
 
+@given(T=st.floats(-3, 3), std=st.floats(-6, 6), index=st.floats(-8.9, 2.9), fading=st.floats(1e-3, 0.9999))
+@share(0.2)
+def test_no_filter_of_the_domain_is_refused_for_its_covariance(
+    T: float, std: float, index: float, fading: float
+) -> None:
+    period, deviation, acceleration = (10.0**power for power in (T, std, index + std - 2 * T))
+    fixed_gain.alpha_beta(period, deviation, acceleration)
+    fixed_gain.alpha_beta_gamma(period, deviation, acceleration)
+    for degree in range(4):
+        fixed_gain.fading_memory(degree, fading, period, deviation)
+
+
 STEADY = fixed_gain.alpha_beta(2.0, 20.0, 1.0)
 
 
@@ -139,6 +151,12 @@ STEADY = fixed_gain.alpha_beta(2.0, 20.0, 1.0)
         (lambda: FixedGainFilter(-1.0, [0.5], [[1.0]]), ValueError, "period must be more than 0"),
         (lambda: FixedGainFilter(1.0, 0.5, [[1.0]]), ValueError, r"gain must have shape \(..., n\)"),
         (lambda: FixedGainFilter(1.0, [0.5, 0.1], [[1.0]]), ValueError, r"covariance must have shape \(..., 2, 2\)"),
+        (lambda: FixedGainFilter(1.0, [0.5], [[-1.0]]), ValueError, "covariance must be without a negative variance"),
+        (
+            lambda: FixedGainFilter(1.0, [0.5, 0.1], [[1.0, 0.0], [0.5, 1.0]]),
+            ValueError,
+            "covariance must be symmetric",
+        ),
     ],
 )
 def test_bad_arguments_are_named(call: Any, error: type[Exception], message: str) -> None:

@@ -1,5 +1,6 @@
 """Correlated tracks, covariance intersection and registration, beside dense algebra, searches and simulation."""
 
+import contextlib
 import math
 from typing import Any, cast
 
@@ -60,7 +61,8 @@ def test_the_intersection_holds_the_true_covariance_whatever_the_correlation(see
     turn, _ = np.linalg.qr(generator.standard_normal((size, size)))
     cross = np.linalg.cholesky(P[0]) @ turn @ np.linalg.cholesky(P[1]).T  # fully correlated, the worst there is
     gains = [w * got.covariance @ np.linalg.inv(P[0]), (1 - w) * got.covariance @ np.linalg.inv(P[1])]
-    assert np.allclose(got.mean, gains[0] @ mean[0] + gains[1] @ mean[1], rtol=1e-8, atol=1e-9)
+    rounding = 1e-9 + 1e-15 * np.linalg.cond(P).max()  # of the inverses here
+    assert np.allclose(got.mean, gains[0] @ mean[0] + gains[1] @ mean[1], rtol=1e-8, atol=rounding)
     mixed = gains[0] @ cross @ gains[1].T
     true = gains[0] @ P[0] @ gains[0].T + gains[1] @ P[1] @ gains[1].T + mixed + mixed.T
     excess = np.linalg.eigvalsh(got.covariance - true)
@@ -91,6 +93,49 @@ def test_intersections_along_axes_of_very_different_deviations_keep_their_digits
     deviations = np.sqrt([float(exact[k, k]) for k in range(4)])
     errors = (got - np.array(exact.tolist(), float)) / np.outer(deviations, deviations)
     assert np.abs(errors).max() <= 1e-5
+
+
+@pytest.mark.parametrize("size", [1, 3])
+@given(seed=SEEDS, decades=st.tuples(st.floats(-10, 10), st.floats(-10, 10)), w=st.sampled_from([0.0, 0.3, 1.0]))
+@share(0.3)
+def test_a_poor_estimate_takes_no_digits_from_a_good_one(
+    seed: int, decades: tuple[float, float], w: float, size: int
+) -> None:
+    """However far it is off: nothing is rounded to the digits of the poor one, be it the first or the second."""
+    P = covariances(seed, size, spread=0.3) + np.eye(size)
+    P *= 100.0 ** np.reshape(decades, (2, 1, 1))
+    generator = np.random.default_rng(seed)
+    deviations = np.sqrt(np.diagonal(P, axis1=1, axis2=2))
+    mean = generator.standard_normal(size) + deviations * generator.standard_normal((2, size))
+    roots = np.linalg.cholesky(P)
+    cross = 0.5 * roots[0] @ roots[1].T
+    got = [fusion.Fused(*fusion.covariance_intersection(mean, P, weight=w)[:2]), fusion.fuse_correlated(mean, P, cross)]
+    with mpmath.workdps(80):
+        inverse = [mpmath.inverse(mpmath.matrix(part.tolist())) for part in P]
+        joint = mpmath.inverse(mpmath.matrix(np.block([[P[0], cross], [cross.T, P[1]]]).tolist()))
+        both = mpmath.matrix(np.concatenate([np.eye(size)] * 2).tolist())
+        points = [mpmath.matrix(part.tolist()) for part in mean]
+        parts = [mpmath.mpf(weight) * part for weight, part in zip((w, 1 - w), inverse, strict=True)]
+        information = parts[0] + parts[1], both.T * joint * both
+        told = parts[0] * points[0] + parts[1] * points[1], both.T * joint * mpmath.matrix(mean.ravel().tolist())
+        for found, inverted, weighed in zip(got, information, told, strict=True):
+            expected = np.array(mpmath.lu_solve(inverted, weighed).tolist(), float)[:, 0]
+            error = np.abs(found.mean - expected) - 4e-16 * np.abs(expected)
+            assert (error <= 1e-9 * np.sqrt(np.diagonal(found.covariance))).all()
+
+
+@given(
+    decades=st.tuples(st.floats(-307, 200), st.floats(-307, 200)), criterion=st.sampled_from(["trace", "determinant"])
+)
+@share(0.3)
+def test_intersections_of_any_sizes_are_right_or_refused_as_too_unequal(
+    decades: tuple[float, float], criterion: Any
+) -> None:
+    variances = 10.0 ** np.array(decades)
+    unequal = abs(decades[0] - decades[1]) > 60
+    with pytest.raises(ValueError, match="not too unequal") if unequal else contextlib.nullcontext():
+        got = fusion.covariance_intersection([[1.0], [1.0]], variances.reshape(2, 1, 1), criterion)
+        np.testing.assert_allclose(got.covariance, variances.min(), rtol=1e-14)
 
 
 def test_intersections_of_a_batch_are_those_of_each_and_the_closed_form_of_the_plane() -> None:
@@ -218,6 +263,13 @@ def test_scans_that_were_seen_are_as_many_as_the_covariances() -> None:
         fusion.cross_covariances(moves, filtered, filtered._replace(seen=np.ones(3, dtype=bool)))
 
 
+def test_a_cross_covariance_that_overflows_is_refused() -> None:
+    moves = kalman.Motion(1e100 * np.eye(2), np.eye(2))
+    filtered = fusion.Filtered(np.tile(0.1 * np.eye(2), (5, 1, 1)), H, [[1.0]])
+    with pytest.raises(ValueError, match="cross covariance of the result must be finite"):
+        fusion.cross_covariances(moves, filtered, filtered)
+
+
 SITES = np.array([[0.0, 0.0], [60e3, 10e3], [20e3, 70e3]])
 BIAS = np.array([[120.0, 0.004], [-80.0, -0.003], [40.0, 0.002]])
 STD = np.array([[30.0, 0.002], [60.0, 0.003], [45.0, 0.001]])
@@ -285,6 +337,14 @@ GOOD = np.stack([np.eye(2), 2 * np.eye(2)])
         (
             lambda: fusion.covariance_intersection(np.zeros((2, 2)), [np.diag([1, 1e-14]), np.diag([1e-14, 1])]),
             "not too unequal",
+        ),
+        (
+            lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD * [[[1, 0], [0, 1]], [[0, 0], [0, 1]]]),
+            "definite",
+        ),
+        (
+            lambda: fusion.covariance_intersection(np.zeros((2, 2)), [np.diag([1, 1e-300]), np.diag([1e-300, 1])]),
+            "no variance may be more than 1e60 times the other",
         ),
         (lambda: fusion.covariance_intersection(np.zeros((2, 2)), GOOD, weight=1.5), "weight must be from 0 to 1"),
         (lambda: fusion.fuse_correlated(np.zeros((2, 2)), GOOD, 2 * np.eye(2)), "covariance with cross_covariance"),

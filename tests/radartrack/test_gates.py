@@ -63,6 +63,22 @@ def test_normalised_squares_are_those_of_dense_algebra(seed: int, size: int) -> 
     np.testing.assert_allclose(consistency.nis(mean - truth, P), expected, rtol=max(tolerance, 1e-12))
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@given(seed=st.integers(0, 10**6), size=st.integers(2, 6), scale=st.floats(-3, 3))
+@share(0.3)
+def test_a_covariance_that_is_singular_but_for_rounding_is_refused(
+    seed: int, size: int, scale: float, dtype: Any
+) -> None:
+    """Whatever rounding leaves of its last pivot: what it would give is an error squared over rounding."""
+    generator = np.random.default_rng(seed)
+    root = np.concatenate([np.eye(size - 1), generator.uniform(0.1, 1.0, (1, size - 1))])
+    deviations = 10.0 ** (scale * generator.uniform(-1, 1, size))
+    P = ((root @ root.T) * np.outer(deviations, deviations)).astype(dtype)
+    for few in (P, np.stack([np.diag(np.diagonal(P)), P])):
+        with pytest.raises(ValueError, match="covariance must be positive definite, by more than rounding"):
+            consistency.nis(np.ones(size, dtype), few)
+
+
 def test_the_nees_of_a_kalman_filter_lies_in_its_band() -> None:
     generator = np.random.default_rng(3)
     runs, moves, start = 2000, kalman.constant_velocity(2.0, 0.5), np.diag([100.0, 25.0])
@@ -90,6 +106,12 @@ def test_the_nees_of_a_kalman_filter_lies_in_its_band() -> None:
         (lambda: consistency.band([2, 3], [1, 2, 3]), "shapes must broadcast"),
         (lambda: consistency.nis([1.0, 2.0], np.diag([1.0, 0.0])), "covariance must be positive definite"),
         (lambda: consistency.nis([1.0, np.nan], np.eye(2)), "innovation must be finite"),
+        (lambda: consistency.nees([1e200, 1.0], np.eye(2), np.zeros(2)), "result must be finite; got inf"),
+        (lambda: consistency.nees([1.7e308, 0.0], np.eye(2), [-1.7e308, 0.0]), "result must be finite; got nan"),
+        (
+            lambda: consistency.nis(np.array([1e30, 1.0], np.float32), np.eye(2, dtype=np.float32)),
+            "square of the result must",
+        ),
         (lambda: consistency.nees([1.0, 2.0], np.eye(3), [0.0, 0.0]), "covariance must have shape"),
     ],
 )

@@ -205,6 +205,45 @@ def test_what_a_step_returns_the_next_step_takes(scale: float, prior: float, bel
     assert np.all(np.diagonal(belief.covariance) > 0)
 
 
+@pytest.mark.parametrize("double", ["mean", "covariance", "F", "Q", "measured", "H", "R", "", "receiver"])
+@pytest.mark.parametrize("call", ["predict", "update", "run", "update_with", "run_with"])
+def test_a_step_is_in_float32_where_all_that_is_given_is_and_else_as_in_float64(call: str, double: str) -> None:
+    """Also where only what was believed is in float32: nothing is rounded to seven digits beside float64."""
+    generator = np.random.default_rng(2)
+    arrays: dict[str, Any] = {"mean": generator.normal(size=(4, 6)) * 1e3, "covariance": np.diag([1e3] * 6)}
+    arrays |= {"F": np.eye(6) + np.eye(6, k=3) / 3, "Q": np.eye(6) / 7, "R": np.eye(1) / 3}
+    arrays |= {"measured": generator.normal(size=(4, 3, 1)), "H": generator.normal(size=(1, 6)), "receiver": np.ones(3)}
+    single = {name: array.astype(np.float32) for name, array in arrays.items()}
+    used = {
+        "predict": ["mean", "covariance", "F", "Q"],
+        "update": ["mean", "covariance", "measured", "H", "R"],
+        "run": ["mean", "covariance", "F", "Q", "measured", "H", "R"],
+        "update_with": ["mean", "covariance", "measured", "R", "receiver"],
+        "run_with": ["mean", "covariance", "F", "Q", "measured", "R", "receiver"],
+    }
+
+    def step(of: dict[str, Any]) -> Belief:
+        belief, motion, z = Belief(of["mean"], of["covariance"]), Motion(of["F"], of["Q"]), of["measured"]
+        return {
+            "predict": lambda: kalman.predict(belief, motion),
+            "update": lambda: kalman.update(belief, z[:, 0], of["H"], of["R"]),
+            "run": lambda: kalman.run(belief, motion, z, of["H"], of["R"]),
+            "update_with": lambda: kalman.update_with(
+                "range_difference", belief, z[:, 0], of["R"], receiver=of["receiver"]
+            ),
+            "run_with": lambda: kalman.run_with(
+                "range_difference", belief, motion, z, of["R"], receiver=of["receiver"]
+            ),
+        }[call]()
+
+    exact = {name: array.astype(np.float64) for name, array in single.items()}
+    got, expected = step(single | {name: exact[name] for name in [double] if name}), step(exact)
+    in_double = double in used[call]
+    assert {part.dtype for part in got} == {np.dtype(np.float64 if in_double else np.float32)}
+    for part, other in zip(got, expected, strict=True):
+        np.testing.assert_allclose(part, other, rtol=1e-12 if in_double else 1e-3, atol=1e-9 if in_double else 1.0)
+
+
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("call", ["predict", "update", "run"])
 def test_a_belief_that_is_none_is_refused(bad: float, call: str) -> None:

@@ -335,3 +335,12 @@ def test_intervals_need_the_consistent_method_and_a_confidence() -> None:
         line.measurement_std(t, x, x, "printed").interval()
     with pytest.raises(ValueError, match="confidence must be"):
         line.measurement_std(t, x, x).interval(1.0)
+
+
+@pytest.mark.parametrize("bad", [True, "0.5", None, [0.5, 0.9], np.array([1.0, 2.0, 3.0]), np.nan, np.inf, -1.0, 0])
+@pytest.mark.parametrize("name", ["confidence", "multiple"])
+def test_a_confidence_and_a_multiple_are_one_positive_number(name: str, bad: Any) -> None:
+    t, x = track(2.0, tracks=1, plots=20, sigma=5.0, seed=1)
+    found = line.measurement_std(t, x, x)
+    with pytest.raises((TypeError, ValueError), match=f"^{name} must be"):
+        found.bound(bad) if name == "multiple" else found.interval(bad)

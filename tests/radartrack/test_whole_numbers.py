@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from radartrack import FiniteSampleFilter, VarianceTable, consistency, kalman, line, simulate
+from radartrack import FiniteSampleFilter, VarianceTable, consistency, frames, kalman, line, simulate
 from radartrack._arrays.validation import whole_number
 from radartrack.finite_sample_experiment import compare, radial_radar
 from radartrack.simulate import Radar, Straight
@@ -29,6 +29,7 @@ WANTED: dict[str, Callable[[Any], Any]] = {
     "k of kalman": lambda given: FILTER.kalman(given).run(RANGES, RATES).state,
     "window": lambda given: FILTER.run(RANGES, RATES, window=given).state,
     "degree of a motion": lambda given: kalman.polynomial_motion(given, 1.0, 1.0).transition,
+    "components": lambda given: frames.enu(0.1, 0.2).jacobian(frames.ECEF, given),
     "scans": lambda given: measured(scans=given),
     "scans of times": RADAR.times,
     "trials": lambda given: measured(trials=given),

@@ -4,18 +4,21 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from radartrack import kalman
 from radartrack._arrays.linear_motions import MOTIONS
 from radartrack.generated import motion as formulas
 from radartrack.kalman import Belief
+from tests.examples import share
 
 VALUES = {"intensity": 0.3, "std": 0.7, "jump_std": 0.2, "time_constant": 20.0, "rate": -0.05}
 CASES = [(name, noise) for name, known in MOTIONS.items() for noise in known.noises]
 
 
 def parameters(name: str, noise: str) -> dict[str, Any]:
-    return {given: VALUES[given] for given in (*MOTIONS[name].given, noise)}
+    return {word: VALUES[word] for word in (*MOTIONS[name].given, noise)}
 
 
 @pytest.mark.parametrize(("name", "noise"), CASES)
@@ -59,7 +62,7 @@ def test_the_time_constant_is_one_over_alpha() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "given", "said"),
+    ("name", "words", "said"),
     [
         ("constant_speed", {"intensity": 1.0}, "name must be one of .*constant_velocity"),
         ("constant_velocity", {}, "intensity or std or jump_std; got none"),
@@ -73,9 +76,25 @@ def test_the_time_constant_is_one_over_alpha() -> None:
         ("turn.known_rate", {"std": 1.0, "rate": np.nan}, "rate must be finite"),
     ],
 )
-def test_what_is_no_motion_is_refused_by_name(name: str, given: dict[str, Any], said: str) -> None:
+def test_what_is_no_motion_is_refused_by_name(name: str, words: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
-        kalman.motion(name, 2.0, **given)
+        kalman.motion(name, 2.0, **words)
+
+
+@pytest.mark.parametrize(("name", "noise"), CASES)
+@given(period=st.floats(-250, 250), given_power=st.floats(-307, 300), noise_power=st.floats(-100, 100))
+@share(0.2)
+def test_matrices_of_any_size_are_finite_or_refused(
+    name: str, noise: str, period: float, given_power: float, noise_power: float
+) -> None:
+    words = dict.fromkeys(MOTIONS[name].given, 10.0**given_power) | {noise: 10.0**noise_power}
+    try:
+        moves = kalman.motion(name, 10.0**period, **words)
+    except ValueError as error:
+        assert str(error).startswith(("the transition over", "the process noise of"))  # noqa: PT017 - most are fine
+    else:
+        assert np.isfinite(moves.transition).all()
+        assert np.isfinite(moves.process_noise).all()
 
 
 @pytest.mark.parametrize("period", [0.0, -1.0, np.nan])

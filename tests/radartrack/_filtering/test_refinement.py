@@ -106,6 +106,27 @@ def test_measurements_missing_in_some_tracks_leave_the_others_bits(order: int) -
         np.testing.assert_array_equal(got.covariance[number], alone.covariance)
 
 
+@pytest.mark.parametrize("sensor", ["polar", "spherical", "polar_doppler", "spherical_doppler", "bistatic", "ruv"])
+@given(power=st.floats(1, 6), better=st.floats(0, 8), seed=st.integers(0, 10**6), sight=st.booleans())
+@share(0.3)
+def test_what_is_known_to_lie_on_a_line_is_updated_however_far_along_it(
+    sensor: str, power: float, better: float, seed: int, *, sight: bool
+) -> None:
+    """All of what curvature adds is one error then, and far more than the noise: that is no fault of the noise.
+
+    Along the line of sight curvature adds nothing to the angles, and rounding takes nothing from them.
+    """
+    belief, measured, noise = scene(sensor, seed)
+    along = np.random.default_rng(seed).standard_normal(belief.mean.shape) * np.sqrt(np.diagonal(belief.covariance))
+    if sight:
+        along = belief.mean / 10.0**power
+    spread = 10.0 ** (2 * power) * np.outer(along, along)
+    got = update(sensor, Belief(belief.mean, spread), measured, noise / 10.0 ** (2 * better), 2)
+    deviations = np.sqrt(np.diagonal(spread))
+    assert (np.linalg.eigvalsh(got.covariance / np.outer(deviations, deviations)) >= -1e-14).all()
+    assert (np.diagonal(got.covariance) <= np.diagonal(spread) * (1 + 1e-12)).all()
+
+
 @pytest.mark.parametrize("order", [1, 2])
 def test_a_noise_that_is_none_is_refused_in_whatever_track(order: int) -> None:
     belief, measured, noise = scene("polar", 4, (5,))

@@ -10,9 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack import convert, frames, observe
+from radartrack import convert, frames, kalman, observe
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
+from radartrack.testing import strategies
 from tests.examples import share
 
 SITE: dict[str, Any] = {"latitude": 0.81, "longitude": -2.1, "height": 1234.5}
@@ -143,6 +144,49 @@ def test_a_site_for_each_point_and_all_sites_for_each():
     np.testing.assert_allclose(moved.mean[2, 1], one.mean, rtol=1e-14)
     np.testing.assert_allclose(moved.covariance[1], one.covariance, rtol=1e-10, atol=1e-10)
     assert sites.from_ecef(np.zeros((0, 3, 3))).shape == (0, 3, 3)
+
+
+@pytest.mark.parametrize("size", [3, 6, 9])
+@pytest.mark.parametrize("leading", [(), (1,), (4,), (2, 1)])
+def test_frames_that_differ_in_their_velocities_alone_are_a_frame_each(size: int, leading: tuple[int, ...]):
+    velocities = np.random.default_rng(3).normal(scale=9.0, size=(4, 3))
+    mean = np.random.default_rng(4).normal(scale=1e3, size=(*leading, size))
+    sites, other = frames.antenna(**SITE, **ATTITUDE, velocity=velocities), frames.enu(0.83, -2.05, 80.0)
+    for moved, there in ((sites.to(other, mean), False), (other.to(sites, mean), True)):
+        assert moved.shape == (*np.broadcast_shapes(leading, (4,)), size)
+        for number, own in enumerate(np.broadcast_to(mean, moved.shape)[..., k, :] for k in range(4)):
+            site = frames.antenna(**SITE, **ATTITUDE, velocity=velocities[number])
+            alone = other.to(site, own) if there else site.to(other, own)
+            np.testing.assert_allclose(moved[..., number, :], alone, rtol=1e-13, atol=1e-9)
+
+
+@given(latitude=TILTS, azimuth=ANGLES, tilt=TILTS, seed=st.integers(0, 10**6), rank=st.integers(0, 6))
+@share(0.5)
+def test_what_a_frame_returns_of_a_covariance_of_any_rank_is_taken_by_what_comes_next(
+    latitude: float, azimuth: float, tilt: float, seed: int, rank: int
+):
+    """Such as of a target in the plane, whose height is known: turned away and back, no variance may be negative."""
+    root = np.random.default_rng(seed).standard_normal((2, 6, 6))
+    root[0], root[1, :, rank:] = np.diag(np.arange(6) < rank), 0
+    here, there = frames.enu(**SITE), frames.antenna(latitude, 1.0, azimuth=azimuth, tilt=tilt)
+    moves = kalman.Motion(np.eye(6), np.zeros((6, 6)))
+    belief = Belief(np.zeros((2, 6)), 1e6 * root @ np.swapaxes(root, -1, -2))
+    for _ in range(2):
+        belief = kalman.predict(there.to(here, *here.to(there, *belief)), moves)
+    np.testing.assert_allclose(belief.covariance, 1e6 * root @ np.swapaxes(root, -1, -2), atol=1e-7)
+    point = here.to_ecef(np.zeros((2, 3)), belief.covariance[:, :3, :3])
+    back = frames.ecef_from_geodetic(*frames.geodetic_from_ecef(*point))
+    np.testing.assert_allclose(back.covariance, point.covariance, atol=1e-6)
+
+
+@given(believed=strategies.covariances(6), azimuth=ANGLES)
+@share(0.3)
+def test_covariances_on_any_scales_are_turned_to_covariances(believed: np.ndarray, azimuth: float):
+    moved = frames.enu(**SITE).to(frames.antenna(**SITE, azimuth=azimuth, tilt=0.1), np.zeros(6), 1e100 * believed)
+    for block in (slice(0, 3), slice(3, 6)):
+        trace = np.trace(believed[block, block])
+        np.testing.assert_allclose(np.trace(moved.covariance[block, block]), 1e100 * trace, rtol=1e-12)
+    assert (np.diagonal(moved.covariance) >= 0).all()
 
 
 def test_float32_stays_float32():

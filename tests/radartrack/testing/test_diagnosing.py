@@ -441,6 +441,12 @@ def test_a_function_of_a_shared_library_is_diagnosed() -> None:
     assert_derived(own.hypot_of_c(), "observe.polar.map[0]", ulp=2)
 
 
+@pytest.mark.parametrize("ulp", ["2", None, True, [2.0], math.nan, -1.0])
+def test_an_allowance_that_is_none_is_refused_before_any_call(ulp: Any) -> None:
+    with pytest.raises((TypeError, ValueError), match="ulp must be"):
+        assert_derived(lambda r, beta: [r / 0, beta], "polar.map", ulp=ulp)
+
+
 def test_a_textbook_form_is_right_and_said_to_lose_its_digits_by_which_subtraction() -> None:
     found = diagnose(own.printed_unbiased, "polar.unbiased.covariance")
     assert found.agrees
