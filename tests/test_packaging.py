@@ -36,6 +36,7 @@ OPTIONAL = (
     "dask",
     "distributed",
     "flint",
+    "llvmlite",
     "matplotlib",
     "narwhals",
     "numba",

@@ -71,6 +71,7 @@ served()
 SCENES = {"late thread": LATE_THREAD, "at exit": AT_EXIT, "no threads": FEW_THREADS}
 if hasattr(os, "fork"):
     SCENES |= {"fork": FORKED, "multiprocessing": MULTIPROCESSING}
+if hasattr(os, "fork") and sys.version_info < (3, 12):  # where Python itself refuses it
     SCENES["fork in a late thread"] = LATE_THREAD.replace(
         "    served()", "    served()\n" + "\n".join(f"    {line}" for line in FORKED.strip().splitlines())
     )

@@ -1,6 +1,7 @@
 """`radartrack reproduce`: what it writes, and what it says without matplotlib."""
 
 import csv
+import importlib
 import importlib.util
 from collections.abc import Iterator
 from html.parser import HTMLParser
@@ -13,13 +14,14 @@ from typer.testing import CliRunner, Result
 from radartrack._system import written_files
 from radartrack.cli import app
 from radartrack.commands import audit, reproduce
-from radartrack.reproduction import papers
 from radartrack.reproduction.results import Reproduction
+
+pytest.importorskip("matplotlib")
+papers: Any = importlib.import_module("radartrack.reproduction.papers")
 
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Result, Path]]:
-    pytest.importorskip("matplotlib")
     out = tmp_path_factory.mktemp("reproduction")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(audit, "decided", lambda papers, *_, **__: ([_verdicts(paper) for paper in papers], []))
@@ -126,7 +128,6 @@ def test_the_same_directory_takes_another_run_and_keeps_what_is_not_in_the_way(
 
 
 def test_an_unknown_paper_and_a_file_in_the_way_are_refused(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
     assert CliRunner().invoke(app, ["reproduce", "nobody"]).exit_code == 2
     (tmp_path / "file").touch()
     result = CliRunner().invoke(app, ["reproduce", "gao", "--out", str(tmp_path / "file")])
