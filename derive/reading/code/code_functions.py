@@ -8,9 +8,12 @@ from typing import TypeAlias
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS, VERBS
-from radartrack.derive.formula.tree import Array, Number, children
+from radartrack.derive.formula.tree import Array, Number, Tree, children
 from radartrack.derive.formula.unknown_names import unknown_function
-from radartrack.derive.reading.code.workspace import Value, Workspace
+from radartrack.derive.formula.written_out import ZERO, product_of
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.code.array_entries import joined
+from radartrack.derive.reading.code.workspace import MAX_ROWS, Value, Workspace
 
 Maker: TypeAlias = Callable[[Workspace, Sequence[Value], Span], Value]
 
@@ -196,6 +199,41 @@ def _diagonal(space: Workspace, arguments: Sequence[Value], span: Span) -> Value
     return space.call("diag", arguments, span)
 
 
+def _blocks(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """Matrices along the diagonal."""
+    matrices = [space.opened(one, span) for one in arguments]
+    if any(len(one.shape) != len(("rows", "columns")) for one in matrices):
+        raise FormulaError("blocks along a diagonal are matrices", span=span)
+    blocks = [
+        [one if one is other else Tensor.build((one.shape[0], other.shape[1]), lambda *_: ZERO) for other in matrices]
+        for one in matrices
+    ]
+    return of_blocks(space, blocks, arguments, span)
+
+
+def of_blocks(space: Workspace, blocks: Sequence[Sequence[Tensor[Tree]]], parts: Sequence[Value], span: Span) -> Value:
+    """The matrix that rows of blocks make.
+
+    Raises:
+        FormulaError: where they do not fit.
+    """
+    found = joined(blocks)
+    if found is None or max(found.shape) > MAX_ROWS:
+        raise FormulaError(f"these blocks make no matrix of at most {MAX_ROWS} rows and columns", span=span)
+    return space.of_entries(found, parts)
+
+
+def _kronecker(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """A matrix with the second one, times its entry, for each entry of the first."""
+    first, second = (space.opened(one, span) for one in arguments)
+    if not len(first.shape) == len(second.shape) == len(("rows", "columns")):
+        raise FormulaError("kron takes two matrices", span=span)
+    blocks = [
+        [second.map(lambda entry, by=one: product_of((by, entry))) for one in row.entries] for row in first.parts()
+    ]
+    return of_blocks(space, blocks, arguments, span)
+
+
 def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     sizes = [part for one in arguments for part in (children(one.tree) if isinstance(one.tree, Array) else [one.tree])]
     if not all(isinstance(size, Number) and size.text.isdigit() and len(size.text) < 4 for size in sizes):
@@ -214,8 +252,10 @@ _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
         **dict.fromkeys(("radians", "deg2rad"), (1, 1, _radians)),
         **dict.fromkeys(("degrees", "rad2deg"), (1, 1, _degrees)),
         **dict.fromkeys(("dot", "matmul", "mtimes"), (2, 2, _product)),
-        **dict.fromkeys(("eye", "identity"), (1, 2, _unit)),
-        **dict.fromkeys(("zeros", "zeros_like"), (1, 2, _zeros)),
+        **dict.fromkeys(("eye", "identity", "Identity"), (1, 2, _unit)),
+        **dict.fromkeys(("block_diag", "blkdiag"), (1, 12, _blocks)),
+        "kron": (2, 2, _kronecker),
+        **dict.fromkeys(("zeros", "zeros_like", "Zero"), (1, 2, _zeros)),
         **{f"{name}d": (1, 1, _of_degrees(name)) for name in ("sin", "cos", "tan", "sec", "csc", "cot")},
         **{f"{name}d": (1, 1, _in_degrees(name)) for name in ("asin", "acos", "atan")},
         "atan2d": (2, 2, _in_degrees("atan2")),

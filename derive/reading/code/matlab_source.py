@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
-from radartrack.derive.formula.tree import Place
-from radartrack.derive.reading.code.code_functions import SEVERAL, applied, changed_coordinates, is_function
+from radartrack.derive.formula.tree import Place, Tree
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.code.code_functions import SEVERAL, applied, changed_coordinates, is_function, of_blocks
 from radartrack.derive.reading.code.syntax_trees import Chain, field, first_error, named, parsed, text_of
 from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
 
@@ -217,14 +218,22 @@ class _MatlabReader:
         return [("+" if "+" in signs else "*", self.value(node), self._span(node)), *reversed(found)]
 
     def _matrix(self, node: Node, span: Span) -> Value:
-        """Rows; one row, and one column, are a vector."""
+        """Rows; one row, and one column, are a vector; of arrays, the matrix that they make side by side."""
         rows = [[self.value(entry) for entry in named(row)] for row in named(node)]
+        parts = [entry for row in rows for entry in row]
+        if any(entry.shape for entry in parts):
+            return of_blocks(self._space, [[self._block_of(entry, span) for entry in row] for row in rows], parts, span)
         if len(rows) == 1:
             return replace(self._space.array(rows[0], span), is_row=True)
         if all(len(row) == 1 for row in rows):
             return self._space.array([row[0] for row in rows], span)
         made = [self._space.array(row, self._span(one)) for row, one in zip(rows, named(node), strict=True)]
         return self._space.array(made, span)
+
+    def _block_of(self, value: Value, span: Span) -> Tensor[Tree]:
+        """The entries of a part of a matrix; a vector that lies is a row."""
+        entries = self._space.opened(value, span)
+        return Tensor((1, *entries.shape), entries.entries) if value.is_row else entries
 
     def _transposed(self, value: Value, span: Span) -> Value:
         """A transpose; a vector lies then where it stood, which makes a difference inside a product only."""

@@ -232,21 +232,20 @@ class _PythonReader:
         while isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div | ast.MatMult):
             chain.append((node.op, node.right))
             node = node.left
-        factors, of_entries = [self.value(node)], False
+        factors = [self.value(node)]
         for operator, right in reversed(chain):
             value = self.value(right)
             here = (span[0], self._span(right)[1])
             if isinstance(operator, ast.Div):
-                above = self._joined(factors, here, of_entries=of_entries)
-                factors, of_entries = [self._space.quotient(above, value, here)], False
+                factors = [self._space.quotient(self._joined(factors, here), value, here)]
+            elif isinstance(operator, ast.Mult) and self._space.both_arrays(factors, value):
+                factors = [self._space.product([self._joined(factors, here), value], here, of_entries=True)]
             else:
-                both = bool(value.shape) and any(factor.shape for factor in factors)
-                of_entries |= isinstance(operator, ast.Mult) and both
                 factors.append(value)
-        return self._joined(factors, span, of_entries=of_entries)
+        return self._joined(factors, span)
 
-    def _joined(self, factors: Sequence[Value], span: Span, *, of_entries: bool) -> Value:
-        return factors[0] if len(factors) == 1 else self._space.product(factors, span, of_entries=of_entries)
+    def _joined(self, factors: Sequence[Value], span: Span) -> Value:
+        return factors[0] if len(factors) == 1 else self._space.product(factors, span)
 
     def _attribute(self, node: ast.Attribute, span: Span) -> Value:
         if node.attr == "T":

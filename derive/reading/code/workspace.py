@@ -11,6 +11,7 @@ from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.latex_names import candidates
 from radartrack.derive.formula.limits import MAX_DEPTH, MAX_NODES, check_number
 from radartrack.derive.formula.shape import Shape, shape_of_node
+from radartrack.derive.formula.shape import shape as shape_of
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -25,9 +26,11 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
-    children,
 )
 from radartrack.derive.formula.unknown_names import unknown_name
+from radartrack.derive.formula.written_out import array_of
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.code.array_entries import changed, entries_of, entry_of
 from radartrack.derive.reading.joined_equations import results
 
 LONGEST_CONDITION = 200  # characters
@@ -174,11 +177,8 @@ class Workspace:
 
     def _part(self, array: Value, places: tuple[int, ...], span: Span) -> Value:
         """One entry of an array that is written out."""
-        self.made(Entries(array.tree, places, span=span), [array])  # refuses one that is not there
-        part, found = array.tree, array.shape
-        for place in places:
-            part = children(part)[place]
-        return Value(part, None if found is None else found[len(places) :], size=array.size)
+        there = self.made(Entries(array.tree, places, span=span), [array])  # refuses one that is not there
+        return replace(there, tree=entry_of(array.tree, places, span), size=array.size)
 
     def _from_zero(self, place: Place, span: Span) -> Place:
         if isinstance(place, int):
@@ -199,10 +199,8 @@ class Workspace:
 
     def product(self, factors: Sequence[Value], span: Span, *, of_entries: bool = False) -> Value:
         """Two or more factors; of arrays the matrix product, unless the language takes entry by entry."""
-        if of_entries and sum(bool(factor.shape) for factor in factors) > 1:
-            raise FormulaError(
-                f"* of two arrays multiplies entry by entry in {self.language}: write the entries out", span=span
-            )
+        if of_entries:
+            return self._entrywise(factors, span)
         first = factors[0]
         if isinstance(first.tree, Negation):  # -a*b is printed as -(a*b)
             positive = replace(first, tree=first.tree.operand)
@@ -245,9 +243,66 @@ class Workspace:
 
     def power(self, base: Value, exponent: Value, span: Span, *, of_entries: bool = False) -> Value:
         """A power; of a matrix the product of it with itself, unless the language takes entry by entry."""
-        if of_entries and base.shape:
-            raise FormulaError(f"a power of an array is taken entry by entry in {self.language}", span=span)
+        if of_entries and self.sized(base).shape:
+            entries = self.opened(base, span).map(lambda entry: Power(entry, exponent.tree, span=span))
+            self.made(Power(entries.entries[0], exponent.tree, span=span), [replace(base, shape=()), exponent])
+            return self.of_entries(entries, [base, exponent], is_row=base.is_row)
         return self.made(Power(base.tree, exponent.tree, span=span), [base, exponent])
+
+    def _entrywise(self, factors: Sequence[Value], span: Span) -> Value:
+        """The product of arrays of one shape, entry by entry; numbers among them are factors of all."""
+        factors = [self.sized(factor) for factor in factors]
+        arrays = [factor for factor in factors if factor.shape]
+        if len({(one.shape, one.is_row) for one in arrays}) > 1:
+            raise FormulaError(
+                f"* of arrays multiplies entry by entry in {self.language}, and these are of different shapes",
+                span=span,
+            )
+        columns = [self.opened(one, span) if one.shape else None for one in factors]
+        entries = Tensor.build(
+            arrays[0].shape or (),
+            lambda *at: Product(
+                tuple(one.tree if its is None else its[at] for one, its in zip(factors, columns, strict=True)),
+                span=span,
+            ),
+        )
+        return self.of_entries(entries, factors, is_row=arrays[0].is_row)
+
+    def opened(self, array: Value, span: Span) -> Tensor[Tree]:
+        """The entries of an array, or the number that it is.
+
+        Raises:
+            FormulaError: for an array whose shape is not known.
+        """
+        array = self.sized(array)
+        if array.shape is None:
+            raise FormulaError("the shape of this array is not known: write its entries out", span=span)
+        return entries_of(array.tree, array.shape, span)
+
+    def both_arrays(self, factors: Sequence[Value], factor: Value) -> bool:
+        """Whether one of the factors, and the one that follows them, are arrays."""
+        return bool(self.sized(factor).shape) and any(self.sized(one).shape for one in factors)
+
+    def sized(self, value: Value) -> Value:
+        """A value with the shape that it has if all names of unknown shape are numbers, where that is an array."""
+        if value.shape is not None:
+            return value
+        try:
+            return replace(value, shape=shape_of(value.tree, self.shapes) or None)
+        except FormulaError:
+            return value
+
+    def of_entries(self, entries: Tensor[Tree], parts: Sequence[Value], *, is_row: bool = False) -> Value:
+        """An array of entries, which each may hold all of the parts.
+
+        Raises:
+            FormulaError: for one that is too large.
+        """
+        nodes = len(entries.entries) * (1 + sum(part.size[0] for part in parts))
+        if nodes > MAX_NODES:
+            raise FormulaError(f"the formula has more than {MAX_NODES} parts")
+        depth = len(entries.shape) + 1 + max(part.size[1] for part in parts)
+        return Value(array_of(entries), entries.shape, size=(nodes, depth), is_row=is_row)
 
     def array(self, entries: Sequence[Value], span: Span) -> Value:
         """A vector, or a matrix of rows.
@@ -271,26 +326,35 @@ class Workspace:
         self._last = value
 
     def assign_entry(self, name: str, places: Sequence[Place], value: Value, span: Span) -> None:
-        """Give an entry of an array a value.
+        """Give an entry of an array a value, or a slice of one that has values.
 
         Raises:
-            FormulaError: for slices, and entries that the array does not have.
+            FormulaError: for entries that the array does not have, and a value of another shape than the slice.
         """
-        if not all(isinstance(place, int) for place in places):
-            raise FormulaError("entries are set one by one", span=span)
-        shifted = _numbers(tuple(self._from_zero(place, span) for place in places))
+        shifted = tuple(self._from_zero(place, span) for place in places)
         if name in self._values:
-            array = self._values[name]
-            self._part(array, shifted, span)
-            tree = _with_entry(array.tree, shifted, value.tree)
-            nodes = array.size[0] + value.size[0]
-            if nodes > MAX_NODES:
-                raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=span)
-            size = nodes, max(array.size[1], len(places) + value.size[1])
-            self._values[name] = self._last = Value(tree, array.shape, size=size)
+            self._values[name] = self._last = self._with_entries(self._values[name], shifted, value, span)
             return
+        if not all(isinstance(place, int) for place in places):
+            raise FormulaError(f"entries of {name}, whose size is not known, are set one by one", span=span)
         self._entries.setdefault(name, {})[_numbers(tuple(places))] = value
         self._last = name
+
+    def _with_entries(self, array: Value, places: tuple[Place, ...], value: Value, span: Span) -> Value:
+        """An array in which what is at these places has another value; a number is that of all of them."""
+        target = self.made(Entries(array.tree, places, span=span), [array])  # refuses what is not there
+        value = self.sized(value) if target.shape else value
+        if value.shape is None and target.shape:
+            raise FormulaError("the shape of what is set here is not known: set the entries one by one", span=span)
+        if value.shape and value.shape != target.shape:
+            raise FormulaError("what is set here is of another shape than its place", span=span)
+        new = self.opened(value, span) if value.shape else value.tree
+        entries = changed(self.opened(array, span), places, new)
+        nodes = array.size[0] + len(entries.entries) * value.size[0]
+        if nodes > MAX_NODES:
+            raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=span)
+        size = nodes, max(array.size[1], len(entries.shape) + value.size[1])
+        return Value(array_of(entries), array.shape, size=size, is_row=array.is_row)
 
     def declare(self, name: str, shape: Shape) -> None:
         """An array of this shape, zero until it is set.
@@ -373,11 +437,3 @@ def _whole_number(tree: Tree) -> int | None:
                 product *= value
             return product
     return None
-
-
-def _with_entry(tree: Tree, places: tuple[int, ...], new: Tree) -> Tree:
-    if not places or not isinstance(tree, Array):
-        return new
-    entries = list(tree.entries)
-    entries[places[0]] = _with_entry(entries[places[0]], places[1:], new)
-    return Array(tuple(entries), span=tree.span)

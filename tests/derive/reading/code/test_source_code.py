@@ -12,6 +12,7 @@ from radartrack.derive.reading import LANGUAGES, FormulaError, read_code, to_exp
 from radartrack.derive.symbolic import Rational
 from tests.effort import at_most
 
+BLOCKS = "[[1, dt, 0, 0], [0, 1, 0, 0], [0, 0, 1, dt], [0, 0, 0, 1]]"
 VALUES = {"x": Fraction(7, 3), "y": Fraction(-2, 5), "r": Fraction(11, 4)}
 
 
@@ -94,8 +95,12 @@ def test_reading(language: str, code: str, text: str):
         ("matlab", "x = 2;\nif x > 1\n y = 1;\nend", "formulas have no cases"),
         ("python", "for i in x: y = i", "loops are not read"),
         ("c", "for (;;) x = 1;", "loops are not read"),
-        ("python", "np.array([x, y])*np.array([x, y])", "* of two arrays multiplies entry by entry in Python"),
-        ("matlab", "[1 2; 3 4].^2", "a power of an array is taken entry by entry in MATLAB"),
+        ("python", "np.array([x, y])*np.eye(2)", "* of arrays multiplies entry by entry in Python, and these are of"),
+        ("matlab", "[x; y].*[x y]", "* of arrays multiplies entry by entry in MATLAB, and these are of"),
+        ("matlab", "F = eye(2); F(1, :) = [1 2 3];", "what is set here is of another shape than its place"),
+        ("python", "F = np.eye(2)\nF[2, 0] = x", "the entry 2 is beyond an array of shape (2, 2)"),
+        ("python", "F = A @ B\nF[0, 0] = x", "the shape of this array is not known"),
+        ("matlab", "[eye(2) zeros(3)]", "these blocks make no matrix of at most 12 rows and columns"),
         ("c", "int n = x;", "n is int, which drops the fraction"),
         ("c", "double f(double x, int n) { return x*(1/n); }", "whole numbers divide without remainder in C"),
         ("c", "x = 010", "010 is no decimal number"),
@@ -114,6 +119,42 @@ def test_reading(language: str, code: str, text: str):
 )
 def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str, message: str):
     assert refusal(code, language).message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "text"),
+    [
+        ("python", "F = np.eye(2)\nF[0, 1] = dt", "[[1, dt], [0, 1]]"),
+        ("matlab", "F = eye(2); F(1, 2) = dt;", "[[1, dt], [0, 1]]"),
+        ("cpp", "Matrix2d F = MatrixXd::Identity(2, 2); F(0, 1) = dt;", "[[1, dt], [0, 1]]"),
+        ("python", "A = np.outer([x, y], [x, y])\nA[1, 1] = r", "[[x*x, x*y], [y*x, r]]"),
+        ("python", "A = np.array([2*np.array([x, y]), np.array([x, y])])\nA[0, 1]", "(2*[x, y])[1]"),
+        ("python", "A = np.array([2*np.array([x, y]), np.array([x, y])])\nA[0, 1] = r", "[[2*x, r], [x, y]]"),
+        ("python", "F = np.eye(3)\nF[:2, 1:] = x*np.eye(2)", "[[1, x, 0], [0, 0, x], [0, 0, 1]]"),
+        ("matlab", "F = eye(3); F(1:2, 2:3) = x*eye(2);", "[[1, x, 0], [0, 0, x], [0, 0, 1]]"),
+        ("python", "F = np.zeros((2, 2))\nF[0] = 1\nF[:, 1] = [x, y]", "[[1, x], [0, y]]"),
+        ("python", "np.array([x, y])*np.array([x, y])*2", "[x*x, y*y]*2"),
+        ("python", "r*np.array([x, y])*np.array([x, y])", "[(r*x)*x, (r*y)*y]"),
+        ("python", "(r*np.array([x, y]))**2", "[(r*x)**2, (r*y)**2]"),
+        ("python", "np.diag([x, y])**2", "[[x**2, 0**2], [0**2, y**2]]"),
+        (
+            "python",
+            "A = np.array([[x, y], [y, x]])\nA @ A * A",
+            "[[(x*x + y*y)*x, (x*y + y*x)*y], [(y*x + x*y)*y, (y*y + x*x)*x]]",
+        ),
+        ("matlab", "[1 2; 3 4].^2", "[[1**2, 2**2], [3**2, 4**2]]"),
+        ("matlab", "diag([x y].^2)", "diag([x**2, y**2])"),
+        ("matlab", "[x y].*[x y]", "[x*x, y*y]"),
+        ("matlab", "F = [1 dt; 0 1]; [F zeros(2); zeros(2) F]", BLOCKS),
+        ("matlab", "F = [1 dt; 0 1]; blkdiag(F, F)", BLOCKS),
+        ("matlab", "kron(eye(2), [1 dt; 0 1])", BLOCKS),
+        ("python", "F = np.array([[1, dt], [0, 1]])\nblock_diag(F, F)", BLOCKS),
+        ("python", "np.kron(np.eye(2), [[1, dt], [0, 1]])", BLOCKS),
+    ],
+    ids=str,
+)
+def test_arrays_are_set_and_computed_entry_by_entry(language: str, code: str, text: str):
+    assert echo(code, language) == text
 
 
 @pytest.mark.parametrize(
