@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -23,6 +23,7 @@ _ENTRYWISE = frozenset({".*"})
 _PRODUCTS = frozenset({"*", ".*", "/", "./"})
 _SKIPPED = frozenset({"comment", ";", ",", "\n", "line_continuation", "clear_statement"})
 _COMMANDS = frozenset({"clc", "clear", "close", "clearvars", "format", "hold", "more", "warning"})  # of no effect here
+_BRANCHED = (["block"], ["block", "else_clause"])
 _UNREAD = {
     "if_statement": "formulas have no cases: give the lines of the branch that is meant",
     "switch_statement": "formulas have no cases: give the lines of the branch that is meant",
@@ -83,7 +84,7 @@ class _MatlabReader:
 
     def _block(self, statements: Sequence[Node]) -> Value | None:
         last: Value | None = None
-        for node in statements:
+        for node in self._taken(statements):
             if node.type in _SKIPPED | {"function_definition"} or self._is_idle(node):
                 continue
             if node.type == "assignment":
@@ -94,6 +95,20 @@ class _MatlabReader:
             else:
                 last = self.value(node)
         return last
+
+    def _taken(self, statements: Sequence[Node]) -> Iterator[Node]:
+        """The statements, with those of a branch for it where the other one only keeps from dividing by zero."""
+        for node in statements:
+            blocks = [part for part in named(node) if part.type in {"block", "else_clause", "elseif_clause"}]
+            is_first = None
+            if node.type == "if_statement" and [part.type for part in blocks][:3] in _BRANCHED:
+                both = text_of(blocks[0]), text_of(blocks[1]) if len(blocks) > 1 else ""
+                is_first = self._space.branch(text_of(field(node, "condition")).strip(), both, self._span(node))
+            if is_first is None:
+                yield node
+            elif is_first or len(blocks) > 1:
+                chosen = blocks[0] if is_first else next(part for part in named(blocks[1]) if part.type == "block")
+                yield from self._taken(chosen.children)
 
     def _is_idle(self, node: Node) -> bool:
         return node.type == "command" and text_of(node).split()[0] in _COMMANDS

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import textwrap
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
@@ -126,7 +126,7 @@ class _PythonReader:
     def block(self, body: Sequence[ast.stmt]) -> Value:
         """What the statements compute."""
         last: Value | None = None
-        for node in body:
+        for node in self._taken(body):
             match node:
                 case ast.Return(value) if value is not None:
                     return self.value(value)
@@ -144,22 +144,52 @@ class _PythonReader:
                     changed = ast.copy_location(ast.BinOp(target, operator, value), node)
                     self._assign([target], changed)
                     last = None
-                case ast.If(test, _, []) if self._space.skip_guard(ast.unparse(test), self._span(node)):
-                    continue
                 case _ if not isinstance(node, _SKIPPED):
                     raise FormulaError(self._unread(node), span=self._span(node))
         return self._space.result(last)
 
+    def _taken(self, body: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
+        """The statements, with those of a branch for it where the other one only keeps from dividing by zero."""
+        for node in body:
+            is_first = self._branch(node) if isinstance(node, ast.If) else None
+            if not isinstance(node, ast.If) or is_first is None:
+                yield node
+            else:
+                yield from self._taken(node.body if is_first else node.orelse)
+
+    def _branch(self, node: ast.If | ast.IfExp) -> bool | None:
+        both = [part if isinstance(part, list) else [part] for part in (node.body, node.orelse)]
+        first, other = ("\n".join(map(ast.unparse, part)) for part in both)
+        return self._space.branch(ast.unparse(node.test), (first, other), self._span(node))
+
     def _assign(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
         for target in targets:
             if isinstance(target, ast.Tuple | ast.List):
-                if not isinstance(value, ast.Tuple | ast.List) or len(value.elts) != len(target.elts):
-                    raise FormulaError("as many values as names are needed here", span=self._span(target))
-                found = [self.value(one) for one in value.elts]
-                for one, its in zip(target.elts, found, strict=True):
+                for one, its in zip(target.elts, self._unpacked(target, value), strict=True):
                     self._assign_value(one, its)
             else:
                 self._assign_value(target, self.value(value))
+
+    def _unpacked(self, target: ast.Tuple | ast.List, value: ast.expr) -> list[Value]:
+        """What the names in `x, y = state` are worth: its entries, or themselves where the array is not known."""
+        if isinstance(value, ast.Tuple | ast.List):
+            found = [self.value(one) for one in value.elts]
+        elif self._is_unknown(value):
+            found = [self._space.named_anew(self._name(one), self._span(one)) for one in target.elts]
+        else:
+            array = self.value(value)
+            shape = self._space.sized(array).shape or ()
+            found = [self._space.picked(array, [at], self._span(value)) for at in range(shape[0] if shape else 0)]
+        if len(found) != len(target.elts):
+            raise FormulaError("as many values as names are needed here", span=self._span(target))
+        return found
+
+    def _is_unknown(self, node: ast.expr) -> bool:
+        """Whether this is an array, or a slice of one, that is neither defined here nor a symbol."""
+        while isinstance(node, ast.Subscript):
+            node = node.value
+        name = self._name(node) if isinstance(node, ast.Name | ast.Attribute) else ""
+        return bool(name) and not self._space.is_known(name)
 
     def _assign_value(self, target: ast.expr, value: Value) -> None:
         if isinstance(target, ast.Subscript):
@@ -205,6 +235,8 @@ class _PythonReader:
                 return self._entry(node, span)
             case ast.Call():
                 return self._call(node, span)
+            case ast.IfExp(_, first, other) if (is_first := self._branch(node)) is not None:
+                return self.value(first if is_first else other)
             case _:
                 raise FormulaError(self._unread(node), span=span)
 

@@ -36,7 +36,19 @@ from radartrack.derive.reading.joined_equations import results
 LONGEST_CONDITION = 200  # characters
 MAX_ROWS = 12
 # abs(d) < 1e-4, d == 0: what keeps code from dividing by zero, and cuts nothing from the domain of a formula.
-_GUARD = re.compile(r"[^<>=!&|?]*(?:<=?\s*(?:0?\.0\d+|\d+(?:\.\d*)?[eE]-\d+)|==\s*0(?:\.0*)?)[fF]?[\s)]*")
+_SMALL = r"(?:0?\.0\d+|\d+(?:\.\d*)?[eE]-\d+)[fF]?"
+_CALLED_SMALL = r"(?:\w+(?:<\w+>)?(?:\.|::|\(\w*\)\.))*\w*(?:eps|tol|small|tiny)\w*(?:\(\))?"
+_SIZE = r"[^<>=!&|?~]*\bf?abs\w?\s*\([^<>=!&|?~]*"
+_ZERO = r"0(?:\.0*)?[fF]?"
+_BRANCHES = tuple(
+    (is_first, re.compile(rf"(?:{form})[\s)]*", re.IGNORECASE))
+    for is_first, form in (
+        (False, rf"[^<>=!&|?~]*<=?\s*{_SMALL}|{_SIZE}<=?\s*{_CALLED_SMALL}|(?P<equal>[^<>=!&|?~]*)==\s*{_ZERO}"),
+        (True, rf"{_SIZE}>=?\s*(?:{_SMALL}|{_CALLED_SMALL}|{_ZERO})|(?P<equal>[^<>=!&|?~]*)[!~]=\s*{_ZERO}"),
+    )
+)
+NOT_COMPARED = "this branch, for a divisor next to zero, is not compared"
+_WORD = re.compile(r"[A-Za-z_]\w*")
 _PI = frozenset({"pi", "M_PI", "PI"})
 
 
@@ -138,16 +150,35 @@ class Workspace:
         is_known = name in self.names
         return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
 
-    def skip_guard(self, condition: str, span: Span) -> bool:
-        """Whether a branch is only taken where a divisor is next to zero; it is said that it is not compared."""
-        is_guard = len(condition) < LONGEST_CONDITION and bool(_GUARD.fullmatch(condition))
-        if is_guard:
-            self.remarks.append(Remark(span, "this branch, for a divisor next to zero, is not compared"))
-        return is_guard
+    def branch(self, condition: str, branches: tuple[str, str], span: Span) -> bool | None:
+        """Whether the first of two branches is a formula's, as the other is only taken next to zero of a divisor.
+
+        None for other cases, such as a switch that is compared with zero and that neither branch computes with. That a
+        branch is not compared is said.
+        """
+        found = ((is_first, form.fullmatch(condition[: LONGEST_CONDITION + 1])) for is_first, form in _BRANCHES)
+        is_first, meant = next((one for one in found if one[1]), (False, None))
+        if meant is None or len(condition) > LONGEST_CONDITION:
+            return None
+        words = set(_WORD.findall(meant["equal"] or ""))
+        if words and all(branches) and words.isdisjoint(_WORD.findall(branches[not is_first])):
+            return None
+        self.remarks.append(Remark(span, NOT_COMPARED))
+        return is_first
 
     def is_defined(self, name: str) -> bool:
         """Whether something was assigned to a name."""
         return name in self._values or name in self._entries
+
+    def is_known(self, name: str) -> bool:
+        """Whether a name has a value here, or is a symbol."""
+        return self.is_defined(name) or name in self.names
+
+    def named_anew(self, name: str, span: Span) -> Value:
+        """What a name is worth that no longer means what was assigned to it before."""
+        self._values.pop(name, None)
+        self._entries.pop(name, None)
+        return self.name(name, span)
 
     def entry(self, name: str, places: Sequence[Place], span: Span) -> Value:
         """An entry of an array, counted as the language does; of an unknown one, a name of its own: x[0] is x_0."""

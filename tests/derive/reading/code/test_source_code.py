@@ -98,6 +98,8 @@ def test_reading(language: str, code: str, text: str):
         ("python", "np.array([x, y])*np.eye(2)", "* of arrays multiplies entry by entry in Python, and these are of"),
         ("matlab", "[x; y].*[x y]", "* of arrays multiplies entry by entry in MATLAB, and these are of"),
         ("matlab", "F = eye(2); F(1, :) = [1 2 3];", "what is set here is of another shape than its place"),
+        ("python", "a, b, c = np.array([x, y])", "as many values as names are needed here"),
+        ("c", "&x + 2", "pointer expression has no place in a formula"),
         ("python", "F = np.eye(2)\nF[2, 0] = x", "the entry 2 is beyond an array of shape (2, 2)"),
         ("python", "F = A @ B\nF[0, 0] = x", "the shape of this array is not known"),
         ("matlab", "[eye(2) zeros(3)]", "these blocks make no matrix of at most 12 rows and columns"),
@@ -170,6 +172,53 @@ def test_a_branch_against_a_division_by_zero_is_passed_over_and_told(language: s
     read = read_code(code, language, None)
     assert to_text(read.tree) == "1/(x*x)"
     assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
+
+
+@pytest.mark.parametrize(
+    ("language", "code"),
+    [
+        (language, form.format(condition=condition, first=first, other=other))
+        for language, form in (
+            ("python", "if {condition}:\n    y = {first}\nelse:\n    y = {other}"),
+            ("python", "y = {first} if {condition} else {other}"),
+            ("python", "def f(x):\n    if {condition}:\n        return {first}\n    return {other}"),
+            ("c", "if ({condition}) {{ y = {first}; }} else {{ y = {other}; }}"),
+            ("cpp", "if ({condition}) y = {first}; else y = {other};"),
+            ("cpp", "y = ({condition}) ? {first} : {other};"),
+            ("matlab", "if {condition}\n y = {first};\nelse\n y = {other};\nend"),
+        )
+        for conditions, first, other in (
+            (("abs(x) < 1e-4", "fabs(x) <= EPS", "x == 0", "x == 0.0", "abs(x) < tol"), "2", "1/x"),
+            (("abs(x) > 1e-4", "fabs(x) >= EPS", "abs(x) > 0", "x != 0"), "1/x", "2"),
+        )
+        for condition in conditions
+        if not (language == "matlab" and "!=" in condition)
+    ],
+)
+def test_of_two_branches_the_one_away_from_a_division_by_zero_is_compared(language: str, code: str):
+    read = read_code(code, language, None)
+    assert to_text(read.tree) == "1/x"
+    assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
+
+
+@pytest.mark.parametrize("condition", ["mode == 0", "mode != 0", "x > 1e-4", "abs(x) > 1", "x < epsilon"])
+def test_no_branch_is_chosen_by_a_switch_or_a_size(condition: str):
+    for language, code in (("python", f"y = r if {condition} else z"), ("c", f"y = {condition} ? r : z;")):
+        assert refusal(code, language).message.startswith("formulas have no cases")
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "text"),
+    [
+        ("python", "px, py, vx, vy = x_state\npx*vx", "px*vx"),
+        ("python", "px, py = self.state[:2]\npx*py", "px*py"),
+        ("python", "a, b = np.array([x, y])\na*b", "x*y"),
+        ("python", "x = 2\nx, y = z\nx*y", "x*y"),
+        ("c", "void f(double r, double b, double *x) { *x = r*cos(b); }", "r*cos(b)"),
+    ],
+)
+def test_names_are_given_to_what_is_not_known(language: str, code: str, text: str):
+    assert echo(code, language) == text
 
 
 @pytest.mark.parametrize("condition", ["x < 0", "x > 1e-4", "x < 1", "x == 1", "x < 1e-4 and y > 0"])
