@@ -195,6 +195,10 @@ def _unit(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     return space.call("eye", arguments[:1], span)
 
 
+def _vector(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.array(arguments, span)
+
+
 def _diagonal(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     return space.call("diag", arguments, span)
 
@@ -258,6 +262,8 @@ _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
         **dict.fromkeys(("zeros", "zeros_like", "Zero"), (1, 2, _zeros)),
         **{f"{name}d": (1, 1, _of_degrees(name)) for name in ("sin", "cos", "tan", "sec", "csc", "cot")},
         **{f"{name}d": (1, 1, _in_degrees(name)) for name in ("asin", "acos", "atan")},
+        **{f"Vector{size}{kind}": (size, size, _vector) for size in (2, 3, 4) for kind in "df"},
+        "asDiagonal": (1, 1, _diagonal),
         "atan2d": (2, 2, _in_degrees("atan2")),
         "cbrt": (1, 1, _cube_root),
         "diag": (1, 12, _diagonal),

@@ -60,6 +60,7 @@ def refusal(code: str, language: str) -> FormulaError:
         ("cpp", "MatrixXd H(2,2);\nH << x, 0,\n  1, y;", "[[x, 0], [1, y]]"),
         ("cpp", "Matrix2d F; F(0,1) = dt; F(0,0) = 1; F(1,1) = 1;", "[[1, dt], [0, 1]]"),
         ("cpp", "auto c = std::cos(b); const double s = sin(b); return c*s;", "cos(b)*sin(b)"),
+        ("cpp", "Eigen::Matrix2d R = Eigen::Vector2d(x*x, y*y).asDiagonal();", "diag([x*x, y*y])"),
         ("cpp", "A.transpose()*B.inverse()", "A.T*inv(B)"),
         ("matlab", "F = [1 dt; 0 1]", "[[1, dt], [0, 1]]"),
         ("matlab", "x(1).*cos(x(2))", "x_1*cos(x_2)"),
