@@ -42,6 +42,7 @@ _SIGNS = MappingProxyType(
         "{": r"\{",
         "}": r"\}",
         "∆": r"\Delta ",
+        "°": r"^{\circ}",
     }
 )
 _FUNCTIONS = "|".join(sorted((*SPELLINGS, "tg", "ctg", "diag", "det", "tr"), key=len, reverse=True))
@@ -154,7 +155,7 @@ def _typed(said: str, place: str, text: str, at: int, names: frozenset[str]) -> 
         return f"**({inside})" if place == "^" else f"_{inside}".replace("\\", "")
     if fraction:
         return f"({fraction[1]}/{fraction[2]})"
-    known = {r"\cdot ": "*", r"\Delta ": "Delta"}
+    known = {r"\cdot ": "*", r"\Delta ": "Delta", r"^{\circ}": "*pi/180"}
     typed = known.get(_SIGNS[said], _SIGNS[said]) if said in _SIGNS else _greek(said).removeprefix("\\")
     typed = "sqrt" if said == "√" else typed
     if not typed or typed.startswith(("\\", "^")):

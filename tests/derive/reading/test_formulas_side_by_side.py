@@ -124,3 +124,12 @@ def test_a_formula_before_a_definition_is_no_left_side_of_it(
     names = {"a", "c", "s", "b", "r", "q", "T", "theta", "phi", "rho"}
     read = read_formula(formula + between + definition, LATEX, names, strangers=True)
     assert to_text(read.tree) == text
+
+
+@pytest.mark.parametrize("wanted", [1, 2, 3])
+def test_one_vector_that_rests_on_definitions_is_as_many_numbers_by_itself(wanted: int) -> None:
+    """The last equations are the result where that many numbers are wanted, unless one of them is an array."""
+    vector = r"\lambda\begin{bmatrix}r\\s\end{bmatrix},\quad \lambda = a, \quad a = 2"
+    assert to_text(read_formula(vector, LATEX, None, wanted=wanted).tree) == "2*[r, s]"
+    assert to_text(read_text("c*[r, s], c = a, a = 2", None, wanted=wanted)) == "2*[r, s]"
+    assert to_text(read_text("q = x, p = q/x", None, wanted=2)) == "[x, x/x]"

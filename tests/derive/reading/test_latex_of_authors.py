@@ -210,3 +210,37 @@ def test_places_are_those_of_the_source():
 )
 def test_braces_that_group_nothing_are_dropped(mathtype: str, plain: str) -> None:
     assert read_latex(mathtype, None) == read_latex(plain, None)
+
+
+@pytest.mark.parametrize("sign", [r"^\circ", r"^{\circ}", r"\degree"])
+@pytest.mark.parametrize(
+    ("before", "after", "text"),
+    [
+        (r"r\sin(90", r"-\theta)", "r*sin(90*pi/180 - theta)"),
+        (r"r\cos 22.5", "", "r*cos(22.5*pi/180)"),
+        (r"\frac{180", r"}{\pi}\theta", "180*pi/180/pi*theta"),
+    ],
+)
+def test_degrees_behind_a_number_are_an_angle(before: str, sign: str, after: str, text: str):
+    assert echo(before + sign + after) == text
+    with pytest.raises(FormulaError):
+        read_latex(rf"\theta{sign}", KNOWN)
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"r\cos {\theta }_{k}", "r*cos(theta_k)"),
+        (r"\sin {\theta }_{k}\cos {\theta }_{k}", "sin(theta_k)*cos(theta_k)"),
+        (r"{{\sigma }_{r}}^{2}{{\cos }^{2}}{{\theta }_{k}}", "sigma_r**2*cos(theta_k)**2"),
+        (r"\frac{\delta t^2}{2}", "delta_t**2/2"),
+        (r"\delta T\,q", "delta_T*q"),
+        (r"\delta r", "delta*r"),
+    ],
+)
+def test_letters_with_subscripts_behind_braces_and_small_steps_of_time(latex: str, text: str):
+    assert to_text(read_latex(latex, {*KNOWN, "delta_t", "delta_T"}, strangers=True)) == text
+
+
+def test_a_symbol_called_delta_is_no_step():
+    assert echo(r"\delta t", "delta", "t") == "delta*t"

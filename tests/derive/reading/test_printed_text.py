@@ -126,3 +126,10 @@ def test_any_text_is_read_or_refused(text: str):
             assert str(error)  # noqa: PT017
         else:
             assert to_text(read.tree)
+
+
+@pytest.mark.parametrize(
+    ("text", "read"), [("r sin(90°−θ)", "r*sin(90*pi/180 - theta)"), ("r*sin(90°-b)", "r*sin(90*pi/180 - b)")]
+)
+def test_degrees_of_a_page(text: str, read: str) -> None:
+    assert to_text(read_formula(text, "text", None).tree) == read
