@@ -18,7 +18,7 @@ from radartrack.derive.formula.latex_names import GREEK
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, with_span
 from radartrack.derive.formula.unknown_names import check_names
-from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
+from radartrack.derive.reading.characters import MAX_PRINTED, check_characters, is_mathematical
 from radartrack.derive.reading.linear_format import SIGNS, structure_at
 from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS
@@ -317,6 +317,7 @@ def _known(character: str) -> bool:
     is_sign = character in _SIGNS or character in _COMBINING or character in SIGNS or character == "√"
     return (
         is_sign
+        or is_mathematical(character)
         or unicodedata.decomposition(character).startswith("<fraction>")
         or bool(_place(character) or _greek(character))
     )

@@ -44,6 +44,9 @@ PIECES = (
         ("√(x² + y²)*σ_β^2", "sqrt(x**2 + y**2)*sigma_beta**2"),
         ("x\u0302² + β′", "x**2 + beta"),
         ("𝜎𝛽² + ϵ", "sigma_beta**2 + epsilon"),
+        ("𝑥 = 𝑟 cos(𝛽)", "r*cos(beta)"),
+        ("𝒓²𝜎_𝛽² 𝑠𝑖𝑛²𝛽", "r**2*sigma_beta**2*sin(beta)**2"),
+        ("𝟐𝗋", "2*r"),
         ("q[T³, T²/2; T²/2, T]", "q*[[T**3, T**2/2], [T**2/2, T]]"),
         ("e^{−2σβ²} r²", "e**(-2*sigma_beta**2)*r**2"),
     ],
@@ -133,3 +136,9 @@ def test_any_text_is_read_or_refused(text: str):
 )
 def test_degrees_of_a_page(text: str, read: str) -> None:
     assert to_text(read_formula(text, "text", None).tree) == read
+
+
+@pytest.mark.parametrize("character", "𝔼ℝ𝒩𝔉")
+def test_letters_that_mean_something_else_are_refused(character: str) -> None:
+    with pytest.raises(FormulaError, match="is not read"):
+        read_formula(f"{character} + r²", "text", None)
