@@ -102,13 +102,18 @@ class Insertion:
         return self._inserted[name]
 
 
+def expanded_size(tree: Tree) -> tuple[int, int]:
+    """The parts and the depth of a formula when what it shares is written out."""
+    return Fold(_size)(tree)
+
+
 def check_expanded(tree: Tree) -> None:
     """Refuse a formula that is too large when what it shares is written out; itself it may be small.
 
     Raises:
         FormulaError: naming the limit.
     """
-    nodes, depth = Fold(_size)(tree)
+    nodes, depth = expanded_size(tree)
     if nodes > MAX_NODES:
         raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=tree.span)
     if depth > MAX_DEPTH:

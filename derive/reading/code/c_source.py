@@ -24,6 +24,8 @@ _WHOLE_TYPES = frozenset(
     ("int", "long", "short", "unsigned", "size_t", "char", "bool", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
 _SIZED = re.compile(r"(?:Eigen::)?(?:Matrix|Vector|Array)(?P<rows>\d)?(?:x(?P<columns>\d))?[dfi]")
+_OF_A_TYPE = {"Identity": "1", "Zero": "0"}  # what stands on the diagonal
+_SETTING = {"setIdentity": "1", "setZero": "0"}
 _UNREAD_OPERATORS = {
     "^": "^ is exclusive or in {language}, and a power in mathematics: write pow(x, n) for the power",
     "%": "% is a remainder in {language}, which formulas do not have",
@@ -199,7 +201,20 @@ class _CReader:
                 if sizes:
                     self._space.declare(name, sizes)
             else:
-                self._store(name, self.value(value))
+                self._call_entry(name, value)
+                found = self.value(value)
+                self._store(name, self._space.filled(found, sizes, self._span(value)) if sizes else found)
+
+    def _call_entry(self, name: str, value: Node) -> None:
+        """float px = state(0): what is an entry has the name."""
+        is_entry = value.type == "subscript_expression" or (
+            value.type == "call_expression"
+            and field(value, "function").type == "identifier"
+            and not is_function(text_of(field(value, "function")))
+            and _are_places(named(field(value, "arguments")))
+        )
+        if is_entry:
+            self._space.call_entry(name, *self._place(value))
 
     def _declared(self, node: Node) -> tuple[str, tuple[int, ...]]:
         """The name that is declared, and the sizes of an array."""
@@ -236,6 +251,8 @@ class _CReader:
         if right.type == "assignment_expression":  # a = b = c
             self._assign(right)
             right = field(right, "left")
+        if left.type == "identifier" and sign == "=":
+            self._call_entry(text_of(left), right)
         value = self.value(right)
         if sign != "=":
             value = self._changed(sign.removesuffix("="), self.value(left), value, self._span(node))
@@ -405,13 +422,22 @@ class _CReader:
             return self._cast(text_of(function), self.value(arguments[0]), span)
         if function.type == "field_expression":
             return self._method(function, arguments, span)
-        name = text_of(function).rsplit("::", 1)[-1]
+        owner, _, name = text_of(function).rpartition("::")
+        if name in _OF_A_TYPE and not arguments and (sizes := _eigen_sizes(owner)):
+            return self._space.of_kind(_OF_A_TYPE[name], sizes, span)
         if function.type == "identifier" and not is_function(name) and arguments and _are_places(arguments):
             return self._entry(node, span)
         return applied(self._space, name, [self.value(one) for one in arguments], span)
 
     def _method(self, function: Node, arguments: Sequence[Node], span: Span) -> Value:
-        """P.transpose(), P.inverse()."""
+        """P.transpose(), P.inverse(); F.setIdentity() sets what F is."""
+        kind, target = text_of(field(function, "field")), text_of(field(function, "argument"))
+        if kind in _SETTING and not arguments and self._space.is_defined(target):
+            made = self._space.of_kind(
+                _SETTING[kind], self._space.sized(self._space.name(target, span)).shape or (), span
+            )
+            self._space.assign(target, made)
+            return made
         own = self.value(field(function, "argument"))
         return applied(self._space, text_of(field(function, "field")), [own, *map(self.value, arguments)], span)
 

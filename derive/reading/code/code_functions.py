@@ -122,6 +122,20 @@ def _itself(_space: Workspace, arguments: Sequence[Value], _span: Span) -> Value
     return Value(arguments[0].tree, arguments[0].shape, size=arguments[0].size)
 
 
+def _matrix(space: Workspace, arguments: Sequence[Value], _span: Span) -> Value:
+    space.has_matrices = True
+    return Value(arguments[0].tree, arguments[0].shape, size=arguments[0].size, is_matrix=True)
+
+
+def _summed(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """The sum of the entries of a vector; a matrix is summed along an axis in MATLAB, and is not read."""
+    entries = space.opened(arguments[0], span)
+    if len(entries.shape) != 1:
+        raise FormulaError("sum takes a vector whose entries are known", span=span)
+    terms = [Value(entry, size=arguments[0].size) for entry in entries]
+    return space.sum(terms, span) if len(terms) > 1 else terms[0]
+
+
 def _power(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     return space.power(arguments[0], arguments[1], span, of_entries=True)
 
@@ -250,16 +264,15 @@ def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
     {
         **dict.fromkeys(("pow", "power", "float_power"), (2, 2, _power)),
-        **dict.fromkeys(
-            ("array", "asarray", "matrix", "mat", "float", "double", "float64", "single", "Matrix"), (1, 2, _itself)
-        ),
+        **dict.fromkeys(("array", "asarray", "float", "double", "float64", "single"), (1, 2, _itself)),
+        **dict.fromkeys(("matrix", "mat", "Matrix"), (1, 2, _matrix)),
         **dict.fromkeys(("radians", "deg2rad"), (1, 1, _radians)),
         **dict.fromkeys(("degrees", "rad2deg"), (1, 1, _degrees)),
         **dict.fromkeys(("dot", "matmul", "mtimes"), (2, 2, _product)),
         **dict.fromkeys(("eye", "identity", "Identity"), (1, 2, _unit)),
         **dict.fromkeys(("block_diag", "blkdiag"), (1, 12, _blocks)),
         "kron": (2, 2, _kronecker),
-        **dict.fromkeys(("zeros", "zeros_like", "Zero"), (1, 2, _zeros)),
+        **dict.fromkeys(("zeros", "zeros_like", "Zero", "empty"), (1, 2, _zeros)),
         **{f"{name}d": (1, 1, _of_degrees(name)) for name in ("sin", "cos", "tan", "sec", "csc", "cot")},
         **{f"{name}d": (1, 1, _in_degrees(name)) for name in ("asin", "acos", "atan")},
         **{f"Vector{size}{kind}": (size, size, _vector) for size in (2, 3, 4) for kind in "df"},
@@ -272,6 +285,7 @@ _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
         "log1p": (1, 1, _of_one_more),
         "norm": (1, 1, _norm),
         "reciprocal": (1, 1, _reciprocal),
+        "sum": (1, 1, _summed),
         "square": (1, 1, _raised("2")),
     }
 )

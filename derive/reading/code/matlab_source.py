@@ -121,6 +121,14 @@ class _MatlabReader:
         if left.type == "multioutput_variable":
             self._assign_several(left, right)
             return
+        if (
+            left.type == "identifier"
+            and right.type == "function_call"
+            and not is_function(text_of(field(right, "name")))
+        ):
+            places = self._arguments(right)
+            if all(text_of(one).isdigit() for one in places):
+                self._space.call_entry(text_of(left), text_of(field(right, "name")), list(map(self._place, places)))
         value = self.value(right)
         if left.type == "function_call":
             places = [self._place(one) for one in self._arguments(left)]

@@ -134,7 +134,7 @@ class _PythonReader:
                     continue
                 case ast.Expr(value):
                     last = self.value(value)
-                case ast.Assign(targets, value):
+                case ast.Assign(targets, ast.Lambda(_, value)) | ast.Assign(targets, value):
                     self._assign(targets, value)
                     last = None
                 case ast.AnnAssign(target, _, value) if value is not None:
@@ -168,6 +168,8 @@ class _PythonReader:
                 for one, its in zip(target.elts, self._unpacked(target, value), strict=True):
                     self._assign_value(one, its)
             else:
+                if isinstance(target, ast.Name) and isinstance(value, ast.Subscript):
+                    self._space.call_entry(target.id, *self._subscripts(value))
                 self._assign_value(target, self.value(value))
 
     def _unpacked(self, target: ast.Tuple | ast.List, value: ast.expr) -> list[Value]:
@@ -270,6 +272,8 @@ class _PythonReader:
             here = (span[0], self._span(right)[1])
             if isinstance(operator, ast.Div):
                 factors = [self._space.quotient(self._joined(factors, here), value, here)]
+            elif isinstance(operator, ast.MatMult) and self._space.are_vectors([*factors, value]):
+                factors = [applied(self._space, "dot", [self._joined(factors, here), value], here)]
             elif isinstance(operator, ast.Mult) and self._space.both_arrays(factors, value):
                 factors = [self._space.product([self._joined(factors, here), value], here, of_entries=True)]
             else:

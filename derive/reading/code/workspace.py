@@ -31,7 +31,7 @@ from radartrack.derive.formula.unknown_names import unknown_name
 from radartrack.derive.formula.written_out import array_of
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.reading.code.array_entries import changed, entries_of, entry_of
-from radartrack.derive.reading.joined_equations import results
+from radartrack.derive.reading.joined_equations import expanded_size, results
 
 LONGEST_CONDITION = 200  # characters
 MAX_ROWS = 12
@@ -70,6 +70,7 @@ class Value:
         whole: whether it is of a type of whole numbers, in a language where those divide without remainder.
         size: the parts and the depth of the tree with all that is shared written out.
         is_row: whether a vector lies, in a language where that makes a difference.
+        is_matrix: whether it is of a class of matrices, whose * is their product where that of arrays is none.
     """
 
     tree: Tree
@@ -77,6 +78,7 @@ class Value:
     whole: bool = False
     size: tuple[int, int] = (1, 1)
     is_row: bool = False
+    is_matrix: bool = False
 
 
 @dataclass
@@ -99,8 +101,11 @@ class Workspace:
     strangers: bool
     wanted: int = 1
     remarks: list[Remark] = field(default_factory=list)
+    has_matrices: bool = False  # besides arrays
     _values: dict[str, Value] = field(default_factory=dict)
     _entries: dict[str, dict[tuple[int, ...], Value]] = field(default_factory=dict)
+    _called: dict[str, str] = field(default_factory=dict)  # entries of arrays that are not known, by the block
+    _free: set[str] = field(default_factory=set)  # names that occur without a value
     _used: set[str] = field(default_factory=set)  # of those that have values, which others rest on
     _last: Value | str | None = None  # a value, or the name of an array of which entries are set
 
@@ -119,7 +124,7 @@ class Workspace:
         shapes = [part.shape for part in parts]
         known = [one for one in shapes if one is not None]
         found = shape_of_node(tree, known) if len(known) == len(shapes) else None
-        return Value(tree, found, whole, (nodes, depth))
+        return Value(tree, found, whole, (nodes, depth), is_matrix=any(part.is_matrix for part in parts))
 
     def number(self, text: str, span: Span, *, whole: bool = False) -> Value:
         """A number as written."""
@@ -143,11 +148,16 @@ class Workspace:
             return self._matrix(name, span)
         if name in _PI and name not in self.names:
             return self.constant("pi", span)
+        return self._symbol(name, span, whole=whole)
+
+    def _symbol(self, name: str, span: Span, *, whole: bool = False) -> Value:
+        """A name that means itself, whatever it is assigned later."""
         if name in SPELLINGS:
             raise FormulaError(f"{name} is a function: give its argument in brackets", span=span)
         if name not in self.names and not self.strangers:
             raise FormulaError(unknown_name(name, self.names), span=span)
         is_known = name in self.names
+        self._free.add(name)
         return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
 
     def branch(self, condition: str, branches: tuple[str, str], span: Span) -> bool | None:
@@ -197,7 +207,8 @@ class Workspace:
         if not below:
             raise FormulaError(f"the shape of {name} is not known: entries are picked from it one by one", span=span)
         possible = candidates(name, below)
-        return self.name(next((one for one in possible if one in self.names), possible[0]), span)
+        called = next((one for one in possible if one in self.names), possible[0])
+        return self._symbol(self._called[called], span) if called in self._called else self.name(called, span)
 
     def picked(self, array: Value, places: Sequence[Place], span: Span) -> Value:
         """Entries of an array that is known."""
@@ -209,7 +220,8 @@ class Workspace:
     def _part(self, array: Value, places: tuple[int, ...], span: Span) -> Value:
         """One entry of an array that is written out."""
         there = self.made(Entries(array.tree, places, span=span), [array])  # refuses one that is not there
-        return replace(there, tree=entry_of(array.tree, places, span), size=array.size)
+        tree = entry_of(array.tree, places, span)
+        return replace(there, tree=tree, size=expanded_size(tree))
 
     def _from_zero(self, place: Place, span: Span) -> Place:
         if isinstance(place, int):
@@ -230,7 +242,7 @@ class Workspace:
 
     def product(self, factors: Sequence[Value], span: Span, *, of_entries: bool = False) -> Value:
         """Two or more factors; of arrays the matrix product, unless the language takes entry by entry."""
-        if of_entries:
+        if of_entries and not self._are_matrices(factors, span):
             return self._entrywise(factors, span)
         first = factors[0]
         if isinstance(first.tree, Negation):  # -a*b is printed as -(a*b)
@@ -274,11 +286,24 @@ class Workspace:
 
     def power(self, base: Value, exponent: Value, span: Span, *, of_entries: bool = False) -> Value:
         """A power; of a matrix the product of it with itself, unless the language takes entry by entry."""
-        if of_entries and self.sized(base).shape:
+        if of_entries and self.sized(base).shape and not self._are_matrices([base], span):
             entries = self.opened(base, span).map(lambda entry: Power(entry, exponent.tree, span=span))
             self.made(Power(entries.entries[0], exponent.tree, span=span), [replace(base, shape=()), exponent])
             return self.of_entries(entries, [base, exponent], is_row=base.is_row)
         return self.made(Power(base.tree, exponent.tree, span=span), [base, exponent])
+
+    def _are_matrices(self, factors: Sequence[Value], span: Span) -> bool:
+        """Whether arrays are of a class of matrices.
+
+        Raises:
+            FormulaError: where that is not known, as there are some.
+        """
+        arrays = [factor for factor in factors if self.sized(factor).shape]
+        if self.has_matrices and not all(one.is_matrix for one in arrays):
+            raise FormulaError(
+                "whether this works entry by entry depends on the class: write @ for products", span=span
+            )
+        return self.has_matrices
 
     def _entrywise(self, factors: Sequence[Value], span: Span) -> Value:
         """The product of arrays of one shape, entry by entry; numbers among them are factors of all."""
@@ -313,6 +338,10 @@ class Workspace:
     def both_arrays(self, factors: Sequence[Value], factor: Value) -> bool:
         """Whether one of the factors, and the one that follows them, are arrays."""
         return bool(self.sized(factor).shape) and any(self.sized(one).shape for one in factors)
+
+    def are_vectors(self, values: Sequence[Value]) -> bool:
+        """Whether all are vectors, of which the product is a number."""
+        return all(len(self.sized(one).shape or ()) == 1 for one in values)
 
     def sized(self, value: Value) -> Value:
         """A value with the shape that it has if all names of unknown shape are numbers, where that is an array."""
@@ -356,6 +385,16 @@ class Workspace:
         self._entries.pop(name, None)
         self._last = value
 
+    def call_entry(self, called: str, name: str, places: Sequence[Place]) -> None:
+        """Let an entry of an array that is not known have a name from here on: px = state[0]."""
+        numbers = _numbers(tuple(places))
+        if len(name) == 1 or not numbers or len(numbers) < len(places) or self.is_known(name) or name in self._entries:
+            return
+        possible = candidates(name, "_".join(map(str, numbers)))
+        is_free = not self.is_defined(called) and called not in self._free
+        if is_free and possible[0] not in self._called and not any(one in self.names for one in possible):
+            self._called[possible[0]] = called
+
     def assign_entry(self, name: str, places: Sequence[Place], value: Value, span: Span) -> None:
         """Give an entry of an array a value, or a slice of one that has values.
 
@@ -381,11 +420,11 @@ class Workspace:
             raise FormulaError("what is set here is of another shape than its place", span=span)
         new = self.opened(value, span) if value.shape else value.tree
         entries = changed(self.opened(array, span), places, new)
-        nodes = array.size[0] + len(entries.entries) * value.size[0]
-        if nodes > MAX_NODES:
+        tree = array_of(entries)
+        size = expanded_size(tree)
+        if size[0] > MAX_NODES:
             raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=span)
-        size = nodes, max(array.size[1], len(entries.shape) + value.size[1])
-        return Value(array_of(entries), array.shape, size=size, is_row=array.is_row)
+        return replace(array, tree=tree, size=size)
 
     def declare(self, name: str, shape: Shape) -> None:
         """An array of this shape, zero until it is set.
@@ -402,6 +441,26 @@ class Workspace:
         zero = self.number("0", span)
         row = self.array([zero] * shape[-1], span)
         return row if len(shape) == 1 else self.array([row] * shape[0], span)
+
+    def of_kind(self, diagonal: str, shape: Shape, span: Span) -> Value:
+        """A matrix with a number on its diagonal, else of zeros."""
+        made = self.zeros(shape, span)
+        entries = Tensor.build(shape, lambda *at: Number(diagonal if len(set(at)) == 1 else "0", span=span))
+        return replace(made, tree=array_of(entries))
+
+    def filled(self, value: Value, shape: Shape, span: Span) -> Value:
+        """An array of C of which the first entries are given, row by row or one after the other; the rest are zero."""
+        value = self.sized(value)
+        if not value.shape or value.shape == shape:
+            return value
+        given = self.opened(value, span)
+        zeros = self.opened(self.zeros(shape, span), span)
+        flat = len(given.shape) == 1
+        places = zip(zeros.indices, given, strict=False) if flat else given.items()
+        entries = dict(zeros.items()) | dict(places)
+        if len(entries) != len(zeros.entries) or len(given.entries) > len(zeros.entries):
+            raise FormulaError("these are more entries than the array has", span=span)
+        return self.of_entries(Tensor(shape, tuple(entries.values())), [value])
 
     def result(self, value: Value | None = None) -> Value:
         """A value that was returned, or else what was assigned last: all entries of an array, where those were set.
