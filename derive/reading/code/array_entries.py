@@ -15,8 +15,8 @@ from radartrack.derive.language.tensor import Tensor
 def entry_of(tree: Tree, places: Sequence[Place], span: Span) -> Tree:
     """One entry of an array, picked from what is written out of it."""
     left = list(places)
-    while left and isinstance(tree, Array) and isinstance(left[0], int):
-        tree = tree.entries[left.pop(0)]
+    while left and isinstance(tree, Array) and isinstance(first := left[0], int):
+        tree, left = tree.entries[first], left[1:]
     return Entries(tree, tuple(left), span=span) if left else tree
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from math import prod
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -223,10 +224,14 @@ def _blocks(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     if any(len(one.shape) != len(("rows", "columns")) for one in matrices):
         raise FormulaError("blocks along a diagonal are matrices", span=span)
     blocks = [
-        [one if one is other else Tensor.build((one.shape[0], other.shape[1]), lambda *_: ZERO) for other in matrices]
-        for one in matrices
+        [one if row == column else _of_zeros(one.shape[0], other.shape[1]) for column, other in enumerate(matrices)]
+        for row, one in enumerate(matrices)
     ]
     return of_blocks(space, blocks, arguments, span)
+
+
+def _of_zeros(*shape: int) -> Tensor[Tree]:
+    return Tensor(shape, (ZERO,) * prod(shape))
 
 
 def of_blocks(space: Workspace, blocks: Sequence[Sequence[Tensor[Tree]]], parts: Sequence[Value], span: Span) -> Value:
@@ -247,7 +252,8 @@ def _kronecker(space: Workspace, arguments: Sequence[Value], span: Span) -> Valu
     if not len(first.shape) == len(second.shape) == len(("rows", "columns")):
         raise FormulaError("kron takes two matrices", span=span)
     blocks = [
-        [second.map(lambda entry, by=one: product_of((by, entry))) for one in row.entries] for row in first.parts()
+        [Tensor(second.shape, tuple(product_of((one, entry)) for entry in second)) for one in row]
+        for row in first.parts()
     ]
     return of_blocks(space, blocks, arguments, span)
 

@@ -121,14 +121,7 @@ class _MatlabReader:
         if left.type == "multioutput_variable":
             self._assign_several(left, right)
             return
-        if (
-            left.type == "identifier"
-            and right.type == "function_call"
-            and not is_function(text_of(field(right, "name")))
-        ):
-            places = self._arguments(right)
-            if all(text_of(one).isdigit() for one in places):
-                self._space.call_entry(text_of(left), text_of(field(right, "name")), list(map(self._place, places)))
+        self._call_entry(left, right)
         value = self.value(right)
         if left.type == "function_call":
             places = [self._place(one) for one in self._arguments(left)]
@@ -137,6 +130,15 @@ class _MatlabReader:
             self._space.assign(name, value)
         else:
             raise FormulaError("this cannot be assigned to", span=self._span(left))
+
+    def _call_entry(self, left: Node, right: Node) -> None:
+        """px = state(1): what is an entry has the name."""
+        if left.type != "identifier" or right.type != "function_call" or is_function(text_of(field(right, "name"))):
+            return
+        inside = self._arguments(right)
+        if all(text_of(one).isdigit() for one in inside):
+            places = [self._place(one) for one in inside]
+            self._space.call_entry(text_of(left), text_of(field(right, "name")), places)
 
     def _assign_several(self, left: Node, right: Node) -> None:
         """[x, y] = pol2cart(th, r) and its kin."""

@@ -29,7 +29,7 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.formula.unknown_names import unknown_name
 from radartrack.derive.formula.written_out import array_of
-from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.tensor import Tensor, indices
 from radartrack.derive.reading.code.array_entries import changed, entries_of, entry_of
 from radartrack.derive.reading.joined_equations import expanded_size, results
 
@@ -287,7 +287,9 @@ class Workspace:
     def power(self, base: Value, exponent: Value, span: Span, *, of_entries: bool = False) -> Value:
         """A power; of a matrix the product of it with itself, unless the language takes entry by entry."""
         if of_entries and self.sized(base).shape and not self._are_matrices([base], span):
-            entries = self.opened(base, span).map(lambda entry: Power(entry, exponent.tree, span=span))
+            opened = self.opened(base, span)
+            powers: list[Tree] = [Power(entry, exponent.tree, span=span) for entry in opened]
+            entries = Tensor(opened.shape, tuple(powers))
             self.made(Power(entries.entries[0], exponent.tree, span=span), [replace(base, shape=()), exponent])
             return self.of_entries(entries, [base, exponent], is_row=base.is_row)
         return self.made(Power(base.tree, exponent.tree, span=span), [base, exponent])
@@ -315,13 +317,12 @@ class Workspace:
                 span=span,
             )
         columns = [self.opened(one, span) if one.shape else None for one in factors]
-        entries = Tensor.build(
-            arrays[0].shape or (),
-            lambda *at: Product(
-                tuple(one.tree if its is None else its[at] for one, its in zip(factors, columns, strict=True)),
-                span=span,
-            ),
-        )
+
+        def entry(*at: int) -> Tree:
+            its = (one.tree if column is None else column[at] for one, column in zip(factors, columns, strict=True))
+            return Product(tuple(its), span=span)
+
+        entries = Tensor.build(arrays[0].shape or (), entry)
         return self.of_entries(entries, factors, is_row=arrays[0].is_row)
 
     def opened(self, array: Value, span: Span) -> Tensor[Tree]:
@@ -445,8 +446,8 @@ class Workspace:
     def of_kind(self, diagonal: str, shape: Shape, span: Span) -> Value:
         """A matrix with a number on its diagonal, else of zeros."""
         made = self.zeros(shape, span)
-        entries = Tensor.build(shape, lambda *at: Number(diagonal if len(set(at)) == 1 else "0", span=span))
-        return replace(made, tree=array_of(entries))
+        numbers = (Number(diagonal if len(set(at)) == 1 else "0", span=span) for at in indices(shape))
+        return replace(made, tree=array_of(Tensor(shape, tuple(numbers))))
 
     def filled(self, value: Value, shape: Shape, span: Span) -> Value:
         """An array of C of which the first entries are given, row by row or one after the other; the rest are zero."""

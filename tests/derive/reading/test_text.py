@@ -76,7 +76,7 @@ def test_functions_by_their_other_names(typed: str, name: str):
 @pytest.mark.parametrize("function", ["abs", "acos", "arccos", "cos", "exp", "log", "sqrt", "tanh"])
 @pytest.mark.parametrize("brackets", ["()", "[]"])
 def test_functions_as_algebra_systems_print_them(function: str, brackets: str):
-    opener, closer = brackets
+    opener, closer = brackets[0], brackets[1]
     for name in (function.capitalize(), function.upper(), "ArcCos" if function == "arccos" else function.title()):
         typed = f"2*{name}{opener}k + {name}{opener}r{closer}{closer}"
         assert read_text(typed, NAMES) == read_text(f"2*{function}(k + {function}(r))", NAMES)
