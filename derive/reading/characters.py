@@ -37,6 +37,7 @@ _MATHEMATICAL = {
     and ord(plain) != code
     and not _WITH_A_MEANING.search(unicodedata.name(chr(code), ""))
 }
+LATIN = "".join(chr(code) for code, plain in _MATHEMATICAL.items() if plain.isascii() and plain.isalpha())
 
 
 def is_mathematical(character: str) -> bool:

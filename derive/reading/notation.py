@@ -9,7 +9,6 @@ from radartrack.derive.code_languages import LANGUAGES
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, bound_names, names
-from radartrack.derive.reading.characters import without_alphabets
 from radartrack.derive.reading.code.source_code import read_code
 from radartrack.derive.reading.printed_text import is_printed, read_printed_text
 from radartrack.derive.reading.tex.latex import read_latex
@@ -64,7 +63,6 @@ def read_formula(
     remarks: tuple[str, ...] = ()
     if notation == TEXT and is_printed(text):
         notation = PRINTED
-    text = without_alphabets(text) if notation == PRINTED else text
     if notation in LANGUAGES:
         code = read_code(text, notation, known, shapes, function=function, strangers=strangers, wanted=wanted)
         tree = code.tree

@@ -288,6 +288,7 @@ class Workspace:
         """A power; of a matrix the product of it with itself, unless the language takes entry by entry."""
         if of_entries and self.sized(base).shape and not self._are_matrices([base], span):
             opened = self.opened(base, span)
+            self._say_of_entries("**", [self.sized(base)], span)
             powers: list[Tree] = [Power(entry, exponent.tree, span=span) for entry in opened]
             entries = Tensor(opened.shape, tuple(powers))
             self.made(Power(entries.entries[0], exponent.tree, span=span), [replace(base, shape=()), exponent])
@@ -307,10 +308,16 @@ class Workspace:
             )
         return self.has_matrices
 
+    def _say_of_entries(self, sign: str, arrays: Sequence[Value], span: Span) -> None:
+        """Say that a sign of Python works entry by entry on matrices, whose product is written otherwise."""
+        if self.language == "Python" and any(len(one.shape or ()) > 1 for one in arrays):
+            self.remarks.append(Remark(span, f"{sign} of matrices works entry by entry in Python: @ is their product"))
+
     def _entrywise(self, factors: Sequence[Value], span: Span) -> Value:
         """The product of arrays of one shape, entry by entry; numbers among them are factors of all."""
         factors = [self.sized(factor) for factor in factors]
         arrays = [factor for factor in factors if factor.shape]
+        self._say_of_entries("*", arrays, span)
         if len({(one.shape, one.is_row) for one in arrays}) > 1:
             raise FormulaError(
                 f"* of arrays multiplies entry by entry in {self.language}, and these are of different shapes",

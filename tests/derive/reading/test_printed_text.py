@@ -47,6 +47,7 @@ PIECES = (
         ("𝑥 = 𝑟 cos(𝛽)", "r*cos(beta)"),
         ("𝒓²𝜎_𝛽² 𝑠𝑖𝑛²𝛽", "r**2*sigma_beta**2*sin(beta)**2"),
         ("𝟐𝗋", "2*r"),
+        ("𝑟𝑥 + 𝑟𝑐𝑜𝑠 𝛽", "r*x + r*cos(beta)"),
         ("q[T³, T²/2; T²/2, T]", "q*[[T**3, T**2/2], [T**2/2, T]]"),
         ("e^{−2σβ²} r²", "e**(-2*sigma_beta**2)*r**2"),
     ],
@@ -142,3 +143,10 @@ def test_degrees_of_a_page(text: str, read: str) -> None:
 def test_letters_that_mean_something_else_are_refused(character: str) -> None:
     with pytest.raises(FormulaError, match="is not read"):
         read_formula(f"{character} + r²", "text", None)
+
+
+def test_letters_of_a_mathematical_alphabet_are_symbols_each_and_a_fault_is_told_where_it_is() -> None:
+    assert to_text(read_formula("ℎ𝑢 + 𝑎𝑏²", "text", None).tree) == "h*u + a*b**2"
+    with pytest.raises(FormulaError) as caught:
+        read_formula("𝑎𝑏𝑐 + 𝑟 ≠ 2", "text", None)
+    assert (caught.value.source, caught.value.span) == ("𝑎𝑏𝑐 + 𝑟 ≠ 2", (8, 9))

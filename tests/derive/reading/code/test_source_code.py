@@ -179,6 +179,14 @@ def test_arrays_are_set_and_computed_entry_by_entry(language: str, code: str, te
     assert echo(code, language) == text
 
 
+@pytest.mark.parametrize("code", ["np.eye(2)*np.diag([x, y])", "np.diag([x, y])**2"])
+def test_it_is_said_where_python_works_entry_by_entry_on_matrices(code: str):
+    sign = "**" if "**" in code else "*"
+    said = [remark.words for remark in read_code(code, "python", None).remarks]
+    assert said == [f"{sign} of matrices works entry by entry in Python: @ is their product"]
+    assert read_code("np.array([x, y])*np.array([x, y])", "python", None).remarks == ()
+
+
 @pytest.mark.parametrize(
     ("language", "code"),
     [
