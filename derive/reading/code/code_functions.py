@@ -21,7 +21,6 @@ Maker: TypeAlias = Callable[[Workspace, Sequence[Value], Span], Value]
 _SAME = MappingProxyType(
     {
         **SPELLINGS,
-        "arctan2": "atan2",
         "absolute": "abs",
         "fabs": "abs",
         "chi2cdf": "chi2cdf",

@@ -68,6 +68,11 @@ _SYSTEM = re.compile(
     r"(?P<body>(?:(?!\\(?:begin|end)\s*\{(?P=name)\}).)*)(?P<end>\\end\s*\{(?P=name)\})(?P<close>\s*\\right\s*\.)?",
     re.DOTALL,
 )
+_BRACED_DISPLAY = re.compile(
+    r"(?P<open>\\left\s*(?:\\\{|\\lbrace)\s*)(?P<inside>\\begin\s*\{(?P<name>aligned|alignedat|split|gathered)\}"
+    r"(?:(?!\\begin).)*?\\end\s*\{(?P=name)\}\s*)(?P<close>\\right\s*\.)",
+    re.DOTALL,
+)
 _RELATED = re.compile(rf"(?:{RELATION})\s*$", re.VERBOSE)
 
 
@@ -114,6 +119,9 @@ def _without_setting(source: str) -> str:
             return "," + blank[1:]
         return "\\\\" + blank[2:] if found["end"] else blank
 
+    source = _BRACED_DISPLAY.sub(
+        lambda found: f"{' ' * len(found['open'])}{found['inside']}{' ' * len(found['close'])}", source
+    )
     bare = _SET.sub(replaced, source)
     bare = _without_braces(bare)
     sides = [found["side"] for found in _NULL.finditer(bare)]

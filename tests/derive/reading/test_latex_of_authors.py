@@ -244,3 +244,22 @@ def test_letters_with_subscripts_behind_braces_and_small_steps_of_time(latex: st
 
 def test_a_symbol_called_delta_is_no_step():
     assert echo(r"\delta t", "delta", "t") == "delta*t"
+
+
+@pytest.mark.parametrize("display", ["aligned", "split", "gathered"])
+def test_a_display_behind_a_brace_is_its_equations(display: str):
+    mark = "" if display == "gathered" else "&"
+    rows = rf"x {mark}= r\cos\theta, \\ y {mark}= r\sin\theta"
+    braced = rf"\left\{{ \begin{{{display}}} {rows} \end{{{display}}} \right."
+    for text in (
+        braced,
+        rf"\begin{{equation}} {braced} \label{{a}} \end{{equation}}",
+        braced.replace(r"\{", r"\lbrace"),
+    ):
+        assert echo(text) == "[r*cos(theta), r*sin(theta)]"
+    assert echo(r"\left\{ r + x \right\} y") == "(r + x)*y"
+
+
+@pytest.mark.parametrize("name", [r"\operatorname{arctan2}", r"\mathrm{atan2}"])
+def test_the_angle_of_two_coordinates_by_either_name(name: str):
+    assert echo(rf"{name}\left(y, x\right)") == "atan2(y, x)"
