@@ -269,7 +269,7 @@ def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
     {
         **dict.fromkeys(("pow", "power", "float_power"), (2, 2, _power)),
-        **dict.fromkeys(("array", "asarray", "float", "double", "float64", "single"), (1, 2, _itself)),
+        **dict.fromkeys(("array", "asarray", "copy", "float", "double", "float64", "single"), (1, 2, _itself)),
         **dict.fromkeys(("matrix", "mat", "Matrix"), (1, 2, _matrix)),
         **dict.fromkeys(("radians", "deg2rad"), (1, 1, _radians)),
         **dict.fromkeys(("degrees", "rad2deg"), (1, 1, _degrees)),

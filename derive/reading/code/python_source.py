@@ -141,6 +141,7 @@ class _PythonReader:
                     self._assign([target], value)
                     last = None
                 case ast.AugAssign(target, operator, value):
+                    self._space.check_alone(self._subscripts(target)[0], self._span(node))
                     changed = ast.copy_location(ast.BinOp(target, operator, value), node)
                     self._assign([target], changed)
                     last = None
@@ -171,6 +172,14 @@ class _PythonReader:
                 if isinstance(target, ast.Name) and isinstance(value, ast.Subscript):
                     self._space.call_entry(target.id, *self._subscripts(value))
                 self._assign_value(target, self.value(value))
+                if isinstance(target, ast.Name) and (other := self._looked_at(value)):
+                    self._space.share(target.id, other)
+
+    def _looked_at(self, node: ast.expr) -> str:
+        """The array of which an expression is all, a part or the transpose, and no copy."""
+        while isinstance(node, ast.Subscript) or (isinstance(node, ast.Attribute) and node.attr == "T"):
+            node = node.value
+        return node.id if isinstance(node, ast.Name) else ""
 
     def _unpacked(self, target: ast.Tuple | ast.List, value: ast.expr) -> list[Value]:
         """What the names in `x, y = state` are worth: its entries, or themselves where the array is not known."""
@@ -312,7 +321,8 @@ class _PythonReader:
         while isinstance(node, ast.Subscript):
             places[:0] = self._places(node.slice)
             node = node.value
-        return (self._name(node) if isinstance(node, ast.Name | ast.Attribute) else ""), places
+        is_named = isinstance(node, ast.Name) or (isinstance(node, ast.Attribute) and node.attr != "T")
+        return (self._name(node) if is_named else ""), places
 
     def _places(self, node: ast.expr) -> list[Place]:
         return [self._one_place(one) for one in (node.elts if isinstance(node, ast.Tuple) else [node])]

@@ -105,6 +105,7 @@ class Workspace:
     _values: dict[str, Value] = field(default_factory=dict)
     _entries: dict[str, dict[tuple[int, ...], Value]] = field(default_factory=dict)
     _called: dict[str, str] = field(default_factory=dict)  # entries of arrays that are not known, by the block
+    _shared: set[frozenset[str]] = field(default_factory=set)
     _free: set[str] = field(default_factory=set)  # names that occur without a value
     _used: set[str] = field(default_factory=set)  # of those that have values, which others rest on
     _last: Value | str | None = None  # a value, or the name of an array of which entries are set
@@ -389,9 +390,27 @@ class Workspace:
 
     def assign(self, name: str, value: Value) -> None:
         """Give a name a value."""
+        self._shared = {pair for pair in self._shared if name not in pair}
         self._values[name] = value
         self._entries.pop(name, None)
         self._last = value
+
+    def share(self, name: str, other: str) -> None:
+        """Let two names be of one array: an entry of it is then set in both, which is not followed here."""
+        if self.sized(self._values[name]).shape and self.is_defined(other):
+            self._shared.add(frozenset((name, other)))
+
+    def check_alone(self, name: str, span: Span) -> None:
+        """Refuse to change an array in place that another name is of too.
+
+        Raises:
+            FormulaError: where one is.
+        """
+        if shared := next((pair for pair in self._shared if name in pair), None):
+            both = " and ".join(sorted(shared))
+            raise FormulaError(
+                f"{both} are one array in {self.language}, which is changed here: write .copy()", span=span
+            )
 
     def call_entry(self, called: str, name: str, places: Sequence[Place]) -> None:
         """Let an entry of an array that is not known have a name from here on: px = state[0]."""
@@ -410,6 +429,7 @@ class Workspace:
             FormulaError: for entries that the array does not have, and a value of another shape than the slice.
         """
         shifted = tuple(self._from_zero(place, span) for place in places)
+        self.check_alone(name, span)
         if name in self._values:
             self._values[name] = self._last = self._with_entries(self._values[name], shifted, value, span)
             return
