@@ -271,7 +271,9 @@ class _MatlabReader:
         arguments = self._arguments(node)
         if self._space.is_defined(name) or not is_function(name):
             places = [self._place(one) for one in arguments]
-            return self._space.entry(name, places, span)
+            found = self._space.entry(name, places, span)
+            is_row = len(places) > 1 and isinstance(places[0], int) and not isinstance(places[1], int)
+            return replace(found, is_row=True) if is_row else found  # A(1, :)
         return applied(self._space, name, [self.value(one) for one in arguments], span)
 
     def _arguments(self, node: Node) -> list[Node]:
