@@ -198,9 +198,11 @@ def _norm(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 
 
 def _product(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
-    if all(one.shape and len(one.shape) == 1 for one in arguments):  # of two vectors the scalar product
-        arguments = [space.call("transpose", arguments[:1], span), *arguments[1:]]
-        product = space.product(arguments, span)
+    """Of two vectors the scalar product; of a vector before a matrix, in NumPy, a vector."""
+    shapes = [space.sized(one).shape or () for one in arguments]
+    is_row = space.language == "Python" and len(shapes[1]) > 1 and not any(one.is_matrix for one in arguments)
+    if len(shapes[0]) == 1 and (len(shapes[1]) == 1 or is_row):
+        product = space.product([space.call("transpose", arguments[:1], span), *arguments[1:]], span)
         return space.picked(product, [space.first], span)
     return space.product(arguments, span)
 

@@ -11,7 +11,7 @@ from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
 from radartrack.derive.formula.tree import Place
 from radartrack.derive.reading.code.code_functions import applied
-from radartrack.derive.reading.code.workspace import Value, Workspace
+from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
 
 _MODULES = frozenset(
     (
@@ -281,7 +281,7 @@ class _PythonReader:
             here = (span[0], self._span(right)[1])
             if isinstance(operator, ast.Div):
                 factors = [self._space.quotient(self._joined(factors, here), value, here)]
-            elif isinstance(operator, ast.MatMult) and self._space.are_vectors([*factors, value]):
+            elif isinstance(operator, ast.MatMult) and self._space.are_vectors([self._joined(factors, here)]):
                 factors = [applied(self._space, "dot", [self._joined(factors, here), value], here)]
             elif isinstance(operator, ast.Mult) and self._space.both_arrays(factors, value):
                 factors = [self._space.product([self._joined(factors, here), value], here, of_entries=True)]
@@ -294,7 +294,7 @@ class _PythonReader:
 
     def _attribute(self, node: ast.Attribute, span: Span) -> Value:
         if node.attr == "T":
-            return self._space.call("transpose", [self.value(node.value)], span)
+            return self._transposed(self.value(node.value), span)
         path = _path(node)
         if path[0] in _MODULES and node.attr in _CONSTANTS:
             return self._space.constant(_CONSTANTS[node.attr], span)
@@ -302,6 +302,13 @@ class _PythonReader:
         if not name:
             raise FormulaError(f".{node.attr} is not read", span=span)
         return self._space.name(name, span)
+
+    def _transposed(self, value: Value, span: Span) -> Value:
+        """A transpose; NumPy's vectors neither stand nor lie."""
+        if len(self._space.sized(value).shape or ()) != 1 or value.is_matrix:
+            return self._space.call("transpose", [value], span)
+        self._space.remarks.append(Remark(span, "the transpose of a vector is itself in Python: np.outer is a v v^T"))
+        return value
 
     def _name(self, node: ast.expr) -> str:
         """A name, or that of an attribute: self.x is x, plot.x is plot_x; of a module, nothing."""
@@ -343,8 +350,12 @@ class _PythonReader:
             raise FormulaError("arguments are given by their places", span=span)
         if isinstance(node.func, ast.Attribute) and _path(node.func)[0] not in _MODULES:
             own = self.value(node.func.value)  # a method: P.dot(Q), a.transpose()
+            if node.func.attr == "transpose" and not node.args:
+                return self._transposed(own, span)
             return applied(self._space, node.func.attr, [own, *map(self.value, node.args)], span)
         function = _path(node.func)[-1]
+        if function == "transpose" and len(node.args) == 1:
+            return self._transposed(self.value(node.args[0]), span)
         return applied(self._space, function, [self.value(one) for one in node.args], span)
 
     def _unread(self, node: ast.AST) -> str:

@@ -152,6 +152,8 @@ def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str,
         ("python", "(r*np.array([x, y]))**2", "[(r*x)**2, (r*y)**2]"),
         ("python", "A = np.matrix([[x, y], [y, x]])\nA*A.T", "[[x, y], [y, x]]*[[x, y], [y, x]].T"),
         ("python", "A = sympy.Matrix([[x, y], [y, x]])\nA**2", "[[x, y], [y, x]]**2"),
+        ("python", "a = np.array([x, y])\na @ np.diag([1, r]) @ a", "(([x, y].T*diag([1, r]))[0].T*[x, y])[0]"),
+        ("python", "np.dot(np.array([x, y]), np.diag([1, r]))", "([x, y].T*diag([1, r]))[0]"),
         ("python", "a = np.array([x, y])\na @ a", "([x, y].T*[x, y])[0]"),
         ("python", "a = np.array([x, y])\nnp.sum(a*a) + (a*a).sum()", "(x*x + y*y) + (x*x + y*y)"),
         ("python", "z = np.empty(2)\nz[0] = x\nz[1] = y", "[x, y]"),
@@ -185,6 +187,19 @@ def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str,
 )
 def test_arrays_are_set_and_computed_entry_by_entry(language: str, code: str, text: str):
     assert echo(code, language) == text
+
+
+@pytest.mark.parametrize("transposed", ["a.T", "a.transpose()", "np.transpose(a)"])
+def test_a_vector_of_numpy_is_its_transpose(transposed: str):
+    read = read_code(f"a = np.array([x, y])\na @ {transposed}", "python", None)
+    assert to_text(read.tree) == "([x, y].T*[x, y])[0]"
+    assert [remark.words for remark in read.remarks] == [
+        "the transpose of a vector is itself in Python: np.outer is a v v^T"
+    ]
+    column = read_code(f"a = np.array([[x], [y]])\na @ {transposed}", "python", None)
+    assert (to_text(column.tree), column.remarks) == ("[[x], [y]]*[[x], [y]].T", ())
+    matrix = read_code(f"a = sympy.Matrix([x, y])\na * {transposed}", "python", None)
+    assert (to_text(matrix.tree), matrix.remarks) == ("[x, y]*[x, y].T", ())
 
 
 @pytest.mark.parametrize("code", ["np.eye(2)*np.diag([x, y])", "np.diag([x, y])**2"])
