@@ -14,7 +14,7 @@ The plots have the names of the arguments of the conversions, and what `rt.simul
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -109,7 +109,8 @@ def two_plots(
     Returns:
         Means (x, y, vx, vy) or (x, y, z, vx, vy, vz) [m, m/s], shape (..., n), and covariances, shape (..., n, n): of
         the second position and of the difference over the period, given plots whose errors are independent of each
-        other; then, of plots with a range rate, after that of the first and of the second.
+        other; then, of plots with a range rate, after that of the first and of the second. Computed in float64, and in
+        float32 where every array given is.
 
     Raises:
         TypeError: as for `one_plot`.
@@ -121,6 +122,12 @@ def two_plots(
     """
     model = SENSORS[one_of("sensor", sensor, SENSORS)]
     axis = model.chosen_axis(azimuth_from)
+    both = {
+        f"{name} of {word}": value
+        for word, plot in (("first", first), ("second", second))
+        for name, value in _read(model, plot).items()
+    }
+    dtype = real_arrays({"period": period, **both})["period"].dtype
     plots = [
         {name: values.astype(np.float64) for name, values in _arrays(model, plot).items()} for plot in (first, second)
     ]
@@ -129,8 +136,8 @@ def two_plots(
     broadcast_shape({**{f"{name} of first": a for name, a in plots[0].items()}, **plots[1], "period": T})
     (p1, c1), (p2, c2) = (_position(model, plot, axis) for plot in plots)
     if "range_rate" not in model.coordinates:
-        return _difference(p1, c1, p2, c2, T)
-    return _with_rates(model, ((p1, c1), (p2, c2)), plots, T, axis)
+        return _finite(*_difference(p1, c1, p2, c2, T), dtype)
+    return _finite(*_with_rates(model, ((p1, c1), (p2, c2)), plots, T, axis), dtype)
 
 
 def _read(model: Sensor, plot: Plot) -> dict[str, ArrayLike]:
@@ -190,7 +197,7 @@ def _difference(first: RealArray, of_first: RealArray, second: RealArray, of_sec
     size = 2 * first.shape[-1]
     mean = np.swapaxes(per_axis, -1, -2).reshape(*per_axis.shape[:-2], size)
     together = np.moveaxis(per_pair, [-2, -4, -1, -3], [-4, -3, -2, -1])
-    return _finite(mean, together.reshape(*per_pair.shape[:-4], size, size))
+    return Belief(mean, together.reshape(*per_pair.shape[:-4], size, size))
 
 
 def _with_rates(
@@ -220,9 +227,7 @@ def _with_rates(
             covariance[...] = squares(root)
 
     fill(block, flat, [means, covariances], BLOCK)
-    with np.errstate(invalid="ignore"):
-        covariances = cast(covariances, covariances.dtype)
-    return _finite(means.reshape(*shape, size), covariances.reshape(*shape, size, size))
+    return Belief(means.reshape(*shape, size), covariances.reshape(*shape, size, size))
 
 
 def _flat(array: RealArray, shape: tuple[int, ...], axes: int) -> RealArray:
@@ -295,7 +300,9 @@ def _with_rate(
     return pair._replace(mean=pair.mean + step * innovation[..., np.newaxis], root=reduced)
 
 
-def _finite(mean: RealArray, covariance: RealArray) -> Belief:
+def _finite(mean: RealArray, covariance: RealArray, dtype: np.dtype[Any]) -> Belief:
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+        mean, covariance = mean.astype(dtype), cast(covariance, dtype)
     require_finite("the mean of the result", mean)
     require_finite("the covariance of the result", covariance)
     return Belief(mean, covariance)

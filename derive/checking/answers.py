@@ -224,8 +224,9 @@ class Question:
         return replace(verdict, suggestions=(*verdict.suggestions, *others))
 
     def _other_models(self) -> tuple[Suggestion, ...]:
-        """The same thing in another model that the formula is, in whatever letters."""
-        found = self.other_model(self.reference) if self.other_model and not self.reading.fits else None
+        """The same thing in another model that the formula is, in whatever letters, be they ours with other units."""
+        fits = self.reading.fits and not any(one.outcome is Outcome.WRONG_DIMENSIONS for one in self._findings)
+        found = self.other_model(self.reference) if self.other_model and not fits else None
         if found is None:
             return ()
         letters = f" with {' and '.join(found.reading.words)}" if found.reading.words else ""
@@ -303,7 +304,11 @@ class Question:
         return Account("", wrong, (*inside, *edits), slips[0].cost)
 
     def _slips_inside(self, account: Account) -> list[Slip]:
+<<<<<<< HEAD
         """Slips inside of what is worked out that explain all that is wrong as well as that: no edit of an entry can.
+=======
+        """Slips inside of what is worked out, each of which explains all that is wrong, as no edit of an entry can.
+>>>>>>> texts
 
         In plain definitions too where nothing else explains it: floating point does not see all that is wrong there.
         """

@@ -56,7 +56,9 @@ VERBS = MappingProxyType(
 # The second argument of these is a name of their own: an index, a variable of integration, what goes to a limit.
 BINDING = frozenset({"integral", "limit", "sum"})
 
-OTHER_SPELLINGS = MappingProxyType({"arccos": "acos", "arcsin": "asin", "arctan": "atan", "ln": "log"})
+OTHER_SPELLINGS = MappingProxyType(
+    {"arccos": "acos", "arcsin": "asin", "arctan": "atan", "arctan2": "atan2", "ln": "log"}
+)
 
 SPELLINGS = MappingProxyType({name: name for name in NUMBER_OF_ARGUMENTS} | dict(OTHER_SPELLINGS))
 

@@ -106,13 +106,13 @@ def _of_arrays(node: Tree, below: list[Tensor[Tree]]) -> Opened:
 def _times(first: Tensor[Tree], second: Tensor[Tree]) -> Tensor[Tree]:
     """The product of arrays, of which either may be a number; a vector before a row is a column."""
     if not first.shape or not second.shape:
-        return Tensor(first.shape or second.shape, tuple(_product((one, other)) for one in first for other in second))
+        return Tensor(first.shape or second.shape, tuple(product_of((one, other)) for one in first for other in second))
     if len(first.shape) == 1:
         first = Tensor((*first.shape, 1), first.entries)
     rows, columns = dict(first.items()), dict(second.items())
     return Tensor.build(
         (first.shape[0], *second.shape[1:]),
-        lambda i, *j: _sum([_product((rows[i, k], columns[(k, *j)])) for k in range(first.shape[1])]),
+        lambda i, *j: _sum([product_of((rows[i, k], columns[(k, *j)])) for k in range(first.shape[1])]),
     )
 
 
@@ -155,7 +155,7 @@ def _unit(below: list[Tensor[Tree]]) -> Tensor[Tree]:
 
 def _outer(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     first, second = below
-    return Tensor((*first.shape, *second.shape), tuple(_product((a, b)) for a in first for b in second))
+    return Tensor((*first.shape, *second.shape), tuple(product_of((a, b)) for a in first for b in second))
 
 
 def _determinant(below: list[Tensor[Tree]]) -> Tensor[Tree]:
@@ -187,7 +187,7 @@ def _minor(rows: list[list[Tree]]) -> Tree:
     for place, first in enumerate(rows[0]):
         if first != ZERO:
             rest = [row[:place] + row[place + 1 :] for row in rows[1:]]
-            term = _product([first, _minor(rest)])
+            term = product_of([first, _minor(rest)])
             terms.append(Negation(term) if place % 2 and term != ZERO else term)
     return _sum(terms)
 
@@ -217,7 +217,7 @@ def array_of(entries: Tensor[Tree]) -> Tree:
     return Array(tuple(map(array_of, entries.parts())))
 
 
-def _product(factors: Sequence[Tree]) -> Tree:
+def product_of(factors: Sequence[Tree]) -> Tree:
     """A product without ones; zero where a factor is."""
     kept = [part for factor in factors for part in (factor.factors if isinstance(factor, Product) else (factor,))]
     if ZERO in kept:

@@ -29,6 +29,27 @@ _GREEK = re.compile(
 )
 
 
+_WITH_A_MEANING = re.compile("SCRIPT|FRAKTUR|DOUBLE-STRUCK")  # an expectation, the real numbers
+_MATHEMATICAL = {
+    code: plain
+    for code in (0x210E, *range(0x1D400, 0x1D800))
+    if len(plain := unicodedata.normalize("NFKC", chr(code))) == 1
+    and ord(plain) != code
+    and not _WITH_A_MEANING.search(unicodedata.name(chr(code), ""))
+}
+LATIN = "".join(chr(code) for code, plain in _MATHEMATICAL.items() if plain.isascii() and plain.isalpha())
+
+
+def is_mathematical(character: str) -> bool:
+    """Whether a character is of a mathematical alphabet, bold or italic, in which Word and PDFs write formulas."""
+    return ord(character) in _MATHEMATICAL
+
+
+def without_alphabets(source: str) -> str:
+    """A text, as long, with plain letters and digits for those of mathematical alphabets."""
+    return source if source.isascii() else source.translate(_MATHEMATICAL)
+
+
 def check_characters(source: str, names: Collection[str], *, latex: bool = False) -> None:
     """Refuse what is too long or empty, and the first character that is not plain ASCII.
 

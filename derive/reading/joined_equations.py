@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import Fold, rebuild
 from radartrack.derive.formula.limits import MAX_DEPTH, MAX_NODES
+from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.tree import Array, Name, Tree, names, with_span
 
 _ENTRY = re.compile(r"(?P<base>[A-Za-z]\w*?)_?(?P<row>\d)_?(?P<column>\d)")
@@ -44,6 +45,9 @@ def combined(found: Sequence[Definition], wanted: int = 1) -> Tree:
             "each of these equations is used by another one: none is the result", span=found[-1].tree.span
         )
     insert = Insertion(defined)
+    alone = results([one.name for one in found], used, 1)
+    if len(alone) == 1 and _is_array(whole := insert(found[alone[0]].tree)):
+        return whole  # which is as many numbers by itself
     made = [Definition(found[place].name, insert(found[place].tree)) for place in meant]
     return made[0].tree if len(made) == 1 else _array(made)
 
@@ -98,13 +102,18 @@ class Insertion:
         return self._inserted[name]
 
 
+def expanded_size(tree: Tree) -> tuple[int, int]:
+    """The parts and the depth of a formula when what it shares is written out."""
+    return Fold(_size)(tree)
+
+
 def check_expanded(tree: Tree) -> None:
     """Refuse a formula that is too large when what it shares is written out; itself it may be small.
 
     Raises:
         FormulaError: naming the limit.
     """
-    nodes, depth = Fold(_size)(tree)
+    nodes, depth = expanded_size(tree)
     if nodes > MAX_NODES:
         raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=tree.span)
     if depth > MAX_DEPTH:
@@ -113,6 +122,13 @@ def check_expanded(tree: Tree) -> None:
 
 def _size(_node: Tree, below: Sequence[tuple[int, int]]) -> tuple[int, int]:
     return 1 + sum(nodes for nodes, _ in below), 1 + max((depth for _, depth in below), default=0)
+
+
+def _is_array(tree: Tree) -> bool:
+    try:
+        return bool(shape(tree))
+    except FormulaError:  # is told when the whole formula is looked at
+        return False
 
 
 def _array(found: Sequence[Definition]) -> Tree:

@@ -18,7 +18,13 @@ from radartrack.derive.formula.latex_names import GREEK
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, with_span
 from radartrack.derive.formula.unknown_names import check_names
-from radartrack.derive.reading.characters import MAX_PRINTED, check_characters
+from radartrack.derive.reading.characters import (
+    LATIN,
+    MAX_PRINTED,
+    check_characters,
+    is_mathematical,
+    without_alphabets,
+)
 from radartrack.derive.reading.linear_format import SIGNS, structure_at
 from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS
@@ -42,6 +48,7 @@ _SIGNS = MappingProxyType(
         "{": r"\{",
         "}": r"\}",
         "∆": r"\Delta ",
+        "°": r"^{\circ}",
     }
 )
 _FUNCTIONS = "|".join(sorted((*SPELLINGS, "tg", "ctg", "diag", "det", "tr"), key=len, reverse=True))
@@ -58,6 +65,7 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
+_MATHEMATICAL = re.compile(rf"(?P<letters>[{LATIN}]{{2,}})|[^{LATIN}]+|.", re.DOTALL)
 _WITH_ARGUMENT = MappingProxyType({"power": "^{", "lowered": "_{", "root": r"\sqrt{"})
 _FUNCTION_BEHIND = re.compile(rf"(?P<letter>[A-Za-z]?)(?P<function>{_FUNCTIONS})")
 _COMBINING = MappingProxyType(
@@ -103,6 +111,7 @@ def read_printed_text(
         FormulaError: when it is no such formula, is ambiguous, or too large.
     """
     allowed = check_names(names or ())
+    given, (text, places) = text, _with_plain_letters(text)
     is_typed = "*" in text  # products are written out, as one types them, only with other letters
     if len(text) > MAX_PRINTED:
         raise FormulaError(f"the formula has {len(text)} characters; at most {MAX_PRINTED} are read")
@@ -110,12 +119,26 @@ def read_printed_text(
         known = _Known(allowed, strangers or names is None, "∫" in text)
         source, origins = _as_typed(text, allowed) if is_typed else _as_latex(text, known)
     except FormulaError as error:
-        raise error.within(text) from None
+        raise FormulaError(error.message, given, _back(error.span, places)) from None
+    origins = [places[origin] for origin in origins]
     try:
         tree = (read_text if is_typed else read_latex)(source, names, shapes, strangers=strangers, wanted=wanted)
     except FormulaError as error:
-        raise FormulaError(error.message, text, _back(error.span, origins)) from None
+        raise FormulaError(error.message, given, _back(error.span, origins)) from None
     return rebuild(tree, lambda node: with_span(node, _back(node.span, origins)))
+
+
+def _with_plain_letters(text: str) -> tuple[str, list[int]]:
+    """The text with plain letters for mathematical ones, each of which is a symbol, and where each sign stood."""
+    parts: list[str] = []
+    places: list[int] = []
+    for found in _MATHEMATICAL.finditer(text):
+        said = without_alphabets(found.group())
+        is_product = found["letters"] and not _FUNCTION_BEHIND.fullmatch(said)
+        step = 2 if is_product else 1
+        parts.append(" ".join(said) if is_product else said)
+        places += [found.start() + at // step for at in range(len(parts[-1]))]
+    return "".join(parts), [*places, len(text)]
 
 
 def _as_latex(text: str, known: _Known) -> tuple[str, list[int]]:
@@ -154,7 +177,7 @@ def _typed(said: str, place: str, text: str, at: int, names: frozenset[str]) -> 
         return f"**({inside})" if place == "^" else f"_{inside}".replace("\\", "")
     if fraction:
         return f"({fraction[1]}/{fraction[2]})"
-    known = {r"\cdot ": "*", r"\Delta ": "Delta"}
+    known = {r"\cdot ": "*", r"\Delta ": "Delta", r"^{\circ}": "*pi/180"}
     typed = known.get(_SIGNS[said], _SIGNS[said]) if said in _SIGNS else _greek(said).removeprefix("\\")
     typed = "sqrt" if said == "√" else typed
     if not typed or typed.startswith(("\\", "^")):
@@ -316,6 +339,7 @@ def _known(character: str) -> bool:
     is_sign = character in _SIGNS or character in _COMBINING or character in SIGNS or character == "√"
     return (
         is_sign
+        or is_mathematical(character)
         or unicodedata.decomposition(character).startswith("<fraction>")
         or bool(_place(character) or _greek(character))
     )

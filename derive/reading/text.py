@@ -16,6 +16,7 @@ from radartrack.derive.formula.limits import check_brackets, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape, shape
 from radartrack.derive.formula.tree import Call, Constant, Name, Power, Tree, bound_names, parts
 from radartrack.derive.formula.unknown_names import check_names, constants, unknown_function, unknown_name
+from radartrack.derive.reading.algebra_systems import with_plain_functions, with_plain_letters
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees
 from radartrack.derive.reading.joined_equations import Definition, combined
@@ -26,8 +27,6 @@ _BRACKETS = {"(": ")", "[": "]", "{": "}"}
 # P[0,1] = …, f(x) = …
 _LEFT_SIDE = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\[(?P<places>[\w\s,:]*)\]\s*|\([\w\s,]*\)\s*)?=(?!=)")
 _PARTING = re.compile(r"(?P<open>[(\[{])|(?P<close>[)\]}])|(?P<comma>[,;])|(?P<line>\n|\b(?:where|with|and)\s)")
-LONGEST_WORD = max(map(len, SPELLINGS))
-_WORD_BEFORE = re.compile(r"(?<![\w.])[A-Z][A-Za-z0-9]*\Z")
 _OPERAND = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?P<word>[A-Za-z_]\w*(?:\.(?!T\b)[A-Za-z_]\w*)*)")
 
 
@@ -60,8 +59,9 @@ def read_text(
     check_characters(text, allowed)
     whole = text
     try:
+        text = with_plain_letters(text)
         brackets = [(found.group(), found.span()) for found in re.finditer(r"[()\[\]{}]", text)]
-        text = _with_plain_functions(text, brackets, check_brackets(brackets, _BRACKETS), allowed)
+        text = with_plain_functions(text, brackets, check_brackets(brackets, _BRACKETS), allowed)
         check_count(sum(1 for _ in _OPERAND.finditer(text)) + text.count("|") // 2)
         equations = _equations(text)
         known = None if strangers else allowed | {name for name, _ in equations if name}
@@ -71,20 +71,6 @@ def read_text(
         return finished(tree, lambda node: _resolved(node, known, strangers=strangers), shapes, strangers=strangers)
     except FormulaError as error:
         raise error.within(whole) from None
-
-
-def _with_plain_functions(
-    text: str, brackets: Sequence[tuple[str, Span]], pairs: Mapping[int, int], names: Collection[str]
-) -> str:
-    """The text, as long, with the functions of Mathematica and SymPy as they are spelled here: Sqrt[x], Abs(x)."""
-    signs = list(text)
-    for opener, closer in pairs.items():
-        (start, _), (end, _) = brackets[opener][1], brackets[closer][1]
-        word = _WORD_BEFORE.search(text, max(start - LONGEST_WORD, 0), start)
-        if word and text[start] in "([" and word[0] not in names and word[0].lower() in SPELLINGS.keys() - {word[0]}:
-            signs[word.start() : start + 1] = f"{word[0].lower()}("
-            signs[end] = ")"
-    return "".join(signs)
 
 
 class _TextBuilder(TreeBuilder):

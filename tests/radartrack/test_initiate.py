@@ -270,3 +270,18 @@ def test_more_pairs_of_plots_than_a_block_holds_are_started_each_as_alone(axis: 
         alone = initiate.two_plots("polar_doppler", *own, 4.0, azimuth_from=axis)
         np.testing.assert_allclose(got.mean[row, column], alone.mean, rtol=1e-12)
         np.testing.assert_allclose(got.covariance[row, column], alone.covariance, rtol=1e-9)
+
+
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_the_type_is_that_of_all_that_is_given(sensor: str) -> None:
+    plot = PLOTS[sensor]
+    single = {name: np.float32(value) for name, value in plot.items()}
+    for found in (one_plot(sensor, single), two_plots(sensor, single, single, 2.0)):
+        assert {found.mean.dtype, found.covariance.dtype} == {np.dtype(np.float32)}
+    for first, period in ((plot, 2.0), (single, np.float64(2.0))):
+        found = two_plots(sensor, first, single, period)
+        assert {found.mean.dtype, found.covariance.dtype} == {np.dtype(np.float64)}
+    exact = two_plots(sensor, single, single, np.float64(2.0))
+    rounded = two_plots(sensor, single, single, np.float32(2.0))
+    np.testing.assert_array_equal(rounded.mean, exact.mean.astype(np.float32))
+    np.testing.assert_array_equal(rounded.covariance, exact.covariance.astype(np.float32))

@@ -18,8 +18,10 @@ from radartrack.derive.language.shared_symbols import T
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
-from radartrack.derive.units import RADIAN, SECOND, Unit
+from radartrack.derive.units import METRE, RADIAN, SECOND, Unit
 
+_IN_SPACE = re.compile(r"(?:observe\.|initiation\.one_plot\.)?spherical(?!\w*\.(?:std|validity))|frames\.enu_from_ecef")
+LENGTHS = {METRE, METRE**-1}
 POLYNOMIAL = {"fading_memory", "finite_sample", "steady_state"}
 IN_DEGREES = sp.Integer(180) / sp.pi
 SEVERAL = 2
@@ -111,7 +113,7 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     """Ours, each other one alone, and every two that go together; each with and without correlation."""
     angles, returned = [*_other_axes(asked), *_other_senses(asked)], [*_returned_angles(asked)]
     degrees, variances = [*_degrees(asked)], [*_variances(asked)]
-    kinds = (angles, returned, degrees, variances)
+    kinds = (angles, returned, degrees, variances, [*_downwards(asked)])
     scaled, divided = [*_scaled_derivatives(asked)], [*_divided_gains(asked)]
     singles = [OURS, *chain.from_iterable(kinds), *scaled, *divided, *_equal_sensors(asked)]
     pairs = (a & b for first, second in combinations((*kinds, scaled, divided), 2) for a in first for b in second)
@@ -195,6 +197,31 @@ def _other_senses(asked: Asked) -> Iterator[Convention]:
             opposite: dict[Symbol, Expr] = {one: -one}
             words, notes = (f"-{one} for {one}",), ("counted the other way",)
             yield Convention(words, notes, opposite, opposite, cost=0.9, is_slip=True)
+
+
+def _downwards(asked: Asked) -> Iterator[Convention]:
+    """The third axis of space counted downwards, as in north, east, down: along it positions and rates change sign.
+
+    An entry alone says nothing of axes: a wrong sign in it is a slip.
+    """
+    part = asked.reference.part
+    if part is None or len(asked.printed.entries) == 1 or not _IN_SPACE.match(part.quantity.name):
+        return
+    is_frame = part.quantity.module == "frames"
+    upwards = [
+        range(2, len(axis), 3) if len(set(axis[:3])) == 1 and (axis[0] in LENGTHS or (is_frame and not at)) else ()
+        for at, axis in enumerate(part.quantity.axes)
+    ]
+    signs = {
+        index: sp.Integer((-1) ** sum(i in third for third, i in zip(upwards, place, strict=True)))
+        for index, place in part.places.items()
+    }
+    factors: dict[Index, Expr] = {index: sign for index, sign in signs.items() if sign != 1}
+    opposite: dict[Symbol, Expr] = {
+        one: -one for one in asked.reference.symbols if one.name in {"z", "vz"} and one in _used(asked) and not is_frame
+    }
+    if factors or opposite:
+        yield Convention(("z downwards",), (), opposite, opposite, (), factors, {}, 0.9, is_slip=True)
 
 
 def _derived_by(asked: Asked, names: Sequence[str]) -> bool:

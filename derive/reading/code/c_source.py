@@ -24,6 +24,8 @@ _WHOLE_TYPES = frozenset(
     ("int", "long", "short", "unsigned", "size_t", "char", "bool", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
 _SIZED = re.compile(r"(?:Eigen::)?(?:Matrix|Vector|Array)(?P<rows>\d)?(?:x(?P<columns>\d))?[dfi]")
+_OF_A_TYPE = {"Identity": "1", "Zero": "0"}  # what stands on the diagonal
+_SETTING = {"setIdentity": "1", "setZero": "0"}
 _UNREAD_OPERATORS = {
     "^": "^ is exclusive or in {language}, and a power in mathematics: write pow(x, n) for the power",
     "%": "% is a remainder in {language}, which formulas do not have",
@@ -143,7 +145,7 @@ class _CReader:
     def block(self, statements: Sequence[Node]) -> Value:
         """What the statements compute."""
         last: Value | None = None
-        for node in statements:
+        for node in self._taken(statements):
             match node.type:
                 case "return_statement":
                     return self.value(_only(node))
@@ -152,15 +154,29 @@ class _CReader:
                     last = None
                 case "expression_statement":
                     last = self._statement(node)
-                case "if_statement" if self._is_guard(node):
-                    continue
                 case _ if node.type not in _SKIPPED:
                     raise FormulaError(self._unread(node), span=self._span(node))
         return self._space.result(last)
 
-    def _is_guard(self, node: Node) -> bool:
-        condition = text_of(field(node, "condition")).strip("()")
-        return node.child_by_field_name("alternative") is None and self._space.skip_guard(condition, self._span(node))
+    def _taken(self, statements: Sequence[Node]) -> Iterator[Node]:
+        """The statements, with those of a branch for it where the other one only keeps from dividing by zero."""
+        for node in statements:
+            is_first = self._branch(node) if node.type == "if_statement" else None
+            if is_first is None:
+                yield node
+                continue
+            chosen = node.child_by_field_name("consequence" if is_first else "alternative")
+            if chosen is not None and chosen.type == "else_clause":
+                chosen = _only(chosen)
+            if chosen is not None:
+                yield from self._taken(chosen.children if chosen.type == "compound_statement" else [chosen])
+
+    def _branch(self, node: Node) -> bool | None:
+        condition = text_of(field(node, "condition"))
+        is_whole = condition.startswith("(") and condition.endswith(")")
+        other = node.child_by_field_name("alternative")
+        branches = text_of(field(node, "consequence")), text_of(other) if other is not None else ""
+        return self._space.branch(condition[1:-1] if is_whole else condition, branches, self._span(node))
 
     def _statement(self, node: Node) -> Value | None:
         parts = named(node)
@@ -185,7 +201,20 @@ class _CReader:
                 if sizes:
                     self._space.declare(name, sizes)
             else:
-                self._store(name, self.value(value))
+                self._call_entry(name, value)
+                found = self.value(value)
+                self._store(name, self._space.filled(found, sizes, self._span(value)) if sizes else found)
+
+    def _call_entry(self, name: str, value: Node) -> None:
+        """float px = state(0): what is an entry has the name."""
+        is_entry = value.type == "subscript_expression" or (
+            value.type == "call_expression"
+            and field(value, "function").type == "identifier"
+            and not is_function(text_of(field(value, "function")))
+            and _are_places(named(field(value, "arguments")))
+        )
+        if is_entry:
+            self._space.call_entry(name, *self._place(value))
 
     def _declared(self, node: Node) -> tuple[str, tuple[int, ...]]:
         """The name that is declared, and the sizes of an array."""
@@ -222,6 +251,8 @@ class _CReader:
         if right.type == "assignment_expression":  # a = b = c
             self._assign(right)
             right = field(right, "left")
+        if left.type == "identifier" and sign == "=":
+            self._call_entry(text_of(left), right)
         value = self.value(right)
         if sign != "=":
             value = self._changed(sign.removesuffix("="), self.value(left), value, self._span(node))
@@ -282,11 +313,11 @@ class _CReader:
                 return self._number(text_of(node), span)
             case "identifier":
                 return self._space.name(text_of(node), span, whole=self._is_whole(text_of(node)))
-            case "parenthesized_expression":
-                return self.value(_only(node))
+            case "parenthesized_expression" | "conditional_expression":
+                return self.value(self._inside(node))
             case "unary_expression" | "binary_expression":
                 return self._operation(node, span)
-            case "field_expression" | "qualified_identifier":
+            case "field_expression" | "qualified_identifier" | "pointer_expression":
                 return self._member(node, span)
             case "subscript_expression":
                 return self._entry(node, span)
@@ -298,6 +329,15 @@ class _CReader:
                 return self._space.array([self.value(one) for one in named(node)], span)
             case _:
                 raise FormulaError(self._unread(node), span=span)
+
+    def _inside(self, node: Node) -> Node:
+        """What is in brackets, or the branch of a case that is meant."""
+        if node.type == "parenthesized_expression":
+            return _only(node)
+        is_first = self._branch(node)
+        if is_first is None:
+            raise FormulaError(self._unread(node), span=self._span(node))
+        return field(node, "consequence" if is_first else "alternative")
 
     def _number(self, text: str, span: Span) -> Value:
         if text[0] in "+-":  # a sign that the grammar takes for part of the number
@@ -331,10 +371,13 @@ class _CReader:
         return [("+" if "+" in signs else "*", self.value(node), self._span(node)), *reversed(found)]
 
     def _member(self, node: Node, span: Span) -> Value:
-        """plot.x and plot->x are plot_x, this->x is x; std::numbers::pi is pi."""
+        """plot.x and plot->x are plot_x, this->x is x, *x is x; std::numbers::pi is pi."""
         if node.type == "qualified_identifier":
             return self._space.name(text_of(node).rsplit("::", 1)[-1], span)
-        return self._space.name(self._place(node)[0], span)
+        name, _ = self._place(node)
+        if not name:
+            raise FormulaError(self._unread(node), span=span)
+        return self._space.name(name, span)
 
     def _place(self, node: Node) -> tuple[str, list[Place]]:
         """The name of what is assigned to or picked from, and the entry."""
@@ -345,6 +388,8 @@ class _CReader:
             indices = [inside] if inside is not None else named(_arguments(node))
             places[:0] = [self._one_place(one) for one in indices]
             node = function
+        if node.type == "pointer_expression" and text_of(node).startswith("*"):
+            return self._place(field(node, "argument"))
         if node.type == "field_expression":
             owner, _ = self._place(field(node, "argument"))
             member = text_of(field(node, "field"))
@@ -377,13 +422,22 @@ class _CReader:
             return self._cast(text_of(function), self.value(arguments[0]), span)
         if function.type == "field_expression":
             return self._method(function, arguments, span)
-        name = text_of(function).rsplit("::", 1)[-1]
+        owner, _, name = text_of(function).rpartition("::")
+        if name in _OF_A_TYPE and not arguments and (sizes := _eigen_sizes(owner)):
+            return self._space.of_kind(_OF_A_TYPE[name], sizes, span)
         if function.type == "identifier" and not is_function(name) and arguments and _are_places(arguments):
             return self._entry(node, span)
         return applied(self._space, name, [self.value(one) for one in arguments], span)
 
     def _method(self, function: Node, arguments: Sequence[Node], span: Span) -> Value:
-        """P.transpose(), P.inverse()."""
+        """P.transpose(), P.inverse(); F.setIdentity() sets what F is."""
+        kind, target = text_of(field(function, "field")), text_of(field(function, "argument"))
+        if kind in _SETTING and not arguments and self._space.is_defined(target):
+            made = self._space.of_kind(
+                _SETTING[kind], self._space.sized(self._space.name(target, span)).shape or (), span
+            )
+            self._space.assign(target, made)
+            return made
         own = self.value(field(function, "argument"))
         return applied(self._space, text_of(field(function, "field")), [own, *map(self.value, arguments)], span)
 

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from math import prod
 from types import MappingProxyType
 from typing import TypeAlias
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS, VERBS
-from radartrack.derive.formula.tree import Array, Number, children
+from radartrack.derive.formula.tree import Array, Number, Tree, children
 from radartrack.derive.formula.unknown_names import unknown_function
-from radartrack.derive.reading.code.workspace import Value, Workspace
+from radartrack.derive.formula.written_out import ZERO, product_of
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.code.array_entries import joined
+from radartrack.derive.reading.code.workspace import MAX_ROWS, Value, Workspace
 
 Maker: TypeAlias = Callable[[Workspace, Sequence[Value], Span], Value]
 
 _SAME = MappingProxyType(
     {
         **SPELLINGS,
-        "arctan2": "atan2",
         "absolute": "abs",
         "fabs": "abs",
         "chi2cdf": "chi2cdf",
@@ -119,6 +122,20 @@ def _itself(_space: Workspace, arguments: Sequence[Value], _span: Span) -> Value
     return Value(arguments[0].tree, arguments[0].shape, size=arguments[0].size)
 
 
+def _matrix(space: Workspace, arguments: Sequence[Value], _span: Span) -> Value:
+    space.has_matrices = True
+    return Value(arguments[0].tree, arguments[0].shape, size=arguments[0].size, is_matrix=True)
+
+
+def _summed(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """The sum of the entries of a vector; a matrix is summed along an axis in MATLAB, and is not read."""
+    entries = space.opened(arguments[0], span)
+    if len(entries.shape) != 1:
+        raise FormulaError("sum takes a vector whose entries are known", span=span)
+    terms = [Value(entry, size=arguments[0].size) for entry in entries]
+    return space.sum(terms, span) if len(terms) > 1 else terms[0]
+
+
 def _power(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     return space.power(arguments[0], arguments[1], span, of_entries=True)
 
@@ -181,9 +198,11 @@ def _norm(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 
 
 def _product(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
-    if all(one.shape and len(one.shape) == 1 for one in arguments):  # of two vectors the scalar product
-        arguments = [space.call("transpose", arguments[:1], span), *arguments[1:]]
-        product = space.product(arguments, span)
+    """Of two vectors the scalar product; of a vector before a matrix, in NumPy, a vector."""
+    shapes = [space.sized(one).shape or () for one in arguments]
+    is_row = space.language == "Python" and len(shapes[1]) > 1 and not any(one.is_matrix for one in arguments)
+    if len(shapes[0]) == 1 and (len(shapes[1]) == 1 or is_row):
+        product = space.product([space.call("transpose", arguments[:1], span), *arguments[1:]], span)
         return space.picked(product, [space.first], span)
     return space.product(arguments, span)
 
@@ -192,8 +211,52 @@ def _unit(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     return space.call("eye", arguments[:1], span)
 
 
+def _vector(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    return space.array(arguments, span)
+
+
 def _diagonal(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
     return space.call("diag", arguments, span)
+
+
+def _blocks(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """Matrices along the diagonal."""
+    matrices = [space.opened(one, span) for one in arguments]
+    if any(len(one.shape) != len(("rows", "columns")) for one in matrices):
+        raise FormulaError("blocks along a diagonal are matrices", span=span)
+    blocks = [
+        [one if row == column else _of_zeros(one.shape[0], other.shape[1]) for column, other in enumerate(matrices)]
+        for row, one in enumerate(matrices)
+    ]
+    return of_blocks(space, blocks, arguments, span)
+
+
+def _of_zeros(*shape: int) -> Tensor[Tree]:
+    return Tensor(shape, (ZERO,) * prod(shape))
+
+
+def of_blocks(space: Workspace, blocks: Sequence[Sequence[Tensor[Tree]]], parts: Sequence[Value], span: Span) -> Value:
+    """The matrix that rows of blocks make.
+
+    Raises:
+        FormulaError: where they do not fit.
+    """
+    found = joined(blocks)
+    if found is None or max(found.shape) > MAX_ROWS:
+        raise FormulaError(f"these blocks make no matrix of at most {MAX_ROWS} rows and columns", span=span)
+    return space.of_entries(found, parts)
+
+
+def _kronecker(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
+    """A matrix with the second one, times its entry, for each entry of the first."""
+    first, second = (space.opened(one, span) for one in arguments)
+    if not len(first.shape) == len(second.shape) == len(("rows", "columns")):
+        raise FormulaError("kron takes two matrices", span=span)
+    blocks = [
+        [Tensor(second.shape, tuple(product_of((one, entry)) for entry in second)) for one in row]
+        for row in first.parts()
+    ]
+    return of_blocks(space, blocks, arguments, span)
 
 
 def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
@@ -208,16 +271,19 @@ def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
 _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
     {
         **dict.fromkeys(("pow", "power", "float_power"), (2, 2, _power)),
-        **dict.fromkeys(
-            ("array", "asarray", "matrix", "mat", "float", "double", "float64", "single", "Matrix"), (1, 2, _itself)
-        ),
+        **dict.fromkeys(("array", "asarray", "copy", "float", "double", "float64", "single"), (1, 2, _itself)),
+        **dict.fromkeys(("matrix", "mat", "Matrix"), (1, 2, _matrix)),
         **dict.fromkeys(("radians", "deg2rad"), (1, 1, _radians)),
         **dict.fromkeys(("degrees", "rad2deg"), (1, 1, _degrees)),
         **dict.fromkeys(("dot", "matmul", "mtimes"), (2, 2, _product)),
-        **dict.fromkeys(("eye", "identity"), (1, 2, _unit)),
-        **dict.fromkeys(("zeros", "zeros_like"), (1, 2, _zeros)),
+        **dict.fromkeys(("eye", "identity", "Identity"), (1, 2, _unit)),
+        **dict.fromkeys(("block_diag", "blkdiag"), (1, 12, _blocks)),
+        "kron": (2, 2, _kronecker),
+        **dict.fromkeys(("zeros", "zeros_like", "Zero", "empty"), (1, 2, _zeros)),
         **{f"{name}d": (1, 1, _of_degrees(name)) for name in ("sin", "cos", "tan", "sec", "csc", "cot")},
         **{f"{name}d": (1, 1, _in_degrees(name)) for name in ("asin", "acos", "atan")},
+        **{f"Vector{size}{kind}": (size, size, _vector) for size in (2, 3, 4) for kind in "df"},
+        "asDiagonal": (1, 1, _diagonal),
         "atan2d": (2, 2, _in_degrees("atan2")),
         "cbrt": (1, 1, _cube_root),
         "diag": (1, 12, _diagonal),
@@ -226,6 +292,7 @@ _MADE: Mapping[str, tuple[int, int, Maker]] = MappingProxyType(
         "log1p": (1, 1, _of_one_more),
         "norm": (1, 1, _norm),
         "reciprocal": (1, 1, _reciprocal),
+        "sum": (1, 1, _summed),
         "square": (1, 1, _raised("2")),
     }
 )

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
-from radartrack.derive.formula.tree import Place
-from radartrack.derive.reading.code.code_functions import SEVERAL, applied, changed_coordinates, is_function
+from radartrack.derive.formula.tree import Place, Tree
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.code.code_functions import SEVERAL, applied, changed_coordinates, is_function, of_blocks
 from radartrack.derive.reading.code.syntax_trees import Chain, field, first_error, named, parsed, text_of
 from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
 
@@ -22,6 +23,7 @@ _ENTRYWISE = frozenset({".*"})
 _PRODUCTS = frozenset({"*", ".*", "/", "./"})
 _SKIPPED = frozenset({"comment", ";", ",", "\n", "line_continuation", "clear_statement"})
 _COMMANDS = frozenset({"clc", "clear", "close", "clearvars", "format", "hold", "more", "warning"})  # of no effect here
+_BRANCHED = (["block"], ["block", "else_clause"])
 _UNREAD = {
     "if_statement": "formulas have no cases: give the lines of the branch that is meant",
     "switch_statement": "formulas have no cases: give the lines of the branch that is meant",
@@ -82,7 +84,7 @@ class _MatlabReader:
 
     def _block(self, statements: Sequence[Node]) -> Value | None:
         last: Value | None = None
-        for node in statements:
+        for node in self._taken(statements):
             if node.type in _SKIPPED | {"function_definition"} or self._is_idle(node):
                 continue
             if node.type == "assignment":
@@ -93,6 +95,20 @@ class _MatlabReader:
             else:
                 last = self.value(node)
         return last
+
+    def _taken(self, statements: Sequence[Node]) -> Iterator[Node]:
+        """The statements, with those of a branch for it where the other one only keeps from dividing by zero."""
+        for node in statements:
+            blocks = [part for part in named(node) if part.type in {"block", "else_clause", "elseif_clause"}]
+            is_first = None
+            if node.type == "if_statement" and [part.type for part in blocks][:3] in _BRANCHED:
+                both = text_of(blocks[0]), text_of(blocks[1]) if len(blocks) > 1 else ""
+                is_first = self._space.branch(text_of(field(node, "condition")).strip(), both, self._span(node))
+            if is_first is None:
+                yield node
+            elif is_first or len(blocks) > 1:
+                chosen = blocks[0] if is_first else next(part for part in named(blocks[1]) if part.type == "block")
+                yield from self._taken(chosen.children)
 
     def _is_idle(self, node: Node) -> bool:
         return node.type == "command" and text_of(node).split()[0] in _COMMANDS
@@ -105,6 +121,7 @@ class _MatlabReader:
         if left.type == "multioutput_variable":
             self._assign_several(left, right)
             return
+        self._call_entry(left, right)
         value = self.value(right)
         if left.type == "function_call":
             places = [self._place(one) for one in self._arguments(left)]
@@ -113,6 +130,15 @@ class _MatlabReader:
             self._space.assign(name, value)
         else:
             raise FormulaError("this cannot be assigned to", span=self._span(left))
+
+    def _call_entry(self, left: Node, right: Node) -> None:
+        """px = state(1): what is an entry has the name."""
+        if left.type != "identifier" or right.type != "function_call" or is_function(text_of(field(right, "name"))):
+            return
+        inside = self._arguments(right)
+        if all(text_of(one).isdigit() for one in inside):
+            places = [self._place(one) for one in inside]
+            self._space.call_entry(text_of(left), text_of(field(right, "name")), places)
 
     def _assign_several(self, left: Node, right: Node) -> None:
         """[x, y] = pol2cart(th, r) and its kin."""
@@ -217,14 +243,22 @@ class _MatlabReader:
         return [("+" if "+" in signs else "*", self.value(node), self._span(node)), *reversed(found)]
 
     def _matrix(self, node: Node, span: Span) -> Value:
-        """Rows; one row, and one column, are a vector."""
+        """Rows; one row, and one column, are a vector; of arrays, the matrix that they make side by side."""
         rows = [[self.value(entry) for entry in named(row)] for row in named(node)]
+        parts = [entry for row in rows for entry in row]
+        if any(entry.shape for entry in parts):
+            return of_blocks(self._space, [[self._block_of(entry, span) for entry in row] for row in rows], parts, span)
         if len(rows) == 1:
             return replace(self._space.array(rows[0], span), is_row=True)
         if all(len(row) == 1 for row in rows):
             return self._space.array([row[0] for row in rows], span)
         made = [self._space.array(row, self._span(one)) for row, one in zip(rows, named(node), strict=True)]
         return self._space.array(made, span)
+
+    def _block_of(self, value: Value, span: Span) -> Tensor[Tree]:
+        """The entries of a part of a matrix; a vector that lies is a row."""
+        entries = self._space.opened(value, span)
+        return Tensor((1, *entries.shape), entries.entries) if value.is_row else entries
 
     def _transposed(self, value: Value, span: Span) -> Value:
         """A transpose; a vector lies then where it stood, which makes a difference inside a product only."""
@@ -237,7 +271,9 @@ class _MatlabReader:
         arguments = self._arguments(node)
         if self._space.is_defined(name) or not is_function(name):
             places = [self._place(one) for one in arguments]
-            return self._space.entry(name, places, span)
+            found = self._space.entry(name, places, span)
+            is_row = len(places) > 1 and isinstance(places[0], int) and not isinstance(places[1], int)
+            return replace(found, is_row=True) if is_row else found  # A(1, :)
         return applied(self._space, name, [self.value(one) for one in arguments], span)
 
     def _arguments(self, node: Node) -> list[Node]:

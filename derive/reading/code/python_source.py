@@ -5,13 +5,13 @@ from __future__ import annotations
 import ast
 import textwrap
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
 from radartrack.derive.formula.tree import Place
 from radartrack.derive.reading.code.code_functions import applied
-from radartrack.derive.reading.code.workspace import Value, Workspace
+from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
 
 _MODULES = frozenset(
     (
@@ -126,7 +126,7 @@ class _PythonReader:
     def block(self, body: Sequence[ast.stmt]) -> Value:
         """What the statements compute."""
         last: Value | None = None
-        for node in body:
+        for node in self._taken(body):
             match node:
                 case ast.Return(value) if value is not None:
                     return self.value(value)
@@ -134,32 +134,73 @@ class _PythonReader:
                     continue
                 case ast.Expr(value):
                     last = self.value(value)
-                case ast.Assign(targets, value):
+                case ast.Assign(targets, ast.Lambda(_, value)) | ast.Assign(targets, value):
                     self._assign(targets, value)
                     last = None
                 case ast.AnnAssign(target, _, value) if value is not None:
                     self._assign([target], value)
                     last = None
                 case ast.AugAssign(target, operator, value):
+                    self._space.check_alone(self._subscripts(target)[0], self._span(node))
                     changed = ast.copy_location(ast.BinOp(target, operator, value), node)
                     self._assign([target], changed)
                     last = None
-                case ast.If(test, _, []) if self._space.skip_guard(ast.unparse(test), self._span(node)):
-                    continue
                 case _ if not isinstance(node, _SKIPPED):
                     raise FormulaError(self._unread(node), span=self._span(node))
         return self._space.result(last)
 
+    def _taken(self, body: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
+        """The statements, with those of a branch for it where the other one only keeps from dividing by zero."""
+        for node in body:
+            is_first = self._branch(node) if isinstance(node, ast.If) else None
+            if not isinstance(node, ast.If) or is_first is None:
+                yield node
+            else:
+                yield from self._taken(node.body if is_first else node.orelse)
+
+    def _branch(self, node: ast.If | ast.IfExp) -> bool | None:
+        both = [part if isinstance(part, list) else [part] for part in (node.body, node.orelse)]
+        first, other = ("\n".join(map(ast.unparse, part)) for part in both)
+        return self._space.branch(ast.unparse(node.test), (first, other), self._span(node))
+
     def _assign(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
         for target in targets:
             if isinstance(target, ast.Tuple | ast.List):
-                if not isinstance(value, ast.Tuple | ast.List) or len(value.elts) != len(target.elts):
-                    raise FormulaError("as many values as names are needed here", span=self._span(target))
-                found = [self.value(one) for one in value.elts]
-                for one, its in zip(target.elts, found, strict=True):
+                for one, its in zip(target.elts, self._unpacked(target, value), strict=True):
                     self._assign_value(one, its)
             else:
+                if isinstance(target, ast.Name) and isinstance(value, ast.Subscript):
+                    self._space.call_entry(target.id, *self._subscripts(value))
                 self._assign_value(target, self.value(value))
+                if isinstance(target, ast.Name) and (other := self._looked_at(value)):
+                    self._space.share(target.id, other)
+
+    def _looked_at(self, node: ast.expr) -> str:
+        """The array of which an expression is all, a part or the transpose, and no copy."""
+        while isinstance(node, ast.Subscript) or (isinstance(node, ast.Attribute) and node.attr == "T"):
+            node = node.value
+        return node.id if isinstance(node, ast.Name) else ""
+
+    def _unpacked(self, target: ast.Tuple | ast.List, value: ast.expr) -> list[Value]:
+        """What the names in `x, y = state` are worth: its entries, or themselves where the array is not known."""
+        if isinstance(value, ast.Tuple | ast.List):
+            found = [self.value(one) for one in value.elts]
+        elif self._is_unknown(value):
+            found = [self._space.named_anew(self._name(one), self._span(one)) for one in target.elts]
+        else:
+            array = self.value(value)
+            shape = self._space.sized(array).shape or ()
+            found = [self._space.picked(array, [at], self._span(value)) for at in range(shape[0] if shape else 0)]
+        if len(found) != len(target.elts):
+            raise FormulaError("as many values as names are needed here", span=self._span(target))
+        return found
+
+    def _is_unknown(self, node: ast.expr) -> bool:
+        """Whether this is an array, or a slice of one, that is neither defined here nor a symbol."""
+        while isinstance(node, ast.Subscript):
+            node = node.value
+        name = self._name(node) if isinstance(node, ast.Name | ast.Attribute) else ""
+        return bool(name) and not self._space.is_known(name)
 
     def _assign_value(self, target: ast.expr, value: Value) -> None:
         if isinstance(target, ast.Subscript):
@@ -205,6 +246,8 @@ class _PythonReader:
                 return self._entry(node, span)
             case ast.Call():
                 return self._call(node, span)
+            case ast.IfExp(_, first, other) if (is_first := self._branch(node)) is not None:
+                return self.value(first if is_first else other)
             case _:
                 raise FormulaError(self._unread(node), span=span)
 
@@ -232,25 +275,26 @@ class _PythonReader:
         while isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div | ast.MatMult):
             chain.append((node.op, node.right))
             node = node.left
-        factors, of_entries = [self.value(node)], False
+        factors = [self.value(node)]
         for operator, right in reversed(chain):
             value = self.value(right)
             here = (span[0], self._span(right)[1])
             if isinstance(operator, ast.Div):
-                above = self._joined(factors, here, of_entries=of_entries)
-                factors, of_entries = [self._space.quotient(above, value, here)], False
+                factors = [self._space.quotient(self._joined(factors, here), value, here)]
+            elif isinstance(operator, ast.MatMult) and self._space.are_vectors([self._joined(factors, here)]):
+                factors = [applied(self._space, "dot", [self._joined(factors, here), value], here)]
+            elif isinstance(operator, ast.Mult) and self._space.both_arrays(factors, value):
+                factors = [self._space.product([self._joined(factors, here), value], here, of_entries=True)]
             else:
-                both = bool(value.shape) and any(factor.shape for factor in factors)
-                of_entries |= isinstance(operator, ast.Mult) and both
                 factors.append(value)
-        return self._joined(factors, span, of_entries=of_entries)
+        return self._joined(factors, span)
 
-    def _joined(self, factors: Sequence[Value], span: Span, *, of_entries: bool) -> Value:
-        return factors[0] if len(factors) == 1 else self._space.product(factors, span, of_entries=of_entries)
+    def _joined(self, factors: Sequence[Value], span: Span) -> Value:
+        return factors[0] if len(factors) == 1 else self._space.product(factors, span)
 
     def _attribute(self, node: ast.Attribute, span: Span) -> Value:
         if node.attr == "T":
-            return self._space.call("transpose", [self.value(node.value)], span)
+            return self._transposed(self.value(node.value), span)
         path = _path(node)
         if path[0] in _MODULES and node.attr in _CONSTANTS:
             return self._space.constant(_CONSTANTS[node.attr], span)
@@ -258,6 +302,13 @@ class _PythonReader:
         if not name:
             raise FormulaError(f".{node.attr} is not read", span=span)
         return self._space.name(name, span)
+
+    def _transposed(self, value: Value, span: Span) -> Value:
+        """A transpose; NumPy's vectors neither stand nor lie."""
+        if len(self._space.sized(value).shape or ()) != 1 or value.is_matrix:
+            return self._space.call("transpose", [value], span)
+        self._space.remarks.append(Remark(span, "the transpose of a vector is itself in Python: np.outer is a v v^T"))
+        return value
 
     def _name(self, node: ast.expr) -> str:
         """A name, or that of an attribute: self.x is x, plot.x is plot_x; of a module, nothing."""
@@ -277,7 +328,8 @@ class _PythonReader:
         while isinstance(node, ast.Subscript):
             places[:0] = self._places(node.slice)
             node = node.value
-        return (self._name(node) if isinstance(node, ast.Name | ast.Attribute) else ""), places
+        is_named = isinstance(node, ast.Name) or (isinstance(node, ast.Attribute) and node.attr != "T")
+        return (self._name(node) if is_named else ""), places
 
     def _places(self, node: ast.expr) -> list[Place]:
         return [self._one_place(one) for one in (node.elts if isinstance(node, ast.Tuple) else [node])]
@@ -298,8 +350,12 @@ class _PythonReader:
             raise FormulaError("arguments are given by their places", span=span)
         if isinstance(node.func, ast.Attribute) and _path(node.func)[0] not in _MODULES:
             own = self.value(node.func.value)  # a method: P.dot(Q), a.transpose()
+            if node.func.attr == "transpose" and not node.args:
+                return self._transposed(own, span)
             return applied(self._space, node.func.attr, [own, *map(self.value, node.args)], span)
         function = _path(node.func)[-1]
+        if function == "transpose" and len(node.args) == 1:
+            return self._transposed(self.value(node.args[0]), span)
         return applied(self._space, function, [self.value(one) for one in node.args], span)
 
     def _unread(self, node: ast.AST) -> str:

@@ -91,16 +91,15 @@ class Chain:
     def product(self, parts: list[tuple[str, Value, Span]], span: Span, *, entrywise: frozenset[str]) -> Value:
         """Values with a sign of multiplication or division before them; which signs work entry by entry."""
         factors: list[Value] = []
-        of_entries = False
         for sign, value, where in parts:
             here = (span[0], where[1])
             if sign.endswith("/"):
-                above = self._joined(factors, here, of_entries=of_entries)
-                factors, of_entries = [self._space.quotient(above, value, here)], False
+                factors = [self._space.quotient(self._joined(factors, here), value, here)]
+            elif sign in entrywise and self._space.both_arrays(factors, value):
+                factors = [self._space.product([self._joined(factors, here), value], here, of_entries=True)]
             else:
-                of_entries |= sign in entrywise and bool(value.shape) and any(factor.shape for factor in factors)
                 factors.append(value)
-        return self._joined(factors, span, of_entries=of_entries)
+        return self._joined(factors, span)
 
-    def _joined(self, factors: list[Value], span: Span, *, of_entries: bool) -> Value:
-        return factors[0] if len(factors) == 1 else self._space.product(factors, span, of_entries=of_entries)
+    def _joined(self, factors: list[Value], span: Span) -> Value:
+        return factors[0] if len(factors) == 1 else self._space.product(factors, span)

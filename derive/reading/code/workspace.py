@@ -11,6 +11,7 @@ from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.latex_names import candidates
 from radartrack.derive.formula.limits import MAX_DEPTH, MAX_NODES, check_number
 from radartrack.derive.formula.shape import Shape, shape_of_node
+from radartrack.derive.formula.shape import shape as shape_of
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -25,15 +26,29 @@ from radartrack.derive.formula.tree import (
     Quotient,
     Sum,
     Tree,
-    children,
 )
 from radartrack.derive.formula.unknown_names import unknown_name
-from radartrack.derive.reading.joined_equations import results
+from radartrack.derive.formula.written_out import array_of
+from radartrack.derive.language.tensor import Tensor, indices
+from radartrack.derive.reading.code.array_entries import changed, entries_of, entry_of
+from radartrack.derive.reading.joined_equations import expanded_size, results
 
 LONGEST_CONDITION = 200  # characters
 MAX_ROWS = 12
 # abs(d) < 1e-4, d == 0: what keeps code from dividing by zero, and cuts nothing from the domain of a formula.
-_GUARD = re.compile(r"[^<>=!&|?]*(?:<=?\s*(?:0?\.0\d+|\d+(?:\.\d*)?[eE]-\d+)|==\s*0(?:\.0*)?)[fF]?[\s)]*")
+_SMALL = r"(?:0?\.0\d+|\d+(?:\.\d*)?[eE]-\d+)[fF]?"
+_CALLED_SMALL = r"(?:\w+(?:<\w+>)?(?:\.|::|\(\w*\)\.))*\w*(?:eps|tol|small|tiny)\w*(?:\(\))?"
+_SIZE = r"[^<>=!&|?~]*\bf?abs\w?\s*\([^<>=!&|?~]*"
+_ZERO = r"0(?:\.0*)?[fF]?"
+_BRANCHES = tuple(
+    (is_first, re.compile(rf"(?:{form})[\s)]*", re.IGNORECASE))
+    for is_first, form in (
+        (False, rf"[^<>=!&|?~]*<=?\s*{_SMALL}|{_SIZE}<=?\s*{_CALLED_SMALL}|(?P<equal>[^<>=!&|?~]*)==\s*{_ZERO}"),
+        (True, rf"{_SIZE}>=?\s*(?:{_SMALL}|{_CALLED_SMALL}|{_ZERO})|(?P<equal>[^<>=!&|?~]*)[!~]=\s*{_ZERO}"),
+    )
+)
+NOT_COMPARED = "this branch, for a divisor next to zero, is not compared"
+_WORD = re.compile(r"[A-Za-z_]\w*")
 _PI = frozenset({"pi", "M_PI", "PI"})
 
 
@@ -55,6 +70,7 @@ class Value:
         whole: whether it is of a type of whole numbers, in a language where those divide without remainder.
         size: the parts and the depth of the tree with all that is shared written out.
         is_row: whether a vector lies, in a language where that makes a difference.
+        is_matrix: whether it is of a class of matrices, whose * is their product where that of arrays is none.
     """
 
     tree: Tree
@@ -62,6 +78,7 @@ class Value:
     whole: bool = False
     size: tuple[int, int] = (1, 1)
     is_row: bool = False
+    is_matrix: bool = False
 
 
 @dataclass
@@ -84,8 +101,12 @@ class Workspace:
     strangers: bool
     wanted: int = 1
     remarks: list[Remark] = field(default_factory=list)
+    has_matrices: bool = False  # besides arrays
     _values: dict[str, Value] = field(default_factory=dict)
     _entries: dict[str, dict[tuple[int, ...], Value]] = field(default_factory=dict)
+    _called: dict[str, str] = field(default_factory=dict)  # entries of arrays that are not known, by the block
+    _shared: set[frozenset[str]] = field(default_factory=set)
+    _free: set[str] = field(default_factory=set)  # names that occur without a value
     _used: set[str] = field(default_factory=set)  # of those that have values, which others rest on
     _last: Value | str | None = None  # a value, or the name of an array of which entries are set
 
@@ -104,7 +125,7 @@ class Workspace:
         shapes = [part.shape for part in parts]
         known = [one for one in shapes if one is not None]
         found = shape_of_node(tree, known) if len(known) == len(shapes) else None
-        return Value(tree, found, whole, (nodes, depth))
+        return Value(tree, found, whole, (nodes, depth), is_matrix=any(part.is_matrix for part in parts))
 
     def number(self, text: str, span: Span, *, whole: bool = False) -> Value:
         """A number as written."""
@@ -128,23 +149,47 @@ class Workspace:
             return self._matrix(name, span)
         if name in _PI and name not in self.names:
             return self.constant("pi", span)
+        return self._symbol(name, span, whole=whole)
+
+    def _symbol(self, name: str, span: Span, *, whole: bool = False) -> Value:
+        """A name that means itself, whatever it is assigned later."""
         if name in SPELLINGS:
             raise FormulaError(f"{name} is a function: give its argument in brackets", span=span)
         if name not in self.names and not self.strangers:
             raise FormulaError(unknown_name(name, self.names), span=span)
         is_known = name in self.names
+        self._free.add(name)
         return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
 
-    def skip_guard(self, condition: str, span: Span) -> bool:
-        """Whether a branch is only taken where a divisor is next to zero; it is said that it is not compared."""
-        is_guard = len(condition) < LONGEST_CONDITION and bool(_GUARD.fullmatch(condition))
-        if is_guard:
-            self.remarks.append(Remark(span, "this branch, for a divisor next to zero, is not compared"))
-        return is_guard
+    def branch(self, condition: str, branches: tuple[str, str], span: Span) -> bool | None:
+        """Whether the first of two branches is a formula's, as the other is only taken next to zero of a divisor.
+
+        None for other cases, such as a switch that is compared with zero and that neither branch computes with. That a
+        branch is not compared is said.
+        """
+        found = ((is_first, form.fullmatch(condition[: LONGEST_CONDITION + 1])) for is_first, form in _BRANCHES)
+        is_first, meant = next((one for one in found if one[1]), (False, None))
+        if meant is None or len(condition) > LONGEST_CONDITION:
+            return None
+        words = set(_WORD.findall(meant["equal"] or ""))
+        if words and all(branches) and words.isdisjoint(_WORD.findall(branches[not is_first])):
+            return None
+        self.remarks.append(Remark(span, NOT_COMPARED))
+        return is_first
 
     def is_defined(self, name: str) -> bool:
         """Whether something was assigned to a name."""
         return name in self._values or name in self._entries
+
+    def is_known(self, name: str) -> bool:
+        """Whether a name has a value here, or is a symbol."""
+        return self.is_defined(name) or name in self.names
+
+    def named_anew(self, name: str, span: Span) -> Value:
+        """What a name is worth that no longer means what was assigned to it before."""
+        self._values.pop(name, None)
+        self._entries.pop(name, None)
+        return self.name(name, span)
 
     def entry(self, name: str, places: Sequence[Place], span: Span) -> Value:
         """An entry of an array, counted as the language does; of an unknown one, a name of its own: x[0] is x_0."""
@@ -163,7 +208,8 @@ class Workspace:
         if not below:
             raise FormulaError(f"the shape of {name} is not known: entries are picked from it one by one", span=span)
         possible = candidates(name, below)
-        return self.name(next((one for one in possible if one in self.names), possible[0]), span)
+        called = next((one for one in possible if one in self.names), possible[0])
+        return self._symbol(self._called[called], span) if called in self._called else self.name(called, span)
 
     def picked(self, array: Value, places: Sequence[Place], span: Span) -> Value:
         """Entries of an array that is known."""
@@ -174,11 +220,9 @@ class Workspace:
 
     def _part(self, array: Value, places: tuple[int, ...], span: Span) -> Value:
         """One entry of an array that is written out."""
-        self.made(Entries(array.tree, places, span=span), [array])  # refuses one that is not there
-        part, found = array.tree, array.shape
-        for place in places:
-            part = children(part)[place]
-        return Value(part, None if found is None else found[len(places) :], size=array.size)
+        there = self.made(Entries(array.tree, places, span=span), [array])  # refuses one that is not there
+        tree = entry_of(array.tree, places, span)
+        return replace(there, tree=tree, size=expanded_size(tree))
 
     def _from_zero(self, place: Place, span: Span) -> Place:
         if isinstance(place, int):
@@ -199,10 +243,8 @@ class Workspace:
 
     def product(self, factors: Sequence[Value], span: Span, *, of_entries: bool = False) -> Value:
         """Two or more factors; of arrays the matrix product, unless the language takes entry by entry."""
-        if of_entries and sum(bool(factor.shape) for factor in factors) > 1:
-            raise FormulaError(
-                f"* of two arrays multiplies entry by entry in {self.language}: write the entries out", span=span
-            )
+        if of_entries and not self._are_matrices(factors, span):
+            return self._entrywise(factors, span)
         first = factors[0]
         if isinstance(first.tree, Negation):  # -a*b is printed as -(a*b)
             positive = replace(first, tree=first.tree.operand)
@@ -245,9 +287,91 @@ class Workspace:
 
     def power(self, base: Value, exponent: Value, span: Span, *, of_entries: bool = False) -> Value:
         """A power; of a matrix the product of it with itself, unless the language takes entry by entry."""
-        if of_entries and base.shape:
-            raise FormulaError(f"a power of an array is taken entry by entry in {self.language}", span=span)
+        if of_entries and self.sized(base).shape and not self._are_matrices([base], span):
+            opened = self.opened(base, span)
+            self._say_of_entries("**", [self.sized(base)], span)
+            powers: list[Tree] = [Power(entry, exponent.tree, span=span) for entry in opened]
+            entries = Tensor(opened.shape, tuple(powers))
+            self.made(Power(entries.entries[0], exponent.tree, span=span), [replace(base, shape=()), exponent])
+            return self.of_entries(entries, [base, exponent], is_row=base.is_row)
         return self.made(Power(base.tree, exponent.tree, span=span), [base, exponent])
+
+    def _are_matrices(self, factors: Sequence[Value], span: Span) -> bool:
+        """Whether arrays are of a class of matrices.
+
+        Raises:
+            FormulaError: where that is not known, as there are some.
+        """
+        arrays = [factor for factor in factors if self.sized(factor).shape]
+        if self.has_matrices and not all(one.is_matrix for one in arrays):
+            raise FormulaError(
+                "whether this works entry by entry depends on the class: write @ for products", span=span
+            )
+        return self.has_matrices
+
+    def _say_of_entries(self, sign: str, arrays: Sequence[Value], span: Span) -> None:
+        """Say that a sign of Python works entry by entry on matrices, whose product is written otherwise."""
+        if self.language == "Python" and any(len(one.shape or ()) > 1 for one in arrays):
+            self.remarks.append(Remark(span, f"{sign} of matrices works entry by entry in Python: @ is their product"))
+
+    def _entrywise(self, factors: Sequence[Value], span: Span) -> Value:
+        """The product of arrays of one shape, entry by entry; numbers among them are factors of all."""
+        factors = [self.sized(factor) for factor in factors]
+        arrays = [factor for factor in factors if factor.shape]
+        self._say_of_entries("*", arrays, span)
+        if len({(one.shape, one.is_row) for one in arrays}) > 1:
+            raise FormulaError(
+                f"* of arrays multiplies entry by entry in {self.language}, and these are of different shapes",
+                span=span,
+            )
+        columns = [self.opened(one, span) if one.shape else None for one in factors]
+
+        def entry(*at: int) -> Tree:
+            its = (one.tree if column is None else column[at] for one, column in zip(factors, columns, strict=True))
+            return Product(tuple(its), span=span)
+
+        entries = Tensor.build(arrays[0].shape or (), entry)
+        return self.of_entries(entries, factors, is_row=arrays[0].is_row)
+
+    def opened(self, array: Value, span: Span) -> Tensor[Tree]:
+        """The entries of an array, or the number that it is.
+
+        Raises:
+            FormulaError: for an array whose shape is not known.
+        """
+        array = self.sized(array)
+        if array.shape is None:
+            raise FormulaError("the shape of this array is not known: write its entries out", span=span)
+        return entries_of(array.tree, array.shape, span)
+
+    def both_arrays(self, factors: Sequence[Value], factor: Value) -> bool:
+        """Whether one of the factors, and the one that follows them, are arrays."""
+        return bool(self.sized(factor).shape) and any(self.sized(one).shape for one in factors)
+
+    def are_vectors(self, values: Sequence[Value]) -> bool:
+        """Whether all are vectors, of which the product is a number."""
+        return all(len(self.sized(one).shape or ()) == 1 for one in values)
+
+    def sized(self, value: Value) -> Value:
+        """A value with the shape that it has if all names of unknown shape are numbers, where that is an array."""
+        if value.shape is not None:
+            return value
+        try:
+            return replace(value, shape=shape_of(value.tree, self.shapes) or None)
+        except FormulaError:
+            return value
+
+    def of_entries(self, entries: Tensor[Tree], parts: Sequence[Value], *, is_row: bool = False) -> Value:
+        """An array of entries, which each may hold all of the parts.
+
+        Raises:
+            FormulaError: for one that is too large.
+        """
+        nodes = len(entries.entries) * (1 + sum(part.size[0] for part in parts))
+        if nodes > MAX_NODES:
+            raise FormulaError(f"the formula has more than {MAX_NODES} parts")
+        depth = len(entries.shape) + 1 + max(part.size[1] for part in parts)
+        return Value(array_of(entries), entries.shape, size=(nodes, depth), is_row=is_row)
 
     def array(self, entries: Sequence[Value], span: Span) -> Value:
         """A vector, or a matrix of rows.
@@ -266,31 +390,69 @@ class Workspace:
 
     def assign(self, name: str, value: Value) -> None:
         """Give a name a value."""
+        self._shared = {pair for pair in self._shared if name not in pair}
         self._values[name] = value
         self._entries.pop(name, None)
         self._last = value
 
-    def assign_entry(self, name: str, places: Sequence[Place], value: Value, span: Span) -> None:
-        """Give an entry of an array a value.
+    def share(self, name: str, other: str) -> None:
+        """Let two names be of one array: an entry of it is then set in both, which is not followed here."""
+        if self.sized(self._values[name]).shape and self.is_defined(other):
+            self._shared.add(frozenset((name, other)))
+
+    def check_alone(self, name: str, span: Span) -> None:
+        """Refuse to change an array in place that another name is of too.
 
         Raises:
-            FormulaError: for slices, and entries that the array does not have.
+            FormulaError: where one is.
         """
-        if not all(isinstance(place, int) for place in places):
-            raise FormulaError("entries are set one by one", span=span)
-        shifted = _numbers(tuple(self._from_zero(place, span) for place in places))
-        if name in self._values:
-            array = self._values[name]
-            self._part(array, shifted, span)
-            tree = _with_entry(array.tree, shifted, value.tree)
-            nodes = array.size[0] + value.size[0]
-            if nodes > MAX_NODES:
-                raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=span)
-            size = nodes, max(array.size[1], len(places) + value.size[1])
-            self._values[name] = self._last = Value(tree, array.shape, size=size)
+        if shared := next((pair for pair in self._shared if name in pair), None):
+            both = " and ".join(sorted(shared))
+            raise FormulaError(
+                f"{both} are one array in {self.language}, which is changed here: write .copy()", span=span
+            )
+
+    def call_entry(self, called: str, name: str, places: Sequence[Place]) -> None:
+        """Let an entry of an array that is not known have a name from here on: px = state[0]."""
+        numbers = _numbers(tuple(places))
+        if len(name) == 1 or not numbers or len(numbers) < len(places) or self.is_known(name) or name in self._entries:
             return
+        possible = candidates(name, "_".join(map(str, numbers)))
+        is_free = not self.is_defined(called) and called not in self._free
+        if is_free and possible[0] not in self._called and not any(one in self.names for one in possible):
+            self._called[possible[0]] = called
+
+    def assign_entry(self, name: str, places: Sequence[Place], value: Value, span: Span) -> None:
+        """Give an entry of an array a value, or a slice of one that has values.
+
+        Raises:
+            FormulaError: for entries that the array does not have, and a value of another shape than the slice.
+        """
+        shifted = tuple(self._from_zero(place, span) for place in places)
+        self.check_alone(name, span)
+        if name in self._values:
+            self._values[name] = self._last = self._with_entries(self._values[name], shifted, value, span)
+            return
+        if not all(isinstance(place, int) for place in places):
+            raise FormulaError(f"entries of {name}, whose size is not known, are set one by one", span=span)
         self._entries.setdefault(name, {})[_numbers(tuple(places))] = value
         self._last = name
+
+    def _with_entries(self, array: Value, places: tuple[Place, ...], value: Value, span: Span) -> Value:
+        """An array in which what is at these places has another value; a number is that of all of them."""
+        target = self.made(Entries(array.tree, places, span=span), [array])  # refuses what is not there
+        value = self.sized(value) if target.shape else value
+        if value.shape is None and target.shape:
+            raise FormulaError("the shape of what is set here is not known: set the entries one by one", span=span)
+        if value.shape and value.shape != target.shape:
+            raise FormulaError("what is set here is of another shape than its place", span=span)
+        new = self.opened(value, span) if value.shape else value.tree
+        entries = changed(self.opened(array, span), places, new)
+        tree = array_of(entries)
+        size = expanded_size(tree)
+        if size[0] > MAX_NODES:
+            raise FormulaError(f"the formula has more than {MAX_NODES} parts", span=span)
+        return replace(array, tree=tree, size=size)
 
     def declare(self, name: str, shape: Shape) -> None:
         """An array of this shape, zero until it is set.
@@ -307,6 +469,26 @@ class Workspace:
         zero = self.number("0", span)
         row = self.array([zero] * shape[-1], span)
         return row if len(shape) == 1 else self.array([row] * shape[0], span)
+
+    def of_kind(self, diagonal: str, shape: Shape, span: Span) -> Value:
+        """A matrix with a number on its diagonal, else of zeros."""
+        made = self.zeros(shape, span)
+        numbers = (Number(diagonal if len(set(at)) == 1 else "0", span=span) for at in indices(shape))
+        return replace(made, tree=array_of(Tensor(shape, tuple(numbers))))
+
+    def filled(self, value: Value, shape: Shape, span: Span) -> Value:
+        """An array of C of which the first entries are given, row by row or one after the other; the rest are zero."""
+        value = self.sized(value)
+        if not value.shape or value.shape == shape:
+            return value
+        given = self.opened(value, span)
+        zeros = self.opened(self.zeros(shape, span), span)
+        flat = len(given.shape) == 1
+        places = zip(zeros.indices, given, strict=False) if flat else given.items()
+        entries = dict(zeros.items()) | dict(places)
+        if len(entries) != len(zeros.entries) or len(given.entries) > len(zeros.entries):
+            raise FormulaError("these are more entries than the array has", span=span)
+        return self.of_entries(Tensor(shape, tuple(entries.values())), [value])
 
     def result(self, value: Value | None = None) -> Value:
         """A value that was returned, or else what was assigned last: all entries of an array, where those were set.
@@ -373,11 +555,3 @@ def _whole_number(tree: Tree) -> int | None:
                 product *= value
             return product
     return None
-
-
-def _with_entry(tree: Tree, places: tuple[int, ...], new: Tree) -> Tree:
-    if not places or not isinstance(tree, Array):
-        return new
-    entries = list(tree.entries)
-    entries[places[0]] = _with_entry(entries[places[0]], places[1:], new)
-    return Array(tuple(entries), span=tree.span)

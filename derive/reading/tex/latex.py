@@ -2,6 +2,7 @@ r"""Reads a formula in LaTeX, as papers print it: `\frac{1}{2}\sigma_\beta^2 r\c
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from itertools import pairwise
@@ -28,11 +29,14 @@ from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees, verb
 from radartrack.derive.reading.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
-from radartrack.derive.reading.tex.latex_equations import equations
+from radartrack.derive.reading.tex.latex_equations import Equation, equations, without_formula_before
 from radartrack.derive.reading.tex.latex_hints import hint
 from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
 from radartrack.derive.reading.tex.latex_tokens import WORDS, LatexTokens
 
+_ARRAY = re.compile(r"matrix\}|\{array\}|diag|\]\s*\^")
+_APPLIED = re.compile(r"(?P<name>[^()=]*?)\s*(?P<argument>\([^()=]*\))\s*")
+_COMMA = re.compile(r"[,;]|\\q?quad(?![A-Za-z])")
 _OF_ANGLES = frozenset({"acos", "asin", "atan", "cos", "cot", "csc", "sec", "sin", "tan"})
 
 
@@ -70,8 +74,9 @@ def read_latex(
     try:
         macros, text = defined_macros(text)
         text = expanded(text, macros)
-        found = equations(text)
-        rights = [LatexTokens(one.right, allowed, shapes, strangers=strangers) for one in found]
+        found = _with_plain_functions([part for one in equations(text) for part in _parted(one)])
+        arrays = {**shapes, **{letter.base: () for one in found if (letter := _array_defined(one))}}
+        rights = [LatexTokens(one.right, allowed, arrays, strangers=strangers) for one in found]
         lefts = [_letter(one.left, allowed) if len(found) > 1 else None for one in found]
         letters = [letter for tokens in rights for letter in tokens.letters]
         spelling = Names([*letters, *filter(None, lefts)], allowed, strangers=strangers)
@@ -81,6 +86,40 @@ def read_latex(
         return finished(tree, shapes=shapes, strangers=strangers)
     except FormulaError as error:
         raise error.within(text) from None
+
+
+def _parted(equation: Equation) -> list[Equation]:
+    """An equation, and the formula before it of which it defines a letter; x, y = 1, 2 defines two and is one."""
+    before, own = without_formula_before(equation)
+    if _letter(own.left, frozenset()) is None:
+        return [equation]
+    pieces = [piece for piece in _COMMA.split(before) if piece.strip()]
+    if not pieces:
+        return [own]
+    return [equation] if all(_letter(piece, frozenset()) for piece in pieces) else [Equation("", before), own]
+
+
+def _with_plain_functions(found: Sequence[Equation]) -> list[Equation]:
+    r"""Equations in which N(\phi) is N where one of them defines it under that name."""
+    for equation in found:
+        applied = _APPLIED.fullmatch(equation.left)
+        if not applied or _letter(applied["name"], frozenset()) is None:
+            continue
+        argument = applied["argument"]
+        used = re.compile(rf"(?P<name>{re.escape(applied['name'].strip())})(?P<argument>\s*{re.escape(argument)})")
+        if any(used.search(one.right) for one in found):
+            plain = [Equation(_bare(used, one.left), _bare(used, one.right)) for one in found]
+            return _with_plain_functions(plain)
+    return list(found)
+
+
+def _bare(applied: re.Pattern[str], text: str) -> str:
+    return applied.sub(lambda found: found["name"] + " " * len(found["argument"]), text)
+
+
+def _array_defined(equation: Equation) -> Letter | None:
+    """The letter that an equation defines as a vector or a matrix."""
+    return _letter(equation.left, frozenset()) if _ARRAY.search(equation.right) else None
 
 
 def latex_name(text: str) -> str | None:

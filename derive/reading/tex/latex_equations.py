@@ -15,6 +15,7 @@ from radartrack.derive.formula.error import FormulaError, Span
 
 MAX_EQUATIONS = 60
 MAX_ROWS = 300
+MOST_SIGNS_BEHIND = 3  # a decimal point, a comma, and a word in place of one
 LONGEST_NUMBER = 40  # characters of the number of an equation with the spaces before it
 
 _DISPLAYS = (
@@ -67,6 +68,11 @@ _SYSTEM = re.compile(
     r"(?P<body>(?:(?!\\(?:begin|end)\s*\{(?P=name)\}).)*)(?P<end>\\end\s*\{(?P=name)\})(?P<close>\s*\\right\s*\.)?",
     re.DOTALL,
 )
+_BRACED_DISPLAY = re.compile(
+    r"(?P<open>\\left\s*(?:\\\{|\\lbrace)\s*)(?P<inside>\\begin\s*\{(?P<name>aligned|alignedat|split|gathered)\}"
+    r"(?:(?!\\begin).)*?\\end\s*\{(?P=name)\}\s*)(?P<close>\\right\s*\.)",
+    re.DOTALL,
+)
 _RELATED = re.compile(rf"(?:{RELATION})\s*$", re.VERBOSE)
 
 
@@ -91,6 +97,17 @@ def equations(source: str) -> list[Equation]:
     return found
 
 
+def without_formula_before(equation: Equation) -> tuple[str, Equation]:
+    r"""What stands before the name that an equation defines, \lambda r in `\lambda r, \lambda = 2`; the equation."""
+    commas = [span for kind, span in _outer(equation.left) if kind == "comma"]
+    if not commas:
+        return "", equation
+    cut = commas[-1]
+    length = len(equation.left)
+    before = _without_punctuation(_overwritten(equation.left, [(cut[0], length)]))
+    return before, Equation(_overwritten(equation.left, [(0, cut[1])]), equation.right)
+
+
 def _without_setting(source: str) -> str:
     """The source without delimiters and comments; a display that ends, ends a line, a word between two is a comma."""
 
@@ -102,6 +119,9 @@ def _without_setting(source: str) -> str:
             return "," + blank[1:]
         return "\\\\" + blank[2:] if found["end"] else blank
 
+    source = _BRACED_DISPLAY.sub(
+        lambda found: f"{' ' * len(found['open'])}{found['inside']}{' ' * len(found['close'])}", source
+    )
     bare = _SET.sub(replaced, source)
     bare = _without_braces(bare)
     sides = [found["side"] for found in _NULL.finditer(bare)]
@@ -204,15 +224,19 @@ def _equation(bare: str, breaks: Sequence[Span], sides: Sequence[Span]) -> Equat
 
 
 def _without_punctuation(text: str) -> str:
-    """A formula without the spaces and the one sign of punctuation behind it."""
+    """A formula without the spaces and the punctuation behind it; a word that parts two equations is a comma too."""
     text = _without_spaces(text)
-    return _without_spaces(text[:-1]) if text.endswith((".", ",", ";")) and not text.endswith("\\,") else text
+    for _ in range(MOST_SIGNS_BEHIND):
+        text = _without_spaces(text[:-1]) if text.endswith((".", ",", ";")) else text
+    return text
 
 
 def _without_spaces(text: str) -> str:
     text = text.rstrip()
     while behind := next((space for space in _SPACES_BEHIND if text.endswith(space)), ""):
         text = text.removesuffix(behind).rstrip()
+    if text.endswith("\\") and not text.endswith("\\\\"):  # a backslash and the space that is gone
+        return _without_spaces(text[:-1])
     return text
 
 

@@ -92,6 +92,7 @@ _COMMANDS = MappingProxyType(
     | {"\\sqrt": "root", "\\cdot": "times", "\\times": "times", "\\rm": "roman", "\\prime": "prime"}
     | {"\\sum": "bigsum", "\\int": "integral", "\\over": "over"}
     | dict.fromkeys(("\\mid", "\\vert"), "bar")
+    | dict.fromkeys(("\\circ", "\\degree"), "degree")
 )
 _SIGNS = MappingProxyType(
     {
@@ -113,7 +114,6 @@ _UNREAD = MappingProxyType(
         ("\\prod", "\\lim", "\\partial", "\\ldots", "\\cdots", "\\iint", "\\oint"),
         "write it out in closed form",
     )
-    | dict.fromkeys(("\\circ", "\\degree"), "angles are in radians")
     | dict.fromkeys(("\\left", "\\right", "\\middle"), "a bracket follows it: ( ) [ ] \\{ \\} or |")
     | dict.fromkeys(("\\text", "\\textrm", "\\mbox"), "it holds one word of letters and digits")
     | dict.fromkeys(("\\tag", "\\label"), "leave it out")

@@ -29,6 +29,7 @@ def rewritten(found: list[Piece]) -> list[Piece]:
         FormulaError: for brackets without partners, and for sums and integrals that lack a part.
     """
     steps: tuple[Callable[[list[Piece]], list[Piece]], ...] = (
+        _with_degrees,
         _without_fonts,
         _without_braces,
         _with_decorations,
@@ -50,6 +51,36 @@ def partners(found: Sequence[Piece]) -> dict[int, int]:
     places = [index for index, piece in enumerate(found) if piece.kind in {"open", "close"}]
     pairs = check_brackets([(found[index].text, found[index].span) for index in places], CLOSERS)
     return {places[opener]: places[closer] for opener, closer in pairs.items()}
+
+
+def _with_degrees(found: list[Piece]) -> list[Piece]:
+    r"""90^\circ as \frac{90\pi}{180}.
+
+    Raises:
+        FormulaError: where the sign does not stand behind a number.
+    """
+    if not any(piece.kind == "degree" for piece in found):
+        return found
+    result: list[Piece] = []
+    index = 0
+    while index < len(found):
+        piece = found[index]
+        said, end = _raised(found, index) if piece.kind == "raised" else ([piece], index + 1)
+        if [one.kind for one in said] != ["degree"]:
+            result.append(piece)
+            index += 1
+            continue
+        start = len(result)
+        while start and result[start - 1].kind == "digit":
+            start -= 1
+        if start == len(result):
+            raise FormulaError(f"{said[0].text} stands behind a number: angles are in radians", span=piece.span)
+        span = _span(result[start], found[end - 1])
+        above = [*result[start:], Piece("greek", "\\pi", span)]
+        below = [Piece("digit", one, (span[1] + at, span[1] + at + 1)) for at, one in enumerate("180")]  # side by side
+        result[start:] = [Piece("fraction", "\\frac", span), *_braced(above), *_braced(below)]
+        index = end
+    return result
 
 
 def _without_fonts(found: list[Piece]) -> list[Piece]:
@@ -96,7 +127,7 @@ def _without_braces(found: list[Piece]) -> list[Piece]:
     result: list[Piece] = []
     waiting: list[tuple[int, bool, int]] = []  # where a brace stands, whether it is an argument, how many more follow
     owed = 0  # arguments that what stands before still takes
-    for piece in found:
+    for index, piece in enumerate(found):
         if piece.text == "{":
             waiting.append((len(result), owed > 0, max(owed - 1, 0)))
             result.append(piece)
@@ -108,7 +139,7 @@ def _without_braces(found: list[Piece]) -> list[Piece]:
             if not inside and (is_of_function or not is_argument):  # it keeps a space or a sign: \sin{} x, {}+ b
                 del result[start:]
                 owed = int(is_of_function)
-            elif is_argument or not _is_one(inside):
+            elif (is_argument and not (is_of_function and _is_lowered(found, index + 1))) or not _is_one(inside):
                 result.append(piece)
             else:
                 result[start:] = inside
@@ -117,6 +148,11 @@ def _without_braces(found: list[Piece]) -> list[Piece]:
             owed = _owed(piece, result, owed)
             result.append(piece)
     return result
+
+
+def _is_lowered(found: Sequence[Piece], index: int) -> bool:
+    r"""Whether a subscript stands here, as in \cos {\theta }_{k}: braces before it are around a letter."""
+    return index < len(found) and found[index].kind == "lowered"
 
 
 def _without_whole_groups(found: list[Piece]) -> list[Piece]:

@@ -223,7 +223,7 @@ class _Tokenizer:
         base, decorations, below, after = self._base(index)
         if index not in self.alone:
             joined = self._joined(index, after)
-            base = base if joined == after else f"Delta_{self._base(after)[0]}"
+            base = base if joined == after else f"{base}_{self._base(after)[0]}"
             after = joined
             after = self._primes(after, decorations)
             if not below:
@@ -249,9 +249,12 @@ class _Tokenizer:
         return letter, after
 
     def _joined(self, index: int, after: int) -> int:
-        r"""Where \Delta t ends, which is one symbol unless there is one called Delta."""
-        is_delta = self.pieces[index].text == "\\Delta" and "Delta" not in self.names
-        return after + 1 if is_delta and self._kind(after) in {"letter", "greek"} else after
+        r"""Where \Delta t ends, or \delta t, which is one symbol unless there is one called Delta."""
+        said = self.pieces[index].text
+        is_time = self._kind(after) == "letter" and self.pieces[after].text in {"t", "T"}
+        if said == "\\Delta" and "Delta" not in self.names and self._kind(after) in {"letter", "greek"}:
+            return after + 1
+        return after + 1 if said == "\\delta" and "delta" not in self.names and is_time else after
 
     def _primes(self, index: int, decorations: list[str]) -> int:
         while self._kind(index) == "prime":

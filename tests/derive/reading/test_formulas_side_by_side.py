@@ -101,3 +101,37 @@ def test_arguments_and_entries_in_brackets_need_no_space(formula: str) -> None:
 def test_what_is_no_set_of_equations_is_refused(formula: str) -> None:
     with pytest.raises(FormulaError):
         read_text(formula, None)
+
+
+@pytest.mark.parametrize(
+    "between", [", ", r",\quad ", r"\quad ", "; ", r",\ \text{where } ", r"\quad\text{with}\quad "]
+)
+@pytest.mark.parametrize(
+    ("formula", "definition", "text"),
+    [
+        (r"\frac{r\cos\theta}{\lambda}", r"\lambda = e^{-s^2/2}", "r*cos(theta)/e**(-s**2/2)"),
+        (r"\lambda r", r"\lambda \triangleq 3", "3*r"),
+        (r"\begin{bmatrix}1&\rho\\0&1\end{bmatrix}", r"\rho = e^{-a}", "[[1, e**(-a)], [0, 1]]"),
+        (r"r\cos b, r\sin b", "r = 2", "[2*cos(b), 2*sin(b)]"),
+        (r"\begin{cases}X=N c\\Y=N s\end{cases}", "N = a", "[a*c, a*s]"),
+        (r"\left\{\begin{array}{l}X=N c\\Y=N s\end{array}\right.", "N = a", "[a*c, a*s]"),
+        (r"G G^T q", r"G = \begin{bmatrix}T^2/2\\T\end{bmatrix}", "[T**2/2, T]*[T**2/2, T].T*q"),
+        (r"X = N(\phi)c, Y = N(\phi)s", r"N(\phi) = a\sin\phi", "[(a*sin(phi))*c, (a*sin(phi))*s]"),
+        ("x, y", "z = r, s", "[r, s]"),
+    ],
+)
+def test_a_formula_before_a_definition_is_no_left_side_of_it(
+    formula: str, between: str, definition: str, text: str
+) -> None:
+    names = {"a", "c", "s", "b", "r", "q", "T", "theta", "phi", "rho"}
+    read = read_formula(formula + between + definition, LATEX, names, strangers=True)
+    assert to_text(read.tree) == text
+
+
+@pytest.mark.parametrize("wanted", [1, 2, 3])
+def test_one_vector_that_rests_on_definitions_is_as_many_numbers_by_itself(wanted: int) -> None:
+    """The last equations are the result where that many numbers are wanted, unless one of them is an array."""
+    vector = r"\lambda\begin{bmatrix}r\\s\end{bmatrix},\quad \lambda = a, \quad a = 2"
+    assert to_text(read_formula(vector, LATEX, None, wanted=wanted).tree) == "2*[r, s]"
+    assert to_text(read_text("c*[r, s], c = a, a = 2", None, wanted=wanted)) == "2*[r, s]"
+    assert to_text(read_text("q = x, p = q/x", None, wanted=2)) == "[x, x/x]"

@@ -252,7 +252,7 @@ def test_what_papers_print(latex: str, text: str):
         (r"r^2^2", "an exponent stands here without a base, or behind another one", "^"),
         (r"1.2.3", "1.2.3 is no number", "1.2.3"),
         (r"\pm r", r"\pm is not read: a formula has one sign: write + or -", r"\pm"),
-        (r"30^\circ", r"\circ is not read: angles are in radians", r"\circ"),
+        (r"\theta^\circ", r"\circ stands behind a number: angles are in radians", r"^"),
         (r"\|r\|", r"\| is not read: norms are not read", r"\|"),
         (r"\sum_j j", "both limits are needed: write it as", r"\sum"),
         (r"\input{x}", r"\input is not read: it has no meaning in a formula", r"\input"),

@@ -210,3 +210,56 @@ def test_places_are_those_of_the_source():
 )
 def test_braces_that_group_nothing_are_dropped(mathtype: str, plain: str) -> None:
     assert read_latex(mathtype, None) == read_latex(plain, None)
+
+
+@pytest.mark.parametrize("sign", [r"^\circ", r"^{\circ}", r"\degree"])
+@pytest.mark.parametrize(
+    ("before", "after", "text"),
+    [
+        (r"r\sin(90", r"-\theta)", "r*sin(90*pi/180 - theta)"),
+        (r"r\cos 22.5", "", "r*cos(22.5*pi/180)"),
+        (r"\frac{180", r"}{\pi}\theta", "180*pi/180/pi*theta"),
+    ],
+)
+def test_degrees_behind_a_number_are_an_angle(before: str, sign: str, after: str, text: str):
+    assert echo(before + sign + after) == text
+    with pytest.raises(FormulaError):
+        read_latex(rf"\theta{sign}", KNOWN)
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"r\cos {\theta }_{k}", "r*cos(theta_k)"),
+        (r"\sin {\theta }_{k}\cos {\theta }_{k}", "sin(theta_k)*cos(theta_k)"),
+        (r"{{\sigma }_{r}}^{2}{{\cos }^{2}}{{\theta }_{k}}", "sigma_r**2*cos(theta_k)**2"),
+        (r"\frac{\delta t^2}{2}", "delta_t**2/2"),
+        (r"\delta T\,q", "delta_T*q"),
+        (r"\delta r", "delta*r"),
+    ],
+)
+def test_letters_with_subscripts_behind_braces_and_small_steps_of_time(latex: str, text: str):
+    assert to_text(read_latex(latex, {*KNOWN, "delta_t", "delta_T"}, strangers=True)) == text
+
+
+def test_a_symbol_called_delta_is_no_step():
+    assert echo(r"\delta t", "delta", "t") == "delta*t"
+
+
+@pytest.mark.parametrize("display", ["aligned", "split", "gathered"])
+def test_a_display_behind_a_brace_is_its_equations(display: str):
+    mark = "" if display == "gathered" else "&"
+    rows = rf"x {mark}= r\cos\theta, \\ y {mark}= r\sin\theta"
+    braced = rf"\left\{{ \begin{{{display}}} {rows} \end{{{display}}} \right."
+    for text in (
+        braced,
+        rf"\begin{{equation}} {braced} \label{{a}} \end{{equation}}",
+        braced.replace(r"\{", r"\lbrace"),
+    ):
+        assert echo(text) == "[r*cos(theta), r*sin(theta)]"
+    assert echo(r"\left\{ r + x \right\} y") == "(r + x)*y"
+
+
+@pytest.mark.parametrize("name", [r"\operatorname{arctan2}", r"\mathrm{atan2}"])
+def test_the_angle_of_two_coordinates_by_either_name(name: str):
+    assert echo(rf"{name}\left(y, x\right)") == "atan2(y, x)"

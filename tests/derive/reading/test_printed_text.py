@@ -44,6 +44,10 @@ PIECES = (
         ("√(x² + y²)*σ_β^2", "sqrt(x**2 + y**2)*sigma_beta**2"),
         ("x\u0302² + β′", "x**2 + beta"),
         ("𝜎𝛽² + ϵ", "sigma_beta**2 + epsilon"),
+        ("𝑥 = 𝑟 cos(𝛽)", "r*cos(beta)"),
+        ("𝒓²𝜎_𝛽² 𝑠𝑖𝑛²𝛽", "r**2*sigma_beta**2*sin(beta)**2"),
+        ("𝟐𝗋", "2*r"),
+        ("𝑟𝑥 + 𝑟𝑐𝑜𝑠 𝛽", "r*x + r*cos(beta)"),
         ("q[T³, T²/2; T²/2, T]", "q*[[T**3, T**2/2], [T**2/2, T]]"),
         ("e^{−2σβ²} r²", "e**(-2*sigma_beta**2)*r**2"),
     ],
@@ -126,3 +130,23 @@ def test_any_text_is_read_or_refused(text: str):
             assert str(error)  # noqa: PT017
         else:
             assert to_text(read.tree)
+
+
+@pytest.mark.parametrize(
+    ("text", "read"), [("r sin(90°−θ)", "r*sin(90*pi/180 - theta)"), ("r*sin(90°-b)", "r*sin(90*pi/180 - b)")]
+)
+def test_degrees_of_a_page(text: str, read: str) -> None:
+    assert to_text(read_formula(text, "text", None).tree) == read
+
+
+@pytest.mark.parametrize("character", "𝔼ℝ𝒩𝔉")
+def test_letters_that_mean_something_else_are_refused(character: str) -> None:
+    with pytest.raises(FormulaError, match="is not read"):
+        read_formula(f"{character} + r²", "text", None)
+
+
+def test_letters_of_a_mathematical_alphabet_are_symbols_each_and_a_fault_is_told_where_it_is() -> None:
+    assert to_text(read_formula("ℎ𝑢 + 𝑎𝑏²", "text", None).tree) == "h*u + a*b**2"
+    with pytest.raises(FormulaError) as caught:
+        read_formula("𝑎𝑏𝑐 + 𝑟 ≠ 2", "text", None)
+    assert (caught.value.source, caught.value.span) == ("𝑎𝑏𝑐 + 𝑟 ≠ 2", (8, 9))

@@ -82,6 +82,32 @@ def test_functions_as_algebra_systems_print_them(function: str, brackets: str):
         assert read_text(typed, NAMES) == read_text(f"2*{function}(k + {function}(r))", NAMES)
 
 
+@pytest.mark.parametrize(
+    ("printed", "typed"),
+    [
+        ("{r Cos[k], r Sin[k]}", "[r*cos(k), r*sin(k)]"),
+        ("{{r, 0}, {-(r/k), 1/2 (r - k) Sin[2 k]}}", "[[r, 0], [-(r/k), 1/2*(r - k)*sin(2*k)]]"),
+        ("E^(-k^2/2) r Cos[k]", "e^(-k^2/2)*r*cos(k)"),
+        ("ArcTan[k - 1, Sqrt[r^2 + k^2]] + ArcTan[r/k]", "atan2(sqrt(r^2 + k^2), k - 1) + atan(r/k)"),
+        (r"Sin[\[Beta]]^2 r - Pi", "sin(beta)^2*r - pi"),
+        ("x r where x = Cos[k]", "cos(k)*r"),
+        ("Matrix([[r, 0], [k, r*Abs(k)]])", "[[r, 0], [k, r*abs(k)]]"),
+        ("Matrix([\n[r, 0],\n[k, 1]])", "[[r, 0], [k, 1]]"),
+        ("ImmutableDenseMatrix([[r], [k]])", "[[r], [k]]"),
+        ("matrix([r, 0], [k, 1])", "[[r, 0], [k, 1]]"),
+    ],
+)
+def test_formulas_as_algebra_systems_print_them(printed: str, typed: str):
+    names = {*NAMES, "beta"}
+    assert read_text(printed, names) == read_text(typed, names)
+
+
+@pytest.mark.parametrize("text", ["r k", "r (k + 1)", "r^{k, k}", "{r: k, k: r}", "2 Cos(k)"])
+def test_nothing_else_is_taken_for_such_a_formula(text: str):
+    with pytest.raises(FormulaError):
+        read_text(text, NAMES)
+
+
 def test_a_symbol_in_capitals_is_no_function():
     assert read_text("EXP*(r)", ("EXP", "r")) == Product((Name("EXP"), r))
     with pytest.raises(FormulaError, match="written out"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.catalogue import catalogue
@@ -130,7 +131,7 @@ def _gains(quantity: Quantity) -> Iterator[Dependent]:
 
 
 def _intensities(symbols: dict[str, Variable]) -> Iterator[Dependent]:
-    """The one-sided spectral density of white noise, and the intensity that drives a correlated acceleration."""
+    """The one-sided density of white noise, and, of what it drives, its deviation or the intensity of the noise."""
     if "q" in symbols:
         unit = symbols["q"].unit
         one_sided = frozenset({"N0", "N_0", "N_w"})
@@ -138,7 +139,12 @@ def _intensities(symbols: dict[str, Variable]) -> Iterator[Dependent]:
     if {"alpha", "sigma_m"} <= symbols.keys():
         alpha, sigma = symbols["alpha"], symbols["sigma_m"]
         unit = alpha.unit * sigma.unit**2
-        yield Dependent(_variable("q", "intensity of the noise", unit), 2 * alpha * sigma**2)
+        yield Dependent(_variable("q", "intensity of the noise", unit), 2 * alpha * sigma**2, frozenset({"S_w", "Sw"}))
+    if {"alpha", "q"} <= symbols.keys():
+        alpha, q = symbols["alpha"], symbols["q"]
+        spelled = frozenset({"sigma", "sigma_v", "s_v", "sigma_0", "sigma_m"})
+        deviation = _variable("stationary_std", "deviation in the long run", (q.unit / alpha.unit) ** Fraction(1, 2))
+        yield Dependent(deviation, sp.sqrt(q / (2 * alpha)), spelled, FARTHER)
 
 
 def _covariances(symbols: dict[str, Variable]) -> Iterator[Dependent]:

@@ -180,3 +180,48 @@ def test_gains_may_be_divided_by_the_period_and_covariances_be_of_one_measuremen
         assert check(name, shown(Tensor.build(quantity.shape, measured))).remarks == (
             f"{words} and sigma_r**2 as a factor",
         )
+
+
+NORTH = "[-sin(lat)*cos(lon), -sin(lat)*sin(lon), cos(lat)]"
+EAST = "[-sin(lon), cos(lon), 0]"
+DOWN = "[-cos(lat)*cos(lon), -cos(lat)*sin(lon), -sin(lat)]"
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "words"),
+    [
+        ("frames.enu_from_ecef.jacobian", f"[{EAST}, {NORTH}, {DOWN}]", "with z downwards"),
+        ("frames.enu_from_ecef.jacobian", f"[{NORTH}, {EAST}, {DOWN}]", "rows in the order 1, 0, 2 with z downwards"),
+        ("spherical.map", "[r*cos(el)*sin(az), r*cos(el)*cos(az), -r*sin(el)]", "with z downwards"),
+        (
+            "spherical.jacobian",
+            "[c*cos(az), -r*c*sin(az), -r*s*cos(az); c*sin(az), r*c*cos(az), -r*s*sin(az); -s, 0, -r*c]",
+            "with pi/2 - beta for beta and z downwards: counted from the other axis",
+        ),
+        (
+            "observe.spherical.map",
+            "[sqrt(x^2+y^2+z^2), atan2(y, x), atan2(-z, sqrt(x^2+y^2))]",
+            "with the azimuth from the x axis and z downwards",
+        ),
+        (
+            "observe.spherical.jacobian",
+            "[[x/r, y/r, z/r], [y/d^2, -x/d^2, 0], [x*z/(r^2*d), y*z/(r^2*d), -d/r^2]]",
+            "with z downwards",
+        ),
+    ],
+)
+def test_a_third_axis_may_point_down(name: str, formula: str, words: str) -> None:
+    verdict = check(name, formula, let={"c": "cos(el)", "s": "sin(el)"} if "c*cos" in formula else None)
+    assert verdict.verdict is Outcome.DIFFERS
+    assert "but equal with" in verdict.reason
+    assert words in verdict.reason
+    assert verdict.suggestions == ()
+
+
+@pytest.mark.parametrize("name", ["spherical.covariance.linear", "spherical_doppler.covariance.linear"])
+def test_covariances_with_what_points_down_change_their_sign(name: str) -> None:
+    derived = catalogue()[name].expression
+    turned = Tensor.build(derived.shape, lambda i, j: derived[i, j] * (-1) ** ((i == 2) + (j == 2)))
+    verdict = check(name, shown(turned))
+    assert verdict.convention == "with z downwards"
+    assert check("spherical.map[2]", "-r*sin(el)").suggestions[0].formula == "r*sin(el)"

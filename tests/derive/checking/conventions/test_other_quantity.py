@@ -1,6 +1,8 @@
 """What equals another known quantity is said to be that, under which condition, and is never corrected into ours."""
 
+import re
 from collections.abc import Mapping
+from itertools import permutations
 
 import pytest
 
@@ -82,3 +84,21 @@ def test_the_same_thing_in_another_model_is_known_in_whatever_letters(monkeypatc
     (only,) = verdict.suggestions
     assert only.formula == piecewise.name
     assert "sigma for sigma_w" in only.edit
+
+
+NOISES = ("continuous", "piecewise", "wiener_sequence")
+
+
+@pytest.mark.parametrize("motion", ["constant_velocity", "constant_acceleration"])
+@pytest.mark.parametrize(("meant", "printed"), list(permutations(NOISES, 2)))
+@pytest.mark.parametrize("letter", ["", "q", "sigma_w**2", "sigma_a**2"])
+def test_another_model_in_letters_of_ours_is_that(motion: str, meant: str, printed: str, letter: str) -> None:
+    """The deviation of a jump is called sigma_w in one model of process noise as that of a constant is in another."""
+    names = [f"motion.{motion}.process_noise.{kind}" for kind in (meant, printed)]
+    formula = shown(catalogue()[names[1]].expression)
+    for own in ("sigma_w**2", "q"):
+        formula = re.sub(rf"(?<![\w.]){re.escape(own)}(?!\w)", letter or own, formula)
+    verdict = check(names[0], formula)
+    assert verdict.verdict is Outcome.WRONG_DIMENSIONS
+    assert f"but this is {names[1]}" in verdict.reason
+    assert [one.formula for one in verdict.suggestions] == [names[1]]

@@ -23,6 +23,10 @@ RIGHT = [
     ("frames.ecef_from_geodetic.jacobian[2,0]", "(M + h)*cos(lat)"),
     ("finite_sample.degree1.range.covariance[0,0]", "2*(2*n + 1)/((n + 1)*(n + 2))*sigma_r^2"),
     ("finite_sample.degree1.range.covariance[0,0]", "2*(2*n - 1)/(n*(n + 1))*sigma_r^2"),
+    ("motion.singer.process_noise[2,2]", "S_w*(1 - exp(-2*alpha*T))/(2*alpha)"),
+    ("motion.ornstein_uhlenbeck.process_noise[1,1]", "sigma_v^2*(1 - exp(-2*T/tau))"),
+    ("motion.ornstein_uhlenbeck.process_noise[1,1]", "sigma^2*(1 - exp(-2*alpha*T))"),
+    ("motion.ornstein_uhlenbeck.process_noise[1,1]", "sigma^2/(2*theta)*(1 - exp(-2*theta*T))"),
     ("fusion.correlated.variance", "(P1*P2 - P12^2)/(P1 + P2 - 2*P12)"),
 ]
 

@@ -156,6 +156,12 @@ def test_latex_is_read_in_its_own_letters() -> None:
     assert check("polar.map", formula, latex=True).verdict is Outcome.EQUAL
 
 
+def test_a_name_as_latex_prints_it_is_defined_whatever_the_formula_is_written_in() -> None:
+    for name in ("R_{11}", "R_11"):
+        assert check("polar.map[0]", r"R_{11} r", latex=True, let={name: r"\cos\theta"}).is_equal
+        assert check("polar.map[0]", "R_11*r", let={name: "cos(theta)"}).is_equal
+
+
 def test_where_several_readings_are_as_likely_the_definitions_to_type_are_offered() -> None:
     with pytest.raises(FormulaError, match="--let a=sigma_1"):
         check("fusion.weights.two[0]", "exp(a^2*b + a/b)")

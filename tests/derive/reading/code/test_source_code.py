@@ -12,6 +12,7 @@ from radartrack.derive.reading import LANGUAGES, FormulaError, read_code, to_exp
 from radartrack.derive.symbolic import Rational
 from tests.effort import at_most
 
+BLOCKS = "[[1, dt, 0, 0], [0, 1, 0, 0], [0, 0, 1, dt], [0, 0, 0, 1]]"
 VALUES = {"x": Fraction(7, 3), "y": Fraction(-2, 5), "r": Fraction(11, 4)}
 
 
@@ -59,6 +60,7 @@ def refusal(code: str, language: str) -> FormulaError:
         ("cpp", "MatrixXd H(2,2);\nH << x, 0,\n  1, y;", "[[x, 0], [1, y]]"),
         ("cpp", "Matrix2d F; F(0,1) = dt; F(0,0) = 1; F(1,1) = 1;", "[[1, dt], [0, 1]]"),
         ("cpp", "auto c = std::cos(b); const double s = sin(b); return c*s;", "cos(b)*sin(b)"),
+        ("cpp", "Eigen::Matrix2d R = Eigen::Vector2d(x*x, y*y).asDiagonal();", "diag([x*x, y*y])"),
         ("cpp", "A.transpose()*B.inverse()", "A.T*inv(B)"),
         ("matlab", "F = [1 dt; 0 1]", "[[1, dt], [0, 1]]"),
         ("matlab", "x(1).*cos(x(2))", "x_1*cos(x_2)"),
@@ -94,8 +96,25 @@ def test_reading(language: str, code: str, text: str):
         ("matlab", "x = 2;\nif x > 1\n y = 1;\nend", "formulas have no cases"),
         ("python", "for i in x: y = i", "loops are not read"),
         ("c", "for (;;) x = 1;", "loops are not read"),
-        ("python", "np.array([x, y])*np.array([x, y])", "* of two arrays multiplies entry by entry in Python"),
-        ("matlab", "[1 2; 3 4].^2", "a power of an array is taken entry by entry in MATLAB"),
+        ("python", "np.array([x, y])*np.eye(2)", "* of arrays multiplies entry by entry in Python, and these are of"),
+        ("matlab", "[x; y].*[x y]", "* of arrays multiplies entry by entry in MATLAB, and these are of"),
+        ("matlab", "F = eye(2); F(1, :) = [1 2 3];", "what is set here is of another shape than its place"),
+        (
+            "python",
+            "A = np.matrix([[x, y], [y, x]])\nA*np.array([[x, y], [y, x]])",
+            "whether this works entry by entry",
+        ),
+        ("python", "A = np.matrix([[x]])\nnp.array([x, y])**2", "whether this works entry by entry"),
+        ("python", "B = np.eye(2)\nA = B.T\nA[0, 1] = x", "A and B are one array in Python"),
+        ("python", "B = np.eye(2)\nA = B[0]\nB[0, 1] = x", "A and B are one array in Python"),
+        ("python", "B = np.eye(2)\nA = B\nA *= 2\nB", "A and B are one array in Python"),
+        ("python", "np.sum(np.eye(2))", "sum takes a vector whose entries are known"),
+        ("c", "double F[2] = {1, 2, 3};", "these are more entries than the array has"),
+        ("python", "a, b, c = np.array([x, y])", "as many values as names are needed here"),
+        ("c", "&x + 2", "pointer expression has no place in a formula"),
+        ("python", "F = np.eye(2)\nF[2, 0] = x", "the entry 2 is beyond an array of shape (2, 2)"),
+        ("python", "F = A @ B\nF[0, 0] = x", "the shape of this array is not known"),
+        ("matlab", "[eye(2) zeros(3)]", "these blocks make no matrix of at most 12 rows and columns"),
         ("c", "int n = x;", "n is int, which drops the fraction"),
         ("c", "double f(double x, int n) { return x*(1/n); }", "whole numbers divide without remainder in C"),
         ("c", "x = 010", "010 is no decimal number"),
@@ -117,6 +136,81 @@ def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str,
 
 
 @pytest.mark.parametrize(
+    ("language", "code", "text"),
+    [
+        ("python", "F = np.eye(2)\nF[0, 1] = dt", "[[1, dt], [0, 1]]"),
+        ("matlab", "F = eye(2); F(1, 2) = dt;", "[[1, dt], [0, 1]]"),
+        ("cpp", "Matrix2d F = MatrixXd::Identity(2, 2); F(0, 1) = dt;", "[[1, dt], [0, 1]]"),
+        ("python", "A = np.outer([x, y], [x, y])\nA[1, 1] = r", "[[x*x, x*y], [y*x, r]]"),
+        ("python", "A = np.array([2*np.array([x, y]), np.array([x, y])])\nA[0, 1]", "(2*[x, y])[1]"),
+        ("python", "A = np.array([2*np.array([x, y]), np.array([x, y])])\nA[0, 1] = r", "[[2*x, r], [x, y]]"),
+        ("python", "F = np.eye(3)\nF[:2, 1:] = x*np.eye(2)", "[[1, x, 0], [0, 0, x], [0, 0, 1]]"),
+        ("matlab", "F = eye(3); F(1:2, 2:3) = x*eye(2);", "[[1, x, 0], [0, 0, x], [0, 0, 1]]"),
+        ("python", "F = np.zeros((2, 2))\nF[0] = 1\nF[:, 1] = [x, y]", "[[1, x], [0, y]]"),
+        ("python", "np.array([x, y])*np.array([x, y])*2", "[x*x, y*y]*2"),
+        ("python", "r*np.array([x, y])*np.array([x, y])", "[(r*x)*x, (r*y)*y]"),
+        ("python", "(r*np.array([x, y]))**2", "[(r*x)**2, (r*y)**2]"),
+        ("python", "A = np.matrix([[x, y], [y, x]])\nA*A.T", "[[x, y], [y, x]]*[[x, y], [y, x]].T"),
+        ("python", "A = sympy.Matrix([[x, y], [y, x]])\nA**2", "[[x, y], [y, x]]**2"),
+        ("python", "a = np.array([x, y])\na @ np.diag([1, r]) @ a", "(([x, y].T*diag([1, r]))[0].T*[x, y])[0]"),
+        ("python", "np.dot(np.array([x, y]), np.diag([1, r]))", "([x, y].T*diag([1, r]))[0]"),
+        ("python", "a = np.array([x, y])\na @ a", "([x, y].T*[x, y])[0]"),
+        ("python", "a = np.array([x, y])\nnp.sum(a*a) + (a*a).sum()", "(x*x + y*y) + (x*x + y*y)"),
+        ("python", "z = np.empty(2)\nz[0] = x\nz[1] = y", "[x, y]"),
+        ("python", "h = lambda x, y: np.array([x, x*y])", "[x, x*y]"),
+        ("cpp", "Eigen::Matrix2d F = Eigen::Matrix2d::Identity(); F(0, 1) = dt;", "[[1, dt], [0, 1]]"),
+        ("cpp", "MatrixXd F(2, 2); F.setIdentity(); F(0, 1) = dt;", "[[1, dt], [0, 1]]"),
+        ("cpp", "Matrix2d F = x*Matrix2d::Zero(); F.setZero(); F(1, 1) = y;", "[[0, 0], [0, y]]"),
+        ("c", "double F[2][2] = {{0}}; F[0][0] = F[1][1] = 1; F[0][1] = dt;", "[[1, dt], [0, 1]]"),
+        ("c", "double F[2][2] = {x, 1, y};", "[[x, 1], [y, 0]]"),
+        ("python", "B = np.eye(2)\nA = B.copy()\nA[0, 1] = x\nA", "[[1, x], [0, 1]]"),
+        ("python", "B = np.eye(2)\nA = B\nA = 2*B\nB[0, 1] = x\nB", "[[1, x], [0, 1]]"),
+        ("python", "A = np.array([[x, y], [r, x]])\nA.T[0, 1]", "[[x, y], [r, x]].T[0, 1]"),
+        ("python", "np.diag([x, y])**2", "[[x**2, 0**2], [0**2, y**2]]"),
+        (
+            "python",
+            "A = np.array([[x, y], [y, x]])\nA @ A * A",
+            "[[(x*x + y*y)*x, (x*y + y*x)*y], [(y*x + x*y)*y, (y*y + x*x)*x]]",
+        ),
+        ("matlab", "[1 2; 3 4].^2", "[[1**2, 2**2], [3**2, 4**2]]"),
+        ("matlab", "diag([x y].^2)", "diag([x**2, y**2])"),
+        ("matlab", "A = [x y; 1 2]; v = A(1, :)'; Q = v*v';", "[[x, y], [1, 2]][0, :]*[[x, y], [1, 2]][0, :].T"),
+        ("matlab", "A = [x y; 1 2]; A(1, :)*A(:, 1)", "[[x, y], [1, 2]][0, :].T*[[x, y], [1, 2]][:, 0]"),
+        ("matlab", "[x y].*[x y]", "[x*x, y*y]"),
+        ("matlab", "F = [1 dt; 0 1]; [F zeros(2); zeros(2) F]", BLOCKS),
+        ("matlab", "F = [1 dt; 0 1]; blkdiag(F, F)", BLOCKS),
+        ("matlab", "kron(eye(2), [1 dt; 0 1])", BLOCKS),
+        ("python", "F = np.array([[1, dt], [0, 1]])\nblock_diag(F, F)", BLOCKS),
+        ("python", "np.kron(np.eye(2), [[1, dt], [0, 1]])", BLOCKS),
+    ],
+    ids=str,
+)
+def test_arrays_are_set_and_computed_entry_by_entry(language: str, code: str, text: str):
+    assert echo(code, language) == text
+
+
+@pytest.mark.parametrize("transposed", ["a.T", "a.transpose()", "np.transpose(a)"])
+def test_a_vector_of_numpy_is_its_transpose(transposed: str):
+    read = read_code(f"a = np.array([x, y])\na @ {transposed}", "python", None)
+    assert to_text(read.tree) == "([x, y].T*[x, y])[0]"
+    assert [remark.words for remark in read.remarks] == [
+        "the transpose of a vector is itself in Python: np.outer is a v v^T"
+    ]
+    column = read_code(f"a = np.array([[x], [y]])\na @ {transposed}", "python", None)
+    assert (to_text(column.tree), column.remarks) == ("[[x], [y]]*[[x], [y]].T", ())
+    matrix = read_code(f"a = sympy.Matrix([x, y])\na * {transposed}", "python", None)
+    assert (to_text(matrix.tree), matrix.remarks) == ("[x, y]*[x, y].T", ())
+
+
+@pytest.mark.parametrize("code", ["np.eye(2)*np.diag([x, y])", "np.diag([x, y])**2"])
+def test_it_is_said_where_python_works_entry_by_entry_on_matrices(code: str):
+    sign = "**" if "**" in code else "*"
+    said = [remark.words for remark in read_code(code, "python", None).remarks]
+    assert said == [f"{sign} of matrices works entry by entry in Python: @ is their product"]
+    assert read_code("np.array([x, y])*np.array([x, y])", "python", None).remarks == ()
+
+
+@pytest.mark.parametrize(
     ("language", "code"),
     [
         ("python", "d = x*x\nif abs(d) < 1e-4:\n    raise ValueError('zero')\ny = 1/d"),
@@ -129,6 +223,58 @@ def test_a_branch_against_a_division_by_zero_is_passed_over_and_told(language: s
     read = read_code(code, language, None)
     assert to_text(read.tree) == "1/(x*x)"
     assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
+
+
+@pytest.mark.parametrize(
+    ("language", "code"),
+    [
+        (language, form.format(condition=condition, first=first, other=other))
+        for language, form in (
+            ("python", "if {condition}:\n    y = {first}\nelse:\n    y = {other}"),
+            ("python", "y = {first} if {condition} else {other}"),
+            ("python", "def f(x):\n    if {condition}:\n        return {first}\n    return {other}"),
+            ("c", "if ({condition}) {{ y = {first}; }} else {{ y = {other}; }}"),
+            ("cpp", "if ({condition}) y = {first}; else y = {other};"),
+            ("cpp", "y = ({condition}) ? {first} : {other};"),
+            ("matlab", "if {condition}\n y = {first};\nelse\n y = {other};\nend"),
+        )
+        for conditions, first, other in (
+            (("abs(x) < 1e-4", "fabs(x) <= EPS", "x == 0", "x == 0.0", "abs(x) < tol"), "2", "1/x"),
+            (("abs(x) > 1e-4", "fabs(x) >= EPS", "abs(x) > 0", "x != 0"), "1/x", "2"),
+        )
+        for condition in conditions
+        if not (language == "matlab" and "!=" in condition)
+    ],
+)
+def test_of_two_branches_the_one_away_from_a_division_by_zero_is_compared(language: str, code: str):
+    read = read_code(code, language, None)
+    assert to_text(read.tree) == "1/x"
+    assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
+
+
+@pytest.mark.parametrize("condition", ["mode == 0", "mode != 0", "x > 1e-4", "abs(x) > 1", "x < epsilon"])
+def test_no_branch_is_chosen_by_a_switch_or_a_size(condition: str):
+    for language, code in (("python", f"y = r if {condition} else z"), ("c", f"y = {condition} ? r : z;")):
+        assert refusal(code, language).message.startswith("formulas have no cases")
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "text"),
+    [
+        ("python", "px, py, vx, vy = x_state\npx*vx", "px*vx"),
+        ("python", "px = state[0]\nstate[0]*state[1]*px", "px*state_1*px"),
+        ("cpp", "float px = x_state(0); float py = x_state[1]; return px*py;", "px*py"),
+        ("matlab", "px = state(1); py = state(2); px*py", "px*py"),
+        ("python", "x = state[0]\nx = state[1]\nx*state[0]", "state_1*x"),
+        ("python", "a = x[0]; a*x[1]", "x_0*x_1"),
+        ("python", "px, py = self.state[:2]\npx*py", "px*py"),
+        ("python", "a, b = np.array([x, y])\na*b", "x*y"),
+        ("python", "x = 2\nx, y = z\nx*y", "x*y"),
+        ("c", "void f(double r, double b, double *x) { *x = r*cos(b); }", "r*cos(b)"),
+    ],
+)
+def test_names_are_given_to_what_is_not_known(language: str, code: str, text: str):
+    assert echo(code, language) == text
 
 
 @pytest.mark.parametrize("condition", ["x < 0", "x > 1e-4", "x < 1", "x == 1", "x < 1e-4 and y > 0"])
