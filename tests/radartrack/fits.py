@@ -43,9 +43,11 @@ def assert_fits(
     accuracy: float,
     rate_std: float = np.inf,
 ) -> None:
-    deviations = np.sqrt([float(row[n]) for n, row in enumerate(fit.covariance)]) * range_std
+    shares = np.sqrt([float(row[n]) for n, row in enumerate(fit.covariance)])
+    deviations = shares * range_std
     covariance = np.array([[float(entry) for entry in row] for row in fit.covariance]) * range_std**2
     scale = deviations[:, np.newaxis] * deviations
     assert np.all(np.abs(estimate.covariance - covariance) <= accuracy * scale)
-    size = max(np.abs(np.nan_to_num(ranges)).max() / range_std, np.abs(np.nan_to_num(rates)).max() / rate_std)
-    assert np.all(np.abs(estimate.state - state_of(fit, ranges, rates)) <= accuracy * size * deviations * 4)
+    largest, fastest = (float(np.abs(np.nan_to_num(values)).max()) for values in (ranges, rates))
+    size = max(largest, fastest * (range_std / rate_std))  # as a range, which is as large as a float at most
+    assert np.all(np.abs(estimate.state - state_of(fit, ranges, rates)) <= accuracy * size * shares * 4)

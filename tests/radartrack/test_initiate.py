@@ -275,10 +275,10 @@ def test_more_pairs_of_plots_than_a_block_holds_are_started_each_as_alone(axis: 
 @pytest.mark.parametrize("sensor", SENSORS)
 def test_the_type_is_that_of_all_that_is_given(sensor: str) -> None:
     plot = PLOTS[sensor]
-    single = {name: np.float32(value) for name, value in plot.items()}
+    single, double = ({name: kind(value) for name, value in plot.items()} for kind in (np.float32, np.float64))
     for found in (one_plot(sensor, single), two_plots(sensor, single, single, 2.0)):
         assert {found.mean.dtype, found.covariance.dtype} == {np.dtype(np.float32)}
-    for first, period in ((plot, 2.0), (single, np.float64(2.0))):
+    for first, period in ((double, 2.0), (single, np.float64(2.0))):
         found = two_plots(sensor, first, single, period)
         assert {found.mean.dtype, found.covariance.dtype} == {np.dtype(np.float64)}
     exact = two_plots(sensor, single, single, np.float64(2.0))
