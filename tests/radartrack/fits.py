@@ -51,4 +51,5 @@ def assert_fits(
     largest, fastest = (float(np.abs(np.nan_to_num(values)).max()) for values in (ranges, rates))
     size = max(largest, fastest * (range_std / rate_std))  # as a range, which is as large as a float at most
     least = 100 * np.finfo(estimate.state.dtype).smallest_subnormal  # below, digits end before rounding does
-    assert np.all(np.abs(estimate.state - state_of(fit, ranges, rates)) <= accuracy * size * shares * 4 + least)
+    allowed = (accuracy * size + least) * shares * 4 + least
+    assert np.all(np.abs(estimate.state - state_of(fit, ranges, rates)) <= allowed)
