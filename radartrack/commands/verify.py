@@ -125,7 +125,7 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
     work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared, language is Language.C)
     work = _with_checkpoint(work, asked_for=checkpoint is not None)
-    output_files.refuse_unwritable({"--json": json_out}, kept=[work.kept.path] if work.kept.path else ())
+    output_files.refuse_unwritable({"--json": json_out}, kept=[path for path in (work.kept.path, model) if path])
     try:
         work.own = _written(declared, chosen, where)
         with _progress() as step:
