@@ -73,8 +73,8 @@ def _try(directory: Path) -> None:
         pass
 
 
-def write(path: Path, text: str) -> None:
-    """Write a text beside the file and put it in place; what is no file, such as /dev/stdout, gets it directly.
+def write(path: Path, content: str | bytes) -> None:
+    """Write content beside the file and put it in place; what is no file, such as /dev/stdout, gets it directly.
 
     Raises:
         OSError: naming the file, when it cannot be written; a file that was there is then as before.
@@ -82,9 +82,9 @@ def write(path: Path, text: str) -> None:
     path = _real(path)
     try:
         if path.exists() and not path.is_file():
-            path.write_text(text, encoding="utf-8", newline="\n")
+            path.write_bytes(content.encode() if isinstance(content, str) else content)
         else:
-            replace_file(path, text)
+            replace_file(path, content)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
 

@@ -46,7 +46,9 @@ def test_what_a_unit_prints_is_read_back(metre: Fraction, second: Fraction, radi
 
 
 @given(
-    st.lists(st.tuples(st.sampled_from(sorted(SI)), st.integers(-12, 12), st.sampled_from("*/")), min_size=1, max_size=4)
+    st.lists(
+        st.tuples(st.sampled_from(sorted(SI)), st.integers(-12, 12), st.sampled_from("*/")), min_size=1, max_size=4
+    )
 )
 def test_a_product_has_the_unit_and_the_size_of_its_factors(factors: list[tuple[str, int, str]]):
     text, unit, size = "1", Unit(), sympy.Integer(1)
