@@ -52,7 +52,10 @@ def problem_with(path: Path) -> str:
 
 def problem_around(path: Path) -> str:
     """Why nothing can be put in the place of a path, whose parents may still be missing; empty when it can."""
-    around = next(parent for parent in _real(path).parents if parent.exists())
+    real = _real(path)
+    if real.is_mount():
+        return f"{path} is mounted, and cannot be replaced; a directory in it can"
+    around = next(parent for parent in real.parents if parent.exists())
     try:
         _try(around)
     except OSError as error:
