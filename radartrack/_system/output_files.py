@@ -64,7 +64,7 @@ def problem_around(path: Path) -> str:
 
 
 def _refusal(path: Path) -> int | None:
-    if path.is_symlink():
+    if path.is_symlink() and not path.exists():
         return errno.ELOOP
     if path.is_dir():
         return errno.EISDIR
@@ -98,8 +98,10 @@ def json_text(value: Any) -> str:
 
 
 def _real(path: Path) -> Path:
-    """Where links lead; a loop of them leads to a link."""
-    return Path(os.path.realpath(path))
+    """Where links lead; a loop of them leads to a link, and one to an open pipe, such as /dev/stdout, to itself."""
+    real = os.path.realpath(path)
+    leads_nowhere = os.path.exists(path) and not os.path.exists(real)  # noqa: PTH110 - a long name is no error here
+    return path if leads_nowhere else Path(real)
 
 
 def _finite(value: Any) -> Any:
