@@ -122,7 +122,7 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
         with _progress() as step:
             records = work.run(where, step)
     except KeyboardInterrupt as interrupt:
-        if work.kept.path is not None:
+        if work.kept.path is not None and work.kept.done:
             terminal.complain(f"Interrupted; what was done stands in {work.kept.path}, and the same command goes on.")
         raise typer.Exit(exit_code(interrupt)) from None
     except Unreachable as error:
