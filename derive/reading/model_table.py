@@ -16,6 +16,7 @@ from radartrack.derive.evaluation.real_outputs import require_real
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.from_expression import to_tree
+from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_size
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
@@ -315,6 +316,8 @@ class _Definitions:
     def __init__(self, texts: object, symbols: Mapping[str, Variable]) -> None:
         if not isinstance(texts, Mapping):
             raise TableError(f'let must be a table of formulas, such as R = "r + h"; given {shown(texts)}')
+        if hidden := sorted(texts.keys() & SPELLINGS.keys()):
+            raise TableError(f"let {hidden[0]}: {hidden[0]} is a function; define another name")
         self._texts: Mapping[str, object] = texts
         self._symbols = symbols
         self._trees: dict[str, Tree] = {}

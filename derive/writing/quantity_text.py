@@ -29,14 +29,14 @@ LATEX_NAMES = {
 
 
 def heading(quantity: Quantity) -> list[str]:
-    """Name, meaning, definition, conditioning, source, and the symbols with their units."""
+    """Name, meaning, definition, conditioning, source, and the symbols with their units and domains."""
     return [
         f"{quantity.name}: {quantity.meaning}",
         f"definition:   {quantity.word}",
         f"conditioning: {quantity.conditioning.value}",
         f"source:       {quantity.source.reference}",
         f"unit:         {quantity.unit_text}",
-        *(f"{symbol.name}: {symbol.meaning} [{symbol.unit}]" for symbol in quantity.symbols),
+        *(f"{s.name}: {s.meaning} [{s.unit}], {s.low:.5g} to {s.high:.5g}" for s in quantity.symbols),
     ]
 
 

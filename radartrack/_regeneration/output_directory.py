@@ -63,6 +63,8 @@ def differences(directory: Path, expected: Files) -> Iterator[str]:
 
 
 def _difference(path: Path, expected: str) -> str:
+    if not path.is_file():  # a pipe would be waited for
+        return f"{path.name}: cannot be read (it is no file)\n"
     try:
         found = path.read_bytes().decode()
     except (OSError, UnicodeDecodeError) as error:

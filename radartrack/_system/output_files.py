@@ -52,7 +52,10 @@ def problem_with(path: Path) -> str:
 
 def problem_around(path: Path) -> str:
     """Why nothing can be put in the place of a path, whose parents may still be missing; empty when it can."""
-    around = next(parent for parent in _real(path).parents if parent.exists())
+    real = _real(path)
+    if real.is_mount():
+        return f"{path} is mounted, and cannot be replaced; a directory in it can"
+    around = next(parent for parent in real.parents if parent.exists())
     try:
         _try(around)
     except OSError as error:
@@ -61,7 +64,7 @@ def problem_around(path: Path) -> str:
 
 
 def _refusal(path: Path) -> int | None:
-    if path.is_symlink():
+    if path.is_symlink() and not path.exists():
         return errno.ELOOP
     if path.is_dir():
         return errno.EISDIR
@@ -73,8 +76,8 @@ def _try(directory: Path) -> None:
         pass
 
 
-def write(path: Path, text: str) -> None:
-    """Write a text beside the file and put it in place; what is no file, such as /dev/stdout, gets it directly.
+def write(path: Path, content: str | bytes) -> None:
+    """Write content beside the file and put it in place; what is no file, such as /dev/stdout, gets it directly.
 
     Raises:
         OSError: naming the file, when it cannot be written; a file that was there is then as before.
@@ -82,9 +85,9 @@ def write(path: Path, text: str) -> None:
     path = _real(path)
     try:
         if path.exists() and not path.is_file():
-            path.write_text(text, encoding="utf-8", newline="\n")
+            path.write_bytes(content.encode() if isinstance(content, str) else content)
         else:
-            replace_file(path, text)
+            replace_file(path, content)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
 
@@ -95,8 +98,10 @@ def json_text(value: Any) -> str:
 
 
 def _real(path: Path) -> Path:
-    """Where links lead; a loop of them leads to a link."""
-    return Path(os.path.realpath(path))
+    """Where links lead; a loop of them leads to a link, and one to an open pipe, such as /dev/stdout, to itself."""
+    real = os.path.realpath(path)
+    leads_nowhere = os.path.exists(path) and not os.path.exists(real)  # noqa: PTH110 - a long name is no error here
+    return path if leads_nowhere else Path(real)
 
 
 def _finite(value: Any) -> Any:

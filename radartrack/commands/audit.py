@@ -44,11 +44,11 @@ def audit(
     from radartrack.derive.checking.papers.claim import ClaimsError
     from radartrack.derive.checking.papers.claims_file import read_claims
 
-    kept = [*(files or ()), *([model] if model else ())]
-    output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, kept=kept)
-    beside = declared(model)
     try:
-        papers = [read_claims(path, keep_unreadable=True) for path in chosen(files)]
+        claims = chosen(files)
+        output_files.refuse_unwritable({"--json": json_out, "--html": html_out}, [*claims, *([model] if model else ())])
+        beside = declared(model)
+        papers = [read_claims(path, keep_unreadable=True) for path in claims]
     except ClaimsError as error:
         terminal.complain(str(error))
         raise typer.Exit(2) from None

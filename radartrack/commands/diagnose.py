@@ -69,7 +69,7 @@ def points(
     """Write the points at which another language computes a quantity, one a line, for `diagnose --table`."""
     from radartrack.testing.value_tables import points_table
 
-    output_files.refuse_unwritable({"--out": out})
+    output_files.refuse_unwritable({"--out": out}, kept=[model] if model else ())
     wanted = _wanted(name, _numbers(given), model)
     output_files.write(out, points_table(wanted))
     entries = len(wanted.places)

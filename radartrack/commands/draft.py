@@ -36,7 +36,7 @@ def draft(
     from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.finding import paper_draft, paper_equations, paper_readings
 
-    output_files.refuse_unwritable({"--out": out})
+    output_files.refuse_unwritable({"--out": out}, kept=[paper])
     try:
         source = paper.read_bytes().decode("utf-8", errors="replace")
         said, displayed = paper_equations.equations_in_text(source), paper_equations.equations(source)

@@ -114,8 +114,6 @@ def _refuse_unwritable(directory: Path, names: Collection[str]) -> None:
 
     if others := output_directory.in_the_way(directory, names):
         _refuse(f"--out: {directory / others[0]} is in the way, and was not written by this command.")
-    if directory.is_mount():
-        _refuse(f"--out must be a directory that can be replaced; {directory} is mounted, a directory in it can.")
     if problem := output_files.problem_around(directory):
         _refuse(f"--out must be a directory that can be written; {problem}")
 

@@ -110,28 +110,19 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     declared = _declared(model)
     chosen = _chosen(names or [], declared.quantities or catalogue())
     of_rounding = {"--prove": (prove, _prove), "--worst": (worst, _search), "--plot": (plot, _draw)}
-    asked_for = [option for option, (path, _) in of_rounding.items() if path is not None]
-    if len(asked_for) > 1:
-        raise typer.BadParameter(f"{' and '.join(asked_for)} are done one at a time; give one of them")
-    for option, (path, task) in of_rounding.items():
-        if path is None:
-            continue
-        if model is not None:
-            raise typer.BadParameter(f"{option} is for the catalogue's functions; leave --model out")
-        output_files.refuse_unwritable({option: path})
-        task(chosen, path)
+    if _of_rounding_alone(of_rounding, chosen, {"--model": model, "--json": json_out}):
         return
     asked = {"draws": draws, "points": points, "mutants": mutants, "seed": seed}
     effort = replace(FULL if full else QUICK, **{k: v for k, v in asked.items() if v is not None})
     work = Campaign(chosen, effort, checkpoint or Path(CHECKPOINT), declared, language is Language.C)
     work = _with_checkpoint(work, asked_for=checkpoint is not None)
-    output_files.refuse_unwritable({"--json": json_out}, kept=[work.kept.path] if work.kept.path else ())
+    output_files.refuse_unwritable({"--json": json_out}, kept=[path for path in (work.kept.path, model) if path])
     try:
         work.own = _written(declared, chosen, where)
         with _progress() as step:
             records = work.run(where, step)
     except KeyboardInterrupt as interrupt:
-        if work.kept.path is not None:
+        if work.kept.path is not None and work.kept.done:
             terminal.complain(f"Interrupted; what was done stands in {work.kept.path}, and the same command goes on.")
         raise typer.Exit(exit_code(interrupt)) from None
     except Unreachable as error:
@@ -147,6 +138,27 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
         raise typer.Exit(1)
 
 
+def _of_rounding_alone(
+    tasks: Mapping[str, tuple[Path | None, Callable[[Sequence[str], Path], None]]],
+    chosen: Sequence[str],
+    others: Mapping[str, Path | None],
+) -> bool:
+    """Do what is asked for of rounding errors alone; whether anything is.
+
+    Raises:
+        typer.BadParameter: for more than one of these, and for options that would do nothing beside one.
+    """
+    asked_for = [(option, path, task) for option, (path, task) in tasks.items() if path is not None]
+    if len(asked_for) > 1:
+        raise typer.BadParameter(f"{' and '.join(option for option, *_ in asked_for)} are done one at a time; give one")
+    for option, path, task in asked_for:
+        if idle := [other for other, given in others.items() if given is not None]:
+            raise typer.BadParameter(f"{option} only looks at functions of the catalogue; leave {idle[0]} out")
+        output_files.refuse_unwritable({option: path})
+        task(chosen, path)
+    return bool(asked_for)
+
+
 def _prove(chosen: Sequence[str], path: Path) -> None:
     """Write the certificates that the package holds, with new ones of the chosen functions."""
     from radartrack._regeneration.accuracy import read_record
@@ -159,7 +171,7 @@ def _prove(chosen: Sequence[str], path: Path) -> None:
         certificate,
         kept,
         source_of,
-        write,
+        written,
     )
 
     rows, directory = kept(), source_directory()
@@ -170,7 +182,7 @@ def _prove(chosen: Sequence[str], path: Path) -> None:
             quantity, known = catalogue()[name], measured.get(name)
             enough = ENOUGH * max(known.ulp, 0.5) if known is not None else 0.0
             rows[name] = certificate(quantity, source_of(quantity), enough, BOXES, SECONDS)
-    write(rows, path)
+    output_files.write(path, written(rows))
 
 
 def _search(chosen: Sequence[str], path: Path) -> None:
@@ -178,14 +190,14 @@ def _search(chosen: Sequence[str], path: Path) -> None:
     _refuse_without("flint", "--worst needs python-flint")
     from radartrack.derive.catalogue import catalogue
     from radartrack.verification.rounding.certificates import source_of
-    from radartrack.verification.rounding.worst_points import kept, worst_point, write
+    from radartrack.verification.rounding.worst_points import kept, worst_point, written
 
     rows = kept()
     with _progress() as step:
         for name in chosen:
             step(name, len(chosen))
             rows[name] = worst_point(catalogue()[name], source_of(catalogue()[name]))
-    write(rows, path)
+    output_files.write(path, written(rows))
 
 
 def _draw(chosen: Sequence[str], path: Path) -> None:
@@ -209,7 +221,7 @@ def _draw(chosen: Sequence[str], path: Path) -> None:
     if not quantity.symbols:
         raise typer.BadParameter(f"{quantity.name} has no arguments to draw its errors over")
     picture = error_plot(errors_over_domain(quantity), proved_bounds(kept().get(quantity.name, {})))
-    path.write_bytes(picture.svg() if kind == "svg" else picture.png())
+    output_files.write(path, picture.svg() if kind == "svg" else picture.png())
     terminal.say(picture.caption)
 
 

@@ -1,8 +1,9 @@
 """Tables in memory: pandas, polars, pyarrow and whatever else narwhals reads, and datasets of xarray."""
 
+import math
 import reprlib
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 from importlib import import_module
 from importlib.util import find_spec
@@ -100,7 +101,10 @@ def _numbers(series: Any, nw: Any, argument: str) -> RealArray:
     if not series.dtype.is_numeric():
         return _unpacked(series, nw, argument)
     dtype = np.float32 if series.dtype == nw.Float32 else np.float64
-    wide = series.cast(nw.Float32 if dtype is np.float32 else nw.Float64)
+    try:
+        wide = series.cast(nw.Float32 if dtype is np.float32 else nw.Float64)
+    except ValueError:  # of pyarrow, which rounds no whole number
+        return _rounded(series.to_list(), series.is_null())
     return np.asarray(wide.to_numpy(), dtype=dtype)
 
 
@@ -114,11 +118,26 @@ def _unpacked(series: Any, nw: Any, argument: str) -> RealArray:
     if series.null_count() == len(series):  # it may have any type: none of its rows has told it
         return np.full(len(series), np.nan)
     values = series.to_numpy()
-    if series.dtype == nw.Object and all(value is None or _is_real(value) for value in values):
-        return np.array([np.nan if value is None else float(value) for value in values])
-    if series.dtype == nw.Boolean or values.dtype.kind not in "iuf" or series.dtype.is_temporal():
+    if series.dtype == nw.Object:
+        missing = series.is_null()
+        if all(gone or _is_real(value) for value, gone in zip(values, missing, strict=True)):
+            return _rounded(values, missing)
+    of_floats = values.ndim == 1 and values.dtype.kind in "iuf"
+    if series.dtype == nw.Boolean or not of_floats or series.dtype.is_temporal():
         raise TypeError(f"{argument} must be a column of real numbers; {series.name!r} holds {series.dtype}")
     return np.asarray(values, np.float64)
+
+
+def _rounded(values: Iterable[Any], missing: Iterable[bool]) -> RealArray:
+    """Numbers of any kind as floats: infinite where one is beyond all floats."""
+    return np.array([np.nan if gone else _float(value) for value, gone in zip(values, missing, strict=True)])
+
+
+def _float(value: Any) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
 
 
 def _is_real(value: object) -> bool:
@@ -164,7 +183,7 @@ def _floats(array: Any) -> RealArray:
 
 
 def _of_dataset(dataset: Any, chosen: PlotColumns, xarray: Any) -> Any:
-    chosen.require_room([*map(str, dataset.variables)])
+    chosen.require_room([*map(str, dataset.variables)], [*map(str, dataset.dims)])
     needed = chosen.needed
     for name, column in needed.items():
         if dataset[column].dtype.kind not in "iuf":

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from importlib import import_module
 from itertools import islice
@@ -78,7 +78,7 @@ def convert_file(
 
     Raises:
         BadRows: some rows cannot be converted, and are not to be marked; their numbers are those of the file.
-        NoPlots: it is no Parquet file, or has not the columns.
+        NoPlots: it is no Parquet file, is damaged, or has not the columns.
         OSError: a file cannot be read or written.
 
     """
@@ -86,12 +86,16 @@ def convert_file(
     outcome = Outcome()
     with ExitStack() as stack:
         file = stack.enter_context(_opened(source))
-        schema = _schema(file.schema_arrow, chosen, pa)
-        writer = stack.enter_context(pq.ParquetWriter(target, schema, **_options(file, chosen)))
+        with _reading(source):
+            schema, options = _schema(file.schema_arrow, chosen, pa), _options(file, chosen)
+        writer = stack.enter_context(pq.ParquetWriter(target, schema, **options))
         one = stack.enter_context(ThreadPoolExecutor(1, "radartrack-write"))
         waiting: deque[Future[None]] = deque()
-        for batch in _ahead(file.iter_batches(BATCH), stack.enter_context(ThreadPoolExecutor(1, "radartrack-read"))):
-            found = _converted(batch, chosen, outcome.rows, pa)
+        reader = stack.enter_context(ThreadPoolExecutor(1, "radartrack-read"))
+        for batch in _ahead(file.iter_batches(BATCH), reader, source):
+            with _reading(source):
+                numbers = {column: _numbers(batch.column(column), pa) for column in chosen.needed.values()}
+            found = chosen.converted(numbers, len(batch), outcome.rows)
             outcome.add(len(batch), found.problems)
             while len(waiting) >= AHEAD:
                 waiting.popleft().result()
@@ -103,11 +107,23 @@ def convert_file(
 
 
 def _opened(source: Path) -> Any:
-    pa, pq = import_module("pyarrow"), import_module("pyarrow.parquet")
+    pq = import_module("pyarrow.parquet")
+    if source.exists() and not source.is_file():
+        raise NoPlots(f"{source} must be a file: what a Parquet file holds stands at its end, which is read first")
+    with _reading(source):  # what is read ahead is never let go; checksums are tried where the file has them
+        return pq.ParquetFile(source, buffer_size=BUFFER, pre_buffer=False, page_checksum_verification=True)
+
+
+@contextmanager
+def _reading(source: Path) -> Iterator[None]:
+    """Name the file that cannot be read: of a damaged one pyarrow raises whatever it stumbles over, without a name."""
+    pa = import_module("pyarrow")
     try:
-        return pq.ParquetFile(source, buffer_size=BUFFER, pre_buffer=False)  # what is read ahead is never let go
-    except pa.ArrowInvalid as error:
-        raise NoPlots(f"{source} is no Parquet file: {error}") from None
+        yield
+    except (pa.ArrowException, UnicodeDecodeError, OSError) as error:
+        if getattr(error, "filename", None) is not None:
+            raise
+        raise NoPlots(f"{source} is no Parquet file that can be read: {error}") from None
 
 
 def _schema(given: Any, chosen: PlotColumns, pa: Any) -> Any:
@@ -159,16 +175,12 @@ def _has_words(column: Any) -> bool:
     return column.physical_type not in {"FLOAT", "DOUBLE"} and any("DICTIONARY" in each for each in column.encodings)
 
 
-def _converted(batch: Any, chosen: PlotColumns, first: int, pa: Any) -> Columns:
-    return chosen.converted({c: _numbers(batch.column(c), pa) for c in chosen.needed.values()}, len(batch), first)
-
-
 def _numbers(column: Any, pa: Any) -> RealArray:
     """A column in float32 or float64, NaN where nothing is."""
     if pa.types.is_dictionary(column.type):
         column = column.dictionary_decode()
     kind = column.type if column.type == pa.float32() else pa.float64()
-    numbers: RealArray = column.cast(kind).to_numpy(zero_copy_only=False)
+    numbers: RealArray = column.cast(kind, safe=False).to_numpy(zero_copy_only=False)  # large whole ones are rounded
     return numbers
 
 
@@ -179,9 +191,14 @@ def _beside(batch: Any, found: Columns, chosen: PlotColumns, schema: Any, pa: An
     return pa.Table.from_arrays(arrays, schema=schema)
 
 
-def _ahead(batches: Iterator[Any], reader: ThreadPoolExecutor) -> Iterator[Any]:
+def _ahead(batches: Iterator[Any], reader: ThreadPoolExecutor, source: Path) -> Iterator[Any]:
     """The same, each read while what is before it is worked on."""
     coming = reader.submit(next, batches, None)
-    while (batch := coming.result()) is not None:
+    while (batch := _result(coming, source)) is not None:
         coming = reader.submit(next, batches, None)
         yield batch
+
+
+def _result(coming: Future[Any], source: Path) -> Any:
+    with _reading(source):
+        return coming.result()

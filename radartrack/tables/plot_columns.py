@@ -126,8 +126,12 @@ class PlotColumns:
         """The name of the column that says what is wrong with a row."""
         return f"{self.prefix}{PROBLEM}"
 
-    def require_room(self, present: Sequence[str]) -> None:
+    def require_room(self, present: Sequence[str], reserved: Sequence[str] = ()) -> None:
         """Check that a table has the columns that are needed, and none that are to be added.
+
+        Args:
+            present: the names of its columns.
+            reserved: further names that no column may get: one that is called as a dimension becomes its index.
 
         Raises:
             ValueError: it has not, or has.
@@ -140,7 +144,7 @@ class PlotColumns:
                 hint = ": say which column it is" if column == name else ""
                 raise ValueError(f"{name} must be one of the columns {[*present]}; got {column!r}{hint}")
         added = [*self.outputs, *([self.problem] if self.mark else [])]
-        if taken := [name for name in added if name in present]:
+        if taken := [name for name in added if name in {*present, *reserved}]:
             raise ValueError(f"the table must have no columns {taken} yet; give a prefix for the new ones")
 
     def converted(self, table: Mapping[str, RealArray], count: int, first: int = 0) -> Columns:

@@ -36,7 +36,7 @@ def read_unit(name: str, unit: object, domain: Domain) -> Unit:
     wanted = domain.unit.strip()
     if not isinstance(unit, str):
         raise TypeError(f"the unit of {name} must be a text such as {_example(wanted)!r}; got {unit!r}")
-    if unit == wanted:
+    if unit == wanted or (not wanted and unit.strip() == "1"):  # as netCDF writes it
         return Unit(unit, 1.0)
     allowed = f"a unit of {_KINDS.get(wanted, 'pure numbers')} such as {_example(wanted)!r}"
     pint = _pint()

@@ -76,9 +76,13 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
 def _columns(text: str) -> tuple[list[str], list[list[str]]]:
     """The names, and the lines under them, without columns that have no name, such as one of line numbers."""
     text = text.removeprefix("\ufeff")
-    heading = text.partition("\n")[0]
+    heading = next(iter(text.splitlines()), "")
     separator = max((";", "\t", ","), key=heading.count)
-    rows = [line for line in csv.reader(io.StringIO(text), delimiter=separator) if any(cell.strip() for cell in line)]
+    try:  # any ends of lines, as the old ones of a Macintosh
+        lines = [*csv.reader(io.StringIO(text, newline=""), delimiter=separator)]
+    except csv.Error as error:
+        raise CannotDiagnose(f"it cannot be read as a table: {error}") from None
+    rows = [line for line in lines if any(cell.strip() for cell in line)]
     names, *lines = rows or [[]]
     for number, line in enumerate(lines, start=2):
         if len(line) != len(names):

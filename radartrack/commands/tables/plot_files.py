@@ -58,7 +58,7 @@ def one_file(source: Path, target: Path, chosen: PlotColumns, engine: Engine | N
 def many_files(
     sources: Sequence[Path], directory: Path, chosen: PlotColumns, engine: Engine | None, step: Step
 ) -> dict[Path, Outcome]:
-    """Convert files into a new directory, in which they keep their names."""
+    """Convert files into a new directory, in which they keep their names; what it is to be in is made."""
     outcomes: dict[Path, Outcome] = {}
 
     def write(new: Path) -> None:
@@ -68,6 +68,7 @@ def many_files(
         for left in new.glob(f"*{PART}*"):
             left.unlink(missing_ok=True)
 
+    directory.resolve().parent.mkdir(parents=True, exist_ok=True)
     replace_directory(directory, write)
     return outcomes
 

@@ -12,7 +12,6 @@ from hashlib import sha256
 from importlib import import_module
 from importlib.resources import files
 from inspect import getsource
-from pathlib import Path
 from textwrap import indent
 from typing import Any
 
@@ -208,12 +207,12 @@ def _bisected_in_one_way(source: str, claim: Row, enough: float, most: int, seco
     return bisected(source, {**claim, "ways": [len(WAYS) - 1]}, enough, most, seconds)
 
 
-def write(rows: Mapping[str, Row], path: Path) -> None:
-    """One line a function."""
+def written(rows: Mapping[str, Row]) -> str:
+    """All of them, one line a function."""
     lines = [f"{json.dumps(name)}: {json.dumps(row, ensure_ascii=False)}" for name, row in sorted(rows.items())]
     assumed = {name: precision.ulps for name, precision in PRECISIONS.items()}
     head = json.dumps({"assumed_ulp": assumed})[1:-1]
-    path.write_text("{" + head + ',\n"functions": {\n' + ",\n".join(lines) + "\n}}\n", encoding="utf-8")
+    return "{" + head + ',\n"functions": {\n' + ",\n".join(lines) + "\n}}\n"
 
 
 def _scale(quantity: Quantity) -> str:

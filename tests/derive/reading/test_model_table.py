@@ -250,6 +250,8 @@ def test_what_does_not_fit_is_refused_naming_model_field_and_what_is_allowed(cha
         ("let", "D", "x", "needs itself"),
         ("let", "R", "S +", "let R: "),
         ("let", "R", ["S"], "must be a formula in quotes"),
+        ("let", "sin", "S", "let sin: sin is a function; define another name"),
+        ("let", "ln", "S", "let ln: ln is a function; define another name"),
     ],
 )
 def test_a_symbol_or_definition_that_does_not_fit_is_named(table: str, name: str, value: Any, said: str):

@@ -251,6 +251,11 @@ def make_undecodable(out: Path) -> None:
     (out / "polar.py").write_bytes(b"\xff\xfe\x00")
 
 
+def make_a_pipe_of_it(out: Path) -> None:
+    (out / "polar.py").unlink()
+    os.mkfifo(out / "polar.py")
+
+
 def make_a_folder_of_it(out: Path) -> None:
     (out / "polar.py").unlink()
     (out / "polar.py").mkdir()
@@ -272,6 +277,7 @@ DAMAGES: dict[Callable[[Path], None], list[str]] = {
     cut_last_line_ending: ["polar.py"],
     make_undecodable: ["polar.py: cannot be read"],
     make_a_folder_of_it: ["polar.py: cannot be read"],
+    make_a_pipe_of_it: ["polar.py: cannot be read"],
     make_syntax_error: ["polar.py on disk", "-def (:"],
 }
 

@@ -92,3 +92,27 @@ def test_json_is_ascii_without_escapes_of_a_terminal_and_what_is_not_finite_is_n
     assert text.isascii()
     assert all(sign.isprintable() or sign == "\n" for sign in text)
     assert same(value, json.loads(text, parse_constant=pytest.fail))
+
+
+@pytest.mark.skipif(not Path("/dev/fd").exists(), reason="open files have no names")
+@pytest.mark.parametrize("content", ["text", b"bytes"])
+def test_a_pipe_gets_it_directly(content: str | bytes, tmp_path: Path) -> None:
+    """As in `radartrack audit --json /dev/stdout | jq`: the name that such a link leads to is none of a file."""
+    reading, writing = os.pipe()
+    (tmp_path / "link").symlink_to(f"/dev/fd/{writing}")
+    for path in (Path(f"/dev/fd/{writing}"), tmp_path / "link"):
+        output_files.refuse_unwritable({"--json": path})
+        output_files.write(path, content)
+        expected = content.encode() if isinstance(content, str) else content
+        assert os.read(reading, 100) == expected
+    os.close(reading)
+    os.close(writing)
+    assert [path.name for path in tmp_path.iterdir()] == ["link"]
+
+
+def test_where_a_link_leads_a_file_is_made(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to("new")
+    output_files.refuse_unwritable({"--json": tmp_path / "link"})
+    output_files.write(tmp_path / "link", "text")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "new").read_text() == "text"

@@ -83,6 +83,15 @@ def test_a_heading_says_name_meaning_source_conditioning_and_symbols():
         assert fact in text
 
 
+@pytest.mark.parametrize("name", ["polar.covariance.truth", "finite_sample.degree1.range.covariance", "line.slope"])
+def test_a_heading_says_the_domain_in_which_formulas_are_compared(name: str):
+    text = show(name)
+    for symbol in find(name).symbols:
+        (line,) = (line for line in text.splitlines() if line.startswith(f"{symbol.name}: "))
+        low, high = line.rpartition("], ")[2].split(" to ")
+        assert [float(low), float(high)] == pytest.approx([symbol.low, symbol.high], rel=1e-4)
+
+
 @pytest.mark.parametrize(
     ("arguments", "hints"),
     [

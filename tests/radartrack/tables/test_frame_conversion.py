@@ -266,3 +266,69 @@ def test_two_columns_of_one_name_are_refused():
 def test_no_unit_of_something_else_is_an_angle(unit: str):
     with pytest.raises(ValueError, match="unit of angle"):
         rt.tables.convert(pd.DataFrame(SIMPLE), units={"azimuth": unit})
+
+
+LARGE = [2**53 + 1, None, 2**62 + 1]
+
+
+@pytest.mark.parametrize(
+    "packed",
+    [
+        pa.table({**SIMPLE, "r": pa.array(LARGE, pa.int64())}),
+        pa.table({**SIMPLE, "r": pa.array(LARGE, pa.uint64())}),
+        pd.DataFrame({**SIMPLE, "r": pd.array(LARGE, "int64[pyarrow]")}),
+        pd.DataFrame({**SIMPLE, "r": pd.array(LARGE, "Int64")}),
+        pd.DataFrame({**SIMPLE, "r": pd.Series(LARGE, dtype=object)}),
+        pl.DataFrame({**SIMPLE, "r": pl.Series(LARGE, dtype=pl.Int64)}),
+    ],
+    ids=["pyarrow", "pyarrow, no sign", "pandas of pyarrow", "pandas with NA", "pandas of objects", "polars"],
+)
+def test_whole_numbers_that_are_no_floats_are_rounded_in_every_library(packed: Any):
+    rounded = pd.DataFrame({**SIMPLE, "r": [2.0**53, np.nan, 2.0**62]})
+    expected, found = (rt.tables.convert(each, bad_rows="mark") for each in (rounded, packed))
+    for name in ("x", "cov_y_y"):
+        np.testing.assert_array_equal(column(found, name), column(expected, name))
+
+
+@pytest.mark.parametrize(
+    ("value", "reason"),
+    [
+        (pd.NA, "r is missing"),
+        (pd.NaT, "r is missing"),
+        (None, "r is missing"),
+        (math.nan, "r is missing"),
+        (Decimal("NaN"), "r is missing"),
+        (10**400, "got inf"),
+        (-(10**400), "got -inf"),
+        (Decimal("1e400"), "got inf"),
+    ],
+    ids=repr,
+)
+def test_among_objects_what_is_missing_or_beyond_all_floats_is_a_bad_row(value: object, reason: str):
+    packed = pd.DataFrame({**SIMPLE, "r": pd.Series([1.0, value, 2.5], dtype=object)})
+    with pytest.raises(rt.tables.BadRows, match=f"row 1: .*{reason}") as error:
+        rt.tables.convert(packed)
+    assert error.value.rows == [1]
+
+
+def test_a_column_of_several_numbers_a_row_is_refused():
+    with pytest.raises(TypeError, match="r must be a column of real numbers"):
+        rt.tables.convert(pl.DataFrame({**SIMPLE, "r": np.ones((3, 2))}))
+
+
+@pytest.mark.parametrize("name", ["x", "cov_x_y", "problem"])
+def test_no_new_variable_becomes_the_index_of_a_dimension(name: str):
+    given = xr.Dataset({each: (name, values) for each, values in SIMPLE.items()})
+    with pytest.raises(ValueError, match=f"no columns .*{name}.*prefix"):
+        rt.tables.convert(given, bad_rows="mark")
+    assert "new_x" in rt.tables.convert(given, bad_rows="mark", prefix="new_").data_vars
+
+
+def test_a_number_has_the_unit_one_as_netcdf_writes_it():
+    given = xr.Dataset({**{each: ("plot", values) for each, values in SIMPLE.items()}})
+    given["correlation"] = ("plot", np.full(3, 0.5), {"units": "1"})
+    found = rt.tables.convert(given, columns={"correlation": "correlation"})
+    expected = rt.convert.polar(SIMPLE["r"], SIMPLE["azimuth"], SIMPLE["range_std"], SIMPLE["azimuth_std"], 0.5)
+    np.testing.assert_array_equal(column(found, "x"), expected.mean[:, 0])
+    with pytest.raises(ValueError, match="unit of length"):
+        rt.tables.convert(pd.DataFrame(SIMPLE), units={"r": "1"})

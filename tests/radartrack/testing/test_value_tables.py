@@ -78,8 +78,11 @@ def with_gaps(text: str) -> str:
         (numbered, "agrees"),
         (with_gaps, "undefined"),
         (lambda text: text.replace("\r\n", "\r\n\r\n"), "agrees"),
+        (lambda text: text.replace("\r\n", "\n"), "agrees"),
+        (lambda text: text.replace("\r\n", "\r"), "agrees"),
+        (lambda text: of_excel(text).replace("\r\n", "\r"), "agrees"),
     ],
-    ids=["Excel", "tabulators", "numbered", "gaps", "empty lines"],
+    ids=["Excel", "tabulators", "numbered", "gaps", "empty lines", "Unix", "Macintosh", "Excel for Macintosh"],
 )
 def test_tables_are_read_as_other_programs_write_them(change: Callable[[str], str], verdict: str) -> None:
     found = diagnosed(WANTED, change(filled(WANTED, right)))
@@ -122,8 +125,9 @@ def test_degrees_and_slips_are_found_in_tables() -> None:
         (lambda text: text.replace("\r\n", "x\r\n", 2), "is no number"),
         (lambda text: text.replace("\r\n", ",1\r\n").replace(",1", "", 1), "has 5 values"),
         (lambda text: "\r\n".join([text.split("\r\n")[0], *text.split("\r\n")[:0:-1]]), "that point has"),
+        (lambda _: "\0" * 200_000, "cannot be read as a table"),
     ],
-    ids=["empty", "short", "long", "columns", "text", "cells", "order"],
+    ids=["empty", "short", "long", "columns", "text", "cells", "order", "no table"],
 )
 def test_what_is_no_table_of_the_points_is_refused_with_a_word(change: Callable[[str], str], words: str) -> None:
     with pytest.raises(CannotDiagnose, match=words):

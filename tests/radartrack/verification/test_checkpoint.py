@@ -135,6 +135,18 @@ def test_a_finished_run_leaves_the_checkpoint_of_an_interrupted_one(
     assert contents(tmp_path) == {}
 
 
+def test_a_run_that_has_done_nothing_yet_promises_no_file(
+    run: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def at_once(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(campaign.Campaign, "run", at_once)
+    result = run()
+    assert (result.exit_code, result.stderr) == (130, "")
+    assert contents(tmp_path) == {}
+
+
 @pytest.mark.parametrize("given", ["mine", ".", "missing/kept", "/proc/kept", "pipe"])
 def test_a_place_that_is_not_for_a_checkpoint_is_refused_before_the_work(
     run: Any, tmp_path: Path, given: str, monkeypatch: pytest.MonkeyPatch

@@ -273,3 +273,106 @@ def test_categories_and_columns_without_a_value_are_read_as_tables_are(tmp_path:
     result = converted(tmp_path / "nothing.parquet", "--out", tmp_path / "no.parquet")
     assert result.exit_code != 0
     assert "r is missing" in result.output
+
+
+def damaged(whole: bytes, seed: int) -> bytes:
+    """With a few bytes changed, or without its middle."""
+    generator = np.random.default_rng(seed)
+    if seed % 3:
+        changed = bytearray(whole)
+        for place in generator.integers(4, len(whole), 3):
+            changed[place] = generator.integers(256)
+        return bytes(changed)
+    cut = int(generator.integers(4, len(whole)))
+    return whole[:cut] + whole[-8:]
+
+
+READ = """
+import sys
+from radartrack.cli import app
+for name in sys.argv[2:]:
+    try:
+        app(["convert", name, "--constant", "range_std=50", "--constant", "azimuth_std=0.01", "--out", sys.argv[1]])
+    except SystemExit as end:
+        print(name, end.code, "ENDED", file=sys.stderr)
+"""
+
+
+def test_of_a_damaged_file_it_is_said_that_it_cannot_be_read_and_which_it_is(tmp_path: Path) -> None:
+    plots = table(50).set_column(1, "azimuth", pa.array(np.zeros(50))).drop_columns("elevation")
+    pq.write_table(plots, tmp_path / "whole.parquet", compression="snappy")
+    whole = (tmp_path / "whole.parquet").read_bytes()
+    names = [f"{seed}.parquet" for seed in range(120)]
+    for seed, name in enumerate(names):
+        (tmp_path / name).write_bytes(damaged(whole, seed))
+    outcomes = ended(names, tmp_path)
+    for name, (code, said) in outcomes.items():
+        if code == "2":
+            (line,) = said
+            renamed = "different names" in line or "must be one of the columns" in line
+            assert renamed or (name in line and "is no Parquet file that can be read" in line)
+    assert sum(code == "2" for code, _ in outcomes.values()) > 20
+
+
+def ended(names: list[str], folder: Path) -> dict[str, tuple[str, list[str]]]:
+    """The exit code for each file and what was said; in processes, as pyarrow ends the one that reads some damages."""
+    outcomes: dict[str, tuple[str, list[str]]] = {}
+    left = names
+    while left:
+        command = [sys.executable, "-c", READ, "out.parquet", *left]
+        done = subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
+        *told, _ = done.stderr.split("ENDED\n")
+        for one in told:
+            *said, last = one.splitlines()
+            name, code = last.split()
+            outcomes[name] = code, said
+        left = left[len(told) + 1 :]
+    return outcomes
+
+
+def test_a_file_that_its_own_checksums_call_damaged_is_not_converted(plots: Path) -> None:
+    pq.write_table(table(), plots, compression="none", use_dictionary=False, write_page_checksum=True)
+    content = bytearray(plots.read_bytes())
+    content[content.index(np.float64(np.asarray(table()["r"])[500]).tobytes()) + 6] ^= 1
+    plots.write_bytes(content)
+    found = converted(plots)
+    assert found.exit_code == 2
+    assert "plots.parquet is no Parquet file that can be read" in found.output
+    assert [path.name for path in plots.parent.iterdir()] == ["plots.parquet"]
+
+
+@pytest.mark.parametrize("kind", [pa.int64(), pa.uint64()], ids=str)
+def test_whole_numbers_that_are_no_floats_are_rounded_as_libraries_round_them(tmp_path: Path, kind: Any) -> None:
+    pq.write_table(table(2).set_column(0, "r", pa.array([2**53 + 1, 2**62 + 1], kind)), tmp_path / "large.parquet")
+    result = converted(tmp_path / "large.parquet", "--out", tmp_path / "out.parquet")
+    assert result.exit_code == 0, result.output
+    as_floats = table(2).set_column(0, "r", pa.array([2.0**53, 2.0**62]))
+    found = pq.read_table(tmp_path / "out.parquet")
+    requires_same(found.set_column(0, "r", as_floats["r"]), as_floats)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes with names")
+def test_a_pipe_is_refused_at_once(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    found = converted(tmp_path / "pipe")
+    assert found.exit_code == 2
+    assert "pipe must be a file" in found.output
+
+
+def test_what_the_directory_of_several_files_is_to_be_in_is_made(tmp_path: Path) -> None:
+    paths = several(tmp_path / "in")
+    result = converted(*paths, "--out", tmp_path / "not" / "there" / "yet")
+    assert result.exit_code == 0, result.output
+    assert sorted(path.name for path in (tmp_path / "not" / "there" / "yet").iterdir()) == [p.name for p in paths]
+
+
+def test_a_directory_that_is_mounted_is_refused_before_the_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    paths = several(tmp_path / "in")
+    (tmp_path / "out").mkdir()
+    monkeypatch.setattr(Path, "is_mount", lambda path: path == (tmp_path / "out").resolve())
+    monkeypatch.setattr(PlotColumns, "converted", lambda *_: pytest.fail("the work has begun"))
+    result = converted(*paths, "--out", tmp_path / "out")
+    assert result.exit_code == 2
+    assert "out is mounted, and cannot be replaced" in result.output
