@@ -304,11 +304,7 @@ class Question:
         return Account("", wrong, (*inside, *edits), slips[0].cost)
 
     def _slips_inside(self, account: Account) -> list[Slip]:
-<<<<<<< HEAD
         """Slips inside of what is worked out that explain all that is wrong as well as that: no edit of an entry can.
-=======
-        """Slips inside of what is worked out, each of which explains all that is wrong, as no edit of an entry can.
->>>>>>> texts
 
         In plain definitions too where nothing else explains it: floating point does not see all that is wrong there.
         """
