@@ -58,8 +58,9 @@ def _failing_in_one_line() -> Iterator[None]:
         yield
     except OSError as error:
         terminal.report_lost_output(error)
-    except SystemExit:  # Rich, where a reader of the help went away
-        pass
+    except SystemExit as end:  # Typer, which has shown a completion; or Rich, where a reader of the help went away
+        if not end.code:
+            raise typer.Exit from None
     except KeyboardInterrupt as interrupt:
         raise typer.Exit(termination.exit_code(interrupt)) from None
     except BrokenExecutor:

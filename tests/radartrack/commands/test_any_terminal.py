@@ -237,3 +237,15 @@ def test_closed_and_full_descriptors_and_no_home(tmp_path: Path) -> None:
     assert paper["claims"][0]["verdict"] == "undecided"
     assert (tmp_path / "full").read_text() == f"The output cannot be written: {os.strerror(errno.ENOSPC)}\n"
     assert "polar.map" in (tmp_path / "ascii").read_text(encoding="ascii")
+
+
+@pytest.mark.parametrize("option", ["--show-completion", "--install-completion"])
+def test_a_completion_that_is_shown_or_installed_is_code_zero(
+    run: Callable[..., Result], option: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    shellingham = pytest.importorskip("shellingham")
+    monkeypatch.setattr(shellingham, "detect_shell", lambda *_: ("bash", "/bin/bash"))
+    monkeypatch.setenv("HOME", str(tmp_path))
+    result = quiet(run([option]))
+    assert result.exit_code == 0
+    assert "completion" in result.output
