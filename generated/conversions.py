@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation ca990ced9680d9c5; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 324b767bdbd7a6aa; not to be edited.
 """
 
 import numpy as np
@@ -2032,7 +2032,7 @@ def polar_averaged(
     term_1 = np.expm1(-0.5 * sigma_beta_squared)
     shortfall_beta = -term_1
     part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-    attenuation_beta_2 = attenuation_beta**2
+    attenuation_beta_2 = np.exp(-sigma_beta_squared)
     attenuation_beta_less_one = term_1
     sum_1 = 2.0 + attenuation_beta_less_one
     shortfall_beta_2 = -attenuation_beta_less_one * sum_1
@@ -2366,15 +2366,16 @@ def polar_doppler_averaged(
     """
     cos_beta = np.cos(beta)
     sin_beta = np.sin(beta)
-    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
-    term_1 = np.expm1(-0.5 * sigma_beta**2)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
+    term_1 = np.expm1(-0.5 * sigma_beta_squared)
     shortfall_beta = -term_1
     part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-    attenuation_beta_2 = attenuation_beta**2
+    attenuation_beta_2 = np.exp(-sigma_beta_squared)
     attenuation_beta_less_one = term_1
+    del attenuation_beta, shortfall_beta, sigma_beta_squared, term_1
     sum_1 = 2.0 + attenuation_beta_less_one
     shortfall_beta_2 = -attenuation_beta_less_one * sum_1
-    del shortfall_beta, attenuation_beta, term_1, attenuation_beta_less_one, sum_1
     r_squared = r**2
     sum_2 = 1.0 + attenuation_beta_2 * (1.0 + attenuation_beta_2)
     attenuation_beta_2_squared = attenuation_beta_2**2
@@ -2382,20 +2383,20 @@ def polar_doppler_averaged(
     sigma_r_squared = sigma_r**2
     sum_4 = 1.0 - attenuation_beta_2 * sum_3
     part_00_cos_beta2 = 0.5 * r_squared * shortfall_beta_2**2 * sum_2 + sigma_r_squared * sum_4
+    del attenuation_beta_less_one, sum_1, sum_3, sum_2, sum_4
     product_1 = attenuation_beta_2 * attenuation_beta_2_squared
-    del sum_3, sum_2, sum_4, attenuation_beta_2_squared
     sum_5 = 1.0 + (1.0 + 2.0 * attenuation_beta_2) * attenuation_beta_2
     sum_6 = 2.0 + attenuation_beta_2 * sum_5
     sum_7 = 0.5 * (1.0 + product_1) * r_squared + 0.5 * sigma_r_squared * sum_6
     part_00_sin_beta2 = shortfall_beta_2 * sum_7
+    del attenuation_beta_2_squared, sum_5, sum_6, sum_7
     sum_8 = attenuation_beta_2 - shortfall_beta_2
     sum_9 = r_squared * shortfall_beta_2 - sigma_r_squared * sum_8
-    del sum_5, sum_6, sum_7, shortfall_beta_2, sigma_r_squared, sum_8
     part_01_cos_beta_sin_beta = -product_1 * sum_9
+    del shortfall_beta_2, sigma_r_squared, sum_8, product_1, sum_9
     product_2 = rho * sigma_rdot
     sum_10 = product_2 * r + rdot * sigma_r
     part_02_cos_beta = attenuation_beta_2 * sigma_r * sum_10
-    del product_1, sum_9, attenuation_beta_2, sum_10
     sum_11 = part_0_cos_beta - r
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
@@ -2403,16 +2404,17 @@ def polar_doppler_averaged(
     sum_12 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
     product_3 = r * rdot
     sum_13 = 2.0 * product_2 * product_3 + sigma_r * sum_12
+    del attenuation_beta_2, sum_10, part_0_cos_beta, sum_12
     mean[..., 0] = -cos_beta * sum_11
     mean[..., 1] = -sin_beta * sum_11
     mean[..., 2] = product_3 - product_2 * sigma_r
-    del part_0_cos_beta, sum_12, sum_11, product_2, product_3
     covariance[..., 0, 0] = cos_beta_squared * part_00_cos_beta2 + part_00_sin_beta2 * sin_beta_squared
     covariance[..., 0, 1] = cos_beta * part_01_cos_beta_sin_beta * sin_beta
+    del sum_11, product_2, product_3, part_01_cos_beta_sin_beta
     covariance[..., 0, 2] = cos_beta * part_02_cos_beta
     covariance[..., 1, 0] = covariance[..., 0, 1]
     covariance[..., 1, 1] = cos_beta_squared * part_00_sin_beta2 + part_00_cos_beta2 * sin_beta_squared
-    del part_01_cos_beta_sin_beta, cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
+    del cos_beta, cos_beta_squared, part_00_cos_beta2, part_00_sin_beta2, sin_beta_squared
     covariance[..., 1, 2] = part_02_cos_beta * sin_beta
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
@@ -3457,21 +3459,23 @@ def spherical_averaged(
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     term_1 = np.expm1(-0.5 * sigma_beta_squared)
     shortfall_beta = -term_1
-    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
-    term_2 = np.expm1(-0.5 * sigma_epsilon**2)
+    sigma_epsilon_squared = sigma_epsilon**2
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon_squared)
+    term_2 = np.expm1(-0.5 * sigma_epsilon_squared)
     shortfall_epsilon = -term_2
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
     product_21 = attenuation_beta * attenuation_epsilon
     part_0_cos_epsilon_sin_beta = -product_21 * r * sum_1
-    attenuation_beta_2 = attenuation_beta**2
+    attenuation_beta_2 = np.exp(-sigma_beta_squared)
     attenuation_beta_less_one = term_1
     sum_2 = 2.0 + attenuation_beta_less_one
     shortfall_beta_2 = -attenuation_beta_less_one * sum_2
     del sum_1, term_1, attenuation_beta_less_one, sum_2
-    attenuation_epsilon_2 = attenuation_epsilon**2
+    attenuation_epsilon_2 = np.exp(-sigma_epsilon_squared)
     attenuation_epsilon_less_one = term_2
     sum_3 = 2.0 + attenuation_epsilon_less_one
     shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3
+    del sigma_epsilon_squared, term_2, attenuation_epsilon_less_one, sum_3
     attenuation_beta_2_squared = attenuation_beta_2**2
     product_1 = attenuation_beta_2 * attenuation_beta_2_squared
     shortfall_epsilon_2_squared = shortfall_epsilon_2**2
@@ -3481,7 +3485,6 @@ def spherical_averaged(
     sum_5 = 3.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_4
     product_3 = shortfall_epsilon_2 * shortfall_epsilon_2_squared
     sum_6 = attenuation_epsilon_2 * sum_5 + product_3
-    del term_2, attenuation_epsilon_less_one, sum_3, sum_5
     shortfall_beta_2_squared = shortfall_beta_2**2
     product_4 = shortfall_beta_2 * shortfall_beta_2_squared
     sum_7 = 12.0 * shortfall_epsilon_2 + 6.0 * attenuation_epsilon_2
@@ -3491,14 +3494,14 @@ def spherical_averaged(
     sum_11 = attenuation_beta_2 * sum_10 - shortfall_beta_2 * sum_9
     sum_12 = 66.0 * attenuation_beta_2 - 36.0 * shortfall_beta_2
     sum_13 = attenuation_epsilon_2 * sum_11 + shortfall_epsilon_2_squared * sum_12
+    del sum_5, sum_9, sum_11, sum_12
     product_29 = shortfall_beta_2_squared * sum_8
-    del sum_9, sum_11, sum_12, sum_8
     sum_14 = attenuation_beta_2 * sum_13 - product_29
     sum_15 = 54.0 * attenuation_beta_2 - 12.0 * shortfall_beta_2
     sum_16 = attenuation_beta_2 * sum_15 - 3.0 * shortfall_beta_2_squared
     sum_17 = attenuation_epsilon_2 * sum_14 + product_3 * sum_16
+    del sum_8, sum_13, sum_14, sum_16
     product_28 = product_4 * sum_6
-    del sum_13, sum_14, sum_16, sum_6
     sum_18 = attenuation_beta_2 * sum_17 - product_28
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
@@ -3507,24 +3510,24 @@ def spherical_averaged(
     sum_21 = 1.0 - attenuation_epsilon_2 * sum_20
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
     sum_22 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_21
+    del sum_6, sum_17, sum_18, sum_21
     sum_23 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_22
-    del sum_17, sum_18, sum_21, sum_22
     sum_24 = 1.0 - attenuation_epsilon_2 * sum_23 + attenuation_beta_2 * sum_20
     attenuation_epsilon_2_squared_squared = attenuation_epsilon_2_squared**2
     r_squared = r**2
     sum_25 = 1.0 + attenuation_beta_2 * sum_24 + attenuation_epsilon_2_squared_squared
+    del sum_22, sum_20, sum_23, sum_24
     sum_26 = 2.0 + 2.0 * attenuation_beta_2
     sum_27 = 1.0 - attenuation_epsilon_2 * sum_26
     sum_28 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_27
-    del sum_20, sum_23, sum_24, sum_27
     sum_29 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_28
     product_5 = attenuation_beta_2 * sum_26
     sum_30 = 2.0 - attenuation_epsilon_2 * sum_29 + product_5
+    del sum_27, sum_28, sum_26, sum_29
     sum_31 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_30
-    del sum_28, sum_26, sum_29, sum_30
     sum_32 = 0.25 * r_squared * sum_25 + 0.25 * sigma_r_squared * sum_31
     product_16 = rho_squared * sigma_beta_squared
-    del sum_25, sum_31, rho_squared, sigma_beta_squared
+    del sum_30, sum_25, sum_31, rho_squared, sigma_beta_squared
     product_19 = attenuation_beta_2 * product_16
     product_31 = product_19 * sigma_r_squared
     part_00_cos_beta2_cos_epsilon2 = 0.25 * product_31 * sum_19 + shortfall_beta_2 * sum_32
@@ -4480,46 +4483,49 @@ def spherical_doppler_averaged(
     sin_beta = np.sin(beta)
     cos_epsilon = np.cos(epsilon)
     sin_epsilon = np.sin(epsilon)
-    attenuation_beta = np.exp(-0.5 * sigma_beta**2)
-    term_1 = np.expm1(-0.5 * sigma_beta**2)
+    sigma_beta_squared = sigma_beta**2
+    attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
+    term_1 = np.expm1(-0.5 * sigma_beta_squared)
     shortfall_beta = -term_1
-    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
-    term_2 = np.expm1(-0.5 * sigma_epsilon**2)
+    sigma_epsilon_squared = sigma_epsilon**2
+    attenuation_epsilon = np.exp(-0.5 * sigma_epsilon_squared)
+    term_2 = np.expm1(-0.5 * sigma_epsilon_squared)
     shortfall_epsilon = -term_2
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
     part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
-    attenuation_beta_2 = attenuation_beta**2
+    attenuation_beta_2 = np.exp(-sigma_beta_squared)
+    del shortfall_beta, attenuation_beta, sum_1, sigma_beta_squared
     attenuation_beta_less_one = term_1
-    del shortfall_beta, sum_1, attenuation_beta, term_1
     sum_2 = 2.0 + attenuation_beta_less_one
     shortfall_beta_2 = -attenuation_beta_less_one * sum_2
-    attenuation_epsilon_2 = attenuation_epsilon**2
+    attenuation_epsilon_2 = np.exp(-sigma_epsilon_squared)
+    del term_1, attenuation_beta_less_one, sum_2, sigma_epsilon_squared
     attenuation_epsilon_less_one = term_2
     sum_3 = 2.0 + attenuation_epsilon_less_one
     shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3
-    del attenuation_beta_less_one, sum_2, term_2, attenuation_epsilon_less_one, sum_3
     sum_4 = 1.0 + attenuation_beta_2
     sum_5 = 1.0 - attenuation_epsilon_2 * sum_4
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
     sum_6 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_5
+    del term_2, attenuation_epsilon_less_one, sum_3, sum_5
     sum_7 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_6
     sum_8 = 1.0 - attenuation_epsilon_2 * sum_7 + attenuation_beta_2 * sum_4
-    del sum_5, sum_6, sum_4, sum_7
     attenuation_epsilon_2_squared_squared = attenuation_epsilon_2_squared**2
     r_squared = r**2
     sum_9 = 1.0 + attenuation_beta_2 * sum_8 + attenuation_epsilon_2_squared_squared
+    del sum_6, sum_4, sum_7, sum_8
     sum_10 = 2.0 + 2.0 * attenuation_beta_2
     sum_11 = 1.0 - attenuation_epsilon_2 * sum_10
     sum_12 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_11
     sum_13 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_12
     product_1 = attenuation_beta_2 * sum_10
-    del sum_8, sum_11, sum_12, sum_10
     sum_14 = 2.0 - attenuation_epsilon_2 * sum_13 + product_1
+    del sum_11, sum_12, sum_10, sum_13
     sigma_r_squared = sigma_r**2
     sum_15 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_14
     sum_16 = 0.25 * r_squared * sum_9 + 0.25 * sigma_r_squared * sum_15
-    del sum_13, sum_14, sum_15, sum_9
     part_00_cos_beta2_cos_epsilon2 = shortfall_beta_2 * sum_16
+    del sum_14, sum_15, sum_9, sum_16
     product_2 = attenuation_epsilon_2 * (1.0 + attenuation_epsilon_2)
     sum_17 = 1.0 + product_2
     product_3 = attenuation_epsilon_2 * sum_17
@@ -4527,15 +4533,15 @@ def spherical_doppler_averaged(
     sum_18 = 1.0 + attenuation_beta_2 * (1.0 + product_3) + product_4
     sum_19 = 1.0 + attenuation_beta_2 * sum_18 + product_4
     sum_20 = 1.0 + attenuation_beta_2 * sum_19 + product_3
-    del sum_16, sum_18, product_3, sum_19
     sum_21 = 2.0 + 2.0 * attenuation_epsilon_2
     sum_22 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_21
     sum_23 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_22
+    del sum_18, product_3, sum_19, sum_22
     sum_24 = 1.0 + 2.0 * attenuation_epsilon_2
     product_5 = attenuation_epsilon_2 * sum_24
     sum_25 = 1.0 + attenuation_beta_2 * sum_23 + product_5
     sum_26 = 2.0 + attenuation_epsilon_2 * sum_25 + product_1
-    del sum_22, sum_24, sum_23, product_1, sum_25
+    del sum_24, sum_23, product_1, sum_25
     product_6 = attenuation_epsilon_2 * sum_21
     sum_27 = 2.0 + product_6
     sum_28 = 2.0 + attenuation_beta_2 * sum_26 + attenuation_epsilon_2 * sum_27

@@ -1,6 +1,6 @@
 """Conversions as loops over given[symbol][plot]; mean[plot, n] and covariance[plot, n, n] are filled, arrays or dictionaries.
 
-Written by radartrack regenerate, generator 1, derivation e29346ba38a60790; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 9cc3564f0636e7d1; not to be edited.
 """
 
 import math
@@ -1722,7 +1722,7 @@ def polar_averaged(
         term_1 = math.expm1(-0.5 * sigma_beta_squared)
         shortfall_beta = -term_1
         part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-        attenuation_beta_2 = attenuation_beta**2
+        attenuation_beta_2 = math.exp(-sigma_beta_squared)
         attenuation_beta_less_one = term_1
         sum_1 = 2.0 + attenuation_beta_less_one
         shortfall_beta_2 = -attenuation_beta_less_one * sum_1
@@ -2031,11 +2031,12 @@ def polar_doppler_averaged(
         rho = given[6][i]
         cos_beta = math.cos(beta)
         sin_beta = math.sin(beta)
-        attenuation_beta = math.exp(-0.5 * sigma_beta**2)
-        term_1 = math.expm1(-0.5 * sigma_beta**2)
+        sigma_beta_squared = sigma_beta**2
+        attenuation_beta = math.exp(-0.5 * sigma_beta_squared)
+        term_1 = math.expm1(-0.5 * sigma_beta_squared)
         shortfall_beta = -term_1
         part_0_cos_beta = -attenuation_beta * r * shortfall_beta
-        attenuation_beta_2 = attenuation_beta**2
+        attenuation_beta_2 = math.exp(-sigma_beta_squared)
         attenuation_beta_less_one = term_1
         sum_1 = 2.0 + attenuation_beta_less_one
         shortfall_beta_2 = -attenuation_beta_less_one * sum_1
@@ -3010,17 +3011,18 @@ def spherical_averaged(
         attenuation_beta = math.exp(-0.5 * sigma_beta_squared)
         term_1 = math.expm1(-0.5 * sigma_beta_squared)
         shortfall_beta = -term_1
-        attenuation_epsilon = math.exp(-0.5 * sigma_epsilon**2)
-        term_2 = math.expm1(-0.5 * sigma_epsilon**2)
+        sigma_epsilon_squared = sigma_epsilon**2
+        attenuation_epsilon = math.exp(-0.5 * sigma_epsilon_squared)
+        term_2 = math.expm1(-0.5 * sigma_epsilon_squared)
         shortfall_epsilon = -term_2
         sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
         product_21 = attenuation_beta * attenuation_epsilon
         part_0_cos_epsilon_sin_beta = -product_21 * r * sum_1
-        attenuation_beta_2 = attenuation_beta**2
+        attenuation_beta_2 = math.exp(-sigma_beta_squared)
         attenuation_beta_less_one = term_1
         sum_2 = 2.0 + attenuation_beta_less_one
         shortfall_beta_2 = -attenuation_beta_less_one * sum_2
-        attenuation_epsilon_2 = attenuation_epsilon**2
+        attenuation_epsilon_2 = math.exp(-sigma_epsilon_squared)
         attenuation_epsilon_less_one = term_2
         sum_3 = 2.0 + attenuation_epsilon_less_one
         shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3
@@ -3902,19 +3904,21 @@ def spherical_doppler_averaged(
         sin_beta = math.sin(beta)
         cos_epsilon = math.cos(epsilon)
         sin_epsilon = math.sin(epsilon)
-        attenuation_beta = math.exp(-0.5 * sigma_beta**2)
-        term_1 = math.expm1(-0.5 * sigma_beta**2)
+        sigma_beta_squared = sigma_beta**2
+        attenuation_beta = math.exp(-0.5 * sigma_beta_squared)
+        term_1 = math.expm1(-0.5 * sigma_beta_squared)
         shortfall_beta = -term_1
-        attenuation_epsilon = math.exp(-0.5 * sigma_epsilon**2)
-        term_2 = math.expm1(-0.5 * sigma_epsilon**2)
+        sigma_epsilon_squared = sigma_epsilon**2
+        attenuation_epsilon = math.exp(-0.5 * sigma_epsilon_squared)
+        term_2 = math.expm1(-0.5 * sigma_epsilon_squared)
         shortfall_epsilon = -term_2
         sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
         part_0_cos_epsilon_sin_beta = -attenuation_beta * attenuation_epsilon * r * sum_1
-        attenuation_beta_2 = attenuation_beta**2
+        attenuation_beta_2 = math.exp(-sigma_beta_squared)
         attenuation_beta_less_one = term_1
         sum_2 = 2.0 + attenuation_beta_less_one
         shortfall_beta_2 = -attenuation_beta_less_one * sum_2
-        attenuation_epsilon_2 = attenuation_epsilon**2
+        attenuation_epsilon_2 = math.exp(-sigma_epsilon_squared)
         attenuation_epsilon_less_one = term_2
         sum_3 = 2.0 + attenuation_epsilon_less_one
         shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3

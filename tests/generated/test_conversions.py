@@ -14,6 +14,9 @@ from radartrack.derive.writing.conversion_functions import METHODS, conversions_
 from radartrack.generated import conversions, loops
 from radartrack.verification.domain_points import Points, sample
 from radartrack.verification.error_in_ulp import errors
+from radartrack.verification.layers.ulp_search import Accuracy
+from radartrack.verification.outcome import Verdict
+from radartrack.verification.paths import ARRAYS, ONE_PLOT, along
 from tests import conversions as generated
 
 POINTS = 200
@@ -98,6 +101,15 @@ def test_errors_are_within_the_contract_of_the_quantities(module: ModuleType, mo
 
     found = errors(covariance, quantity, sample(quantity, 25, seed=20), exact_arithmetic()[1]).max()
     assert found <= (8 if model == "polar" else 16)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("path", [ARRAYS, ONE_PLOT])
+def test_of_polar_plots_they_are_within_it_where_a_search_makes_them_worst(path: str, method: str) -> None:
+    quantity = joined("polar", METHODS[method].covariance)
+    outcome = Accuracy(points=1000)(*along(path, quantity))
+    assert outcome.bound == 8
+    assert outcome.verdict is Verdict.PASSED, outcome.detail
 
 
 @EACH
