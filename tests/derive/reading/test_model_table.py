@@ -141,6 +141,11 @@ def _two(how: str, first: Both, second: Both) -> Both:
     return how.format(first[0], second[0]), lambda at: TWOS[how](first[1](at), second[1](at))
 
 
+def _is_read(of: Both) -> bool:
+    """An exponential of a logarithm is to be written as a power."""
+    return "log(" not in of[0].partition("exp(")[2]
+
+
 maps = st.recursive(
     st.sampled_from(LEAVES),
     lambda inner: (
@@ -152,7 +157,7 @@ maps = st.recursive(
 
 
 @share(0.4)
-@given(st.lists(maps, min_size=1, max_size=3))
+@given(st.lists(maps.filter(_is_read), min_size=1, max_size=3))
 def test_of_any_map_the_values_and_slopes_are_those_of_its_formulas(outputs: list[Both]):
     number = {"unit": "1", "low": 0.1, "high": 0.9}
     table = {
