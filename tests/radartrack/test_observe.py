@@ -313,6 +313,8 @@ def test_a_projected_track_serves_the_decorrelated_conversion(
     mean, matrix = data.draw(tracks(sensor))
     if sensor == "ruv":
         mean[2] += np.hypot(*mean[:2])
+    elif sensor.startswith("spherical"):  # near the vertical axis nothing is linear
+        assume(np.hypot(*mean[:2]) > 0.1 * abs(mean[2]))
     convention = {"azimuth_from": azimuth_from} if sensor in WITH_AZIMUTH else {}
     predicted = project(sensor, mean, 1e-4 * matrix, **convention)
     deviations = {"polar": [10.0, 1e-3], "spherical": [10.0, 1e-3, 1e-3]} | {
