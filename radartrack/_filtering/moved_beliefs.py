@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from radartrack._arrays.validation import RealArray
+from radartrack._conversion.semidefinite import cast
 from radartrack._filtering.beliefs import Motion
 from radartrack._filtering.extended import curvature_of
 from radartrack._filtering.factors import combination, factored, product_of
@@ -36,10 +37,13 @@ def _extended(
 
 
 def carried(jacobian: RealArray, covariance: RealArray) -> RealArray:
-    """J P J' of matrices (..., n, n), a sum of squares: no variance turns negative, whatever axes it is turned to."""
+    """J P J' of matrices (..., n, n), a sum of squares: no variance turns negative, whatever axes it is turned to.
+
+    A variance that underflows takes its covariances with it.
+    """
     shape = np.broadcast_shapes(jacobian.shape, covariance.shape)
     J, P = (np.moveaxis(np.broadcast_to(part, shape), (-2, -1), (0, 1)) for part in (jacobian, covariance))
-    return np.moveaxis(_carried(J, P), (0, 1), (-2, -1))
+    return cast(np.moveaxis(_carried(J, P), (0, 1), (-2, -1)), covariance.dtype)
 
 
 def _carried(F: RealArray, covariance: RealArray) -> RealArray:
