@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from radartrack._arrays.validation import RealArray
@@ -36,14 +38,14 @@ def _extended(
     return found.astype(mean.dtype, copy=False), spread.astype(covariance.dtype, copy=False)
 
 
-def carried(jacobian: RealArray, covariance: RealArray) -> RealArray:
+def carried(jacobian: RealArray, covariance: RealArray, dtype: np.dtype[Any]) -> RealArray:
     """J P J' of matrices (..., n, n), a sum of squares: no variance turns negative, whatever axes it is turned to.
 
     A variance that underflows takes its covariances with it.
     """
     shape = np.broadcast_shapes(jacobian.shape, covariance.shape)
     J, P = (np.moveaxis(np.broadcast_to(part, shape), (-2, -1), (0, 1)) for part in (jacobian, covariance))
-    return cast(np.moveaxis(_carried(J, P), (0, 1), (-2, -1)), covariance.dtype)
+    return cast(np.moveaxis(_carried(J, P), (0, 1), (-2, -1)), dtype)
 
 
 def _carried(F: RealArray, covariance: RealArray) -> RealArray:

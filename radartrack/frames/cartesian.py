@@ -135,7 +135,7 @@ class Frame:
         require_covariance("covariance", errors)
         require_within("covariance", errors, COVARIANCE)
         broadcast_shape({"mean": moved[..., 0], "covariance": errors[..., 0, 0]})
-        return Belief(moved, np.asarray(carried(self.jacobian(other, size), errors), dtype))
+        return Belief(moved, carried(self.jacobian(other, size), errors, dtype))
 
     @overload
     def to_ecef(self, mean: ArrayLike, covariance: None = ...) -> RealArray: ...

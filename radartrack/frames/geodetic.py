@@ -105,7 +105,7 @@ def ecef_from_geodetic(
         return position.astype(dtype, copy=False)
     errors = _read_covariance(covariance, position)
     jacobian = _formula("ecef_from_geodetic_jacobian", where, ellipsoid)
-    return Belief(position.astype(dtype, copy=False), np.asarray(carried(jacobian, errors), dtype))
+    return Belief(position.astype(dtype, copy=False), carried(jacobian, errors, dtype))
 
 
 @overload
@@ -155,7 +155,7 @@ def geodetic_from_ecef(
     require_within("position's distance from the axis", np.hypot(values[..., 0], values[..., 1]), FROM_AXIS)
     require_within("position's height", where.height, ABOVE_CURVATURE)
     jacobian = _formula("geodetic_from_ecef_jacobian", where, ellipsoid)
-    return GeodeticBelief(*typed, covariance=np.asarray(carried(jacobian, errors), dtype))
+    return GeodeticBelief(*typed, covariance=carried(jacobian, errors, dtype))
 
 
 def ecef_jacobian(

@@ -180,6 +180,16 @@ def test_what_a_frame_returns_of_a_covariance_of_any_rank_is_taken_by_what_comes
     np.testing.assert_allclose(back.covariance, point.covariance, atol=1e-6)
 
 
+def test_in_single_precision_too_a_variance_that_underflows_takes_its_covariances_with_it():
+    one, other = frames.antenna(0.0, 0.0, azimuth=1e-26), frames.antenna(0.0, 0.0)
+    along = np.diag(np.float32([1e6, 0.0, 0.0]))
+    for _ in range(2):
+        found = one.to(other, np.zeros(3, np.float32), along)
+        assert found.covariance.dtype == np.float32
+        np.testing.assert_array_equal(other.to(one, *found).covariance, along)
+        along = np.diag(np.float32([0.0, 1e6, 0.0]))
+
+
 @given(believed=strategies.covariances(6), azimuth=ANGLES)
 @share(0.3)
 def test_covariances_on_any_scales_are_turned_to_covariances(believed: np.ndarray, azimuth: float):
