@@ -50,26 +50,43 @@ def fill(function: Fill, inputs: Sequence[NDArray[Any]], outputs: Sequence[RealA
 
 
 def _side_by_side(work: Callable[[int], None], items: Sequence[int]) -> None:
-    """On all cores, this thread's among them; each takes the next item when it is ready for it."""
-    from threading import Lock  # noqa: PLC0415 - it costs more to load than small arrays do
+    """On all cores, this thread's among them; each takes the next item when it is ready for it.
 
-    waiting, turn = iter(items), Lock()
+    What is under way is waited for, whoever does it: an executor that is refused a new thread says so after an older
+    one may have begun.
+    """
+    from threading import Condition  # noqa: PLC0415 - it costs more to load than small arrays do
+
+    waiting, turn = iter(items), Condition()
+    under_way: list[int] = []
+    failures: list[BaseException] = []
 
     def run() -> None:
         while (item := taken()) is not None:
-            work(item)
+            try:
+                work(item)
+            except BaseException as error:  # noqa: BLE001 - raised below, where the result is waited for
+                failures.append(error)
+            finally:
+                with turn:
+                    under_way.remove(item)
+                    turn.notify_all()
 
     def taken() -> int | None:
         with turn:
-            return next(waiting, None)
+            item = None if failures else next(waiting, None)
+            if item is not None:
+                under_way.append(item)
+            return item
 
     others = _helped(run, min(_most_at_once(), len(items)) - 1)
-    try:
-        run()
-    finally:
-        for other in others:
-            if not other.cancel():  # what has not begun is not needed
-                other.result()
+    run()
+    with turn:
+        turn.wait_for(lambda: not under_way)
+    for other in others:
+        other.cancel()  # what has not begun is not needed
+    if failures:
+        raise failures.pop(0)
 
 
 def _helped(run: Callable[[], None], most: int) -> "list[Future[None]]":

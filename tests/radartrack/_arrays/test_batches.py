@@ -2,8 +2,10 @@
 
 import subprocess
 import sys
+import threading
 import time
 import tracemalloc
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -44,6 +46,36 @@ def test_an_error_in_one_block_of_many_reaches_the_caller() -> None:
     for _ in range(20):  # by any of the threads
         with pytest.raises(FloatingPointError, match="nine"):
             batches.fill(fails, [np.arange(16.0)], [np.zeros(16)], block=1)
+
+
+@pytest.mark.parametrize("fails", [False, True])
+def test_what_an_older_thread_has_begun_is_waited_for_where_a_new_one_is_refused(
+    monkeypatch: pytest.MonkeyPatch, *, fails: bool
+) -> None:
+    """An executor hands work over, and then says that it can start no thread."""
+
+    class Refused:
+        def submit(self, run: Callable[[], None]) -> None:
+            threading.Thread(target=run).start()
+            time.sleep(0.05)  # it has begun
+            raise RuntimeError("can't start new thread")
+
+    def fill_slowly(numbers: np.ndarray) -> None:
+        if threading.current_thread() is not threading.main_thread():
+            time.sleep(0.3)
+            if fails:
+                raise ValueError("late")
+        numbers += 1.0
+
+    monkeypatch.setattr(batches, "_most_at_once", lambda: 2)
+    monkeypatch.setattr(batches, "_threads", Refused)
+    filled = np.zeros(4 * batches.BLOCK)
+    if fails:
+        with pytest.raises(ValueError, match="late"):
+            batches.fill(fill_slowly, [], [filled])
+    else:
+        batches.fill(fill_slowly, [], [filled])
+        assert np.all(filled == 1.0)
 
 
 def test_blocks_may_be_filled_in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
