@@ -182,12 +182,12 @@ def test_what_a_frame_returns_of_a_covariance_of_any_rank_is_taken_by_what_comes
 
 def test_in_single_precision_too_a_variance_that_underflows_takes_its_covariances_with_it():
     one, other = frames.antenna(0.0, 0.0, azimuth=1e-26), frames.antenna(0.0, 0.0)
-    along = np.diag(np.float32([1e6, 0.0, 0.0]))
+    along = np.diag([1e6, 0.0, 0.0]).astype(np.float32)
     for _ in range(2):
         found = one.to(other, np.zeros(3, np.float32), along)
         assert found.covariance.dtype == np.float32
         np.testing.assert_array_equal(other.to(one, *found).covariance, along)
-        along = np.diag(np.float32([0.0, 1e6, 0.0]))
+        along = np.diag([0.0, 1e6, 0.0]).astype(np.float32)
 
 
 @given(believed=strategies.covariances(6), azimuth=ANGLES)
