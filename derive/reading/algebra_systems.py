@@ -36,7 +36,7 @@ def with_plain_functions(
     Args:
         text: the formula.
         brackets: all of them, with where they stand.
-        pairs: which one closes which, by their order.
+        pairs: which one closes which, by their order, inner ones first: what is turned around them moves them.
         names: the symbols, which are no functions.
     """
     signs = list(text)

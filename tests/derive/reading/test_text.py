@@ -108,6 +108,18 @@ def test_nothing_else_is_taken_for_such_a_formula(text: str):
         read_text(text, NAMES)
 
 
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("ArcTan[r, ArcTan[k, C]]", "atan2(atan2(C, k), r)"),
+        ("ArcTan[ArcTan[k, C], r]", "atan2(r, atan2(C, k))"),
+        ("ArcTan[Cos[r], Sqrt[k]*ArcTan[r, k]]", "atan2(sqrt(k)*atan2(k, r), cos(r))"),
+    ],
+)
+def test_arctangents_of_two_are_turned_inside_each_other_too(typed: str, meant: str):
+    assert read_text(typed, NAMES) == read_text(meant, NAMES)
+
+
 def test_a_symbol_in_capitals_is_no_function():
     assert read_text("EXP*(r)", ("EXP", "r")) == Product((Name("EXP"), r))
     with pytest.raises(FormulaError, match="written out"):
