@@ -100,6 +100,11 @@ class Question:
         """Whether all entries are."""
         return all(finding.outcome in GRAVITY[:2] for finding in self._findings)
 
+    @property
+    def has_units(self) -> bool:
+        """Whether no entry is wrong for its units."""
+        return all(finding.outcome is not Outcome.WRONG_DIMENSIONS for finding in self._findings)
+
     @cached_property
     def domain(self) -> Domain:
         """Where the formulas are compared."""

@@ -58,6 +58,7 @@ from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import plain_formulas, read_loosely, without_variants
 from radartrack.derive.reading.notation import LANGUAGES, LATEX, TEXT
+from radartrack.derive.reading.tex.latex_arguments import AmbiguousArgument
 from radartrack.derive.symbolic import Expr, Symbol, unguarded
 from radartrack.derive.verbs.no_closed_form import NoClosedForm
 
@@ -89,9 +90,37 @@ def ask(
     formula = formula if code else without_arguments(formula, every)
     paper = Paper(formula, code or (LATEX if latex else TEXT), function, conditions, definitions, world, sense)
     try:
+        return _of_any_model(paper, quantity)
+    except AmbiguousArgument as error:
+        return _with_brackets(paper, quantity, error)
+
+
+def _of_any_model(paper: Paper, quantity: str | Quantity) -> Question:
+    try:
         return paper.ask(quantity)
+    except AmbiguousArgument:
+        raise
     except FormulaError as error:
         return _of_another_model(paper, quantity, error)
+
+
+def _with_brackets(paper: Paper, quantity: str | Quantity, error: AmbiguousArgument) -> Question:
+    """The question of a formula with brackets around the arguments of functions, where only one way explains it.
+
+    Raises:
+        AmbiguousArgument: where none does, or several do as well.
+    """
+    questions = []
+    for formula in error.readings:
+        with suppress(FormulaError, NoClosedForm):
+            questions.append(_of_any_model(replace(paper, formula=formula, notation=LATEX), quantity))
+    fitting = [question for question in questions if question.has_units]
+    if len(fitting) == 1 or any(question.is_equal for question in fitting):
+        return next((question for question in fitting if question.is_equal), fitting[0])
+    best, *others = sorted(fitting, key=lambda question: question.to_explain) or [None]
+    if best is None or best.to_explain >= UNEXPLAINED or any(one.to_explain == best.to_explain for one in others):
+        raise error.within(paper.formula)
+    return best
 
 
 def _of_another_model(paper: Paper, quantity: str | Quantity, error: FormulaError) -> Question:

@@ -14,7 +14,7 @@ from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.tree import Name, Negation, Sum, Tree, names
-from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.any_letters import possible_trees, read_loosely
 from radartrack.derive.reading.notation import LATEX
 from radartrack.derive.reading.tex.latex import latex_name
 
@@ -57,7 +57,7 @@ def _set_name(equation: Equation) -> str:
 
 def _read(equation: Equation, name: str, known: Collection[str]) -> Understood:
     try:
-        tree = read_loosely(equation.right, known, notation=LATEX)
+        tree, *_ = possible_trees(equation.right, known, notation=LATEX)
     except FormulaError as error:
         return Understood(equation, None, f"it cannot be read: {error.message}")
     return Understood(equation, tree, name="" if name in names(tree) else name)

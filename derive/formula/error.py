@@ -27,7 +27,11 @@ class FormulaError(ValueError):
 
     def within(self, source: str) -> FormulaError:
         """The same error, pointing into this formula."""
-        return FormulaError(self.message, source, self.span)
+        return self.at(source, self.span)
+
+    def at(self, source: str, span: Span | None) -> FormulaError:
+        """The same error at a place of this formula."""
+        return FormulaError(self.message, source, span)
 
     @property
     def line(self) -> int | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping
+from contextlib import suppress
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
@@ -14,6 +15,7 @@ from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, 
 from radartrack.derive.reading.notation import LATEX, TEXT, read_formula
 from radartrack.derive.reading.printed_text import is_printed
 from radartrack.derive.reading.tex.latex import latex_name
+from radartrack.derive.reading.tex.latex_arguments import AmbiguousArgument
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _APPLIED = re.compile(r"(?P<name>[^()]+)\(\s*\\?(?P<argument>[A-Za-z_]\w*)\s*\)")
@@ -44,6 +46,30 @@ def read_loosely(
     """
     read = read_formula(formula, notation, names, shapes, strangers=True, function=function, wanted=wanted)
     return _with_letter_e(read.tree, formula)
+
+
+def possible_trees(formula: str, names: Collection[str] = (), notation: str = TEXT, function: str = "") -> list[Tree]:
+    """What a formula may say, the likeliest first, where print leaves open where the arguments of functions end.
+
+    Args:
+        formula: as it stands.
+        names: those that are known.
+        notation: in which it is.
+        function: of code, the function that is meant.
+
+    Raises:
+        FormulaError: when it cannot be read in any way.
+    """
+    try:
+        return [read_loosely(formula, names, notation, function)]
+    except AmbiguousArgument as error:
+        found = []
+        for reading in error.readings:
+            with suppress(FormulaError):
+                found.append(read_loosely(reading, names, LATEX))
+        if not found:
+            raise
+        return found
 
 
 def plain_formulas(printed: Mapping[str, str]) -> dict[str, str]:

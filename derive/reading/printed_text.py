@@ -119,12 +119,12 @@ def read_printed_text(
         known = _Known(allowed, strangers or names is None, "∫" in text)
         source, origins = _as_typed(text, allowed) if is_typed else _as_latex(text, known)
     except FormulaError as error:
-        raise FormulaError(error.message, given, _back(error.span, places)) from None
+        raise error.at(given, _back(error.span, places)) from None
     origins = [places[origin] for origin in origins]
     try:
         tree = (read_text if is_typed else read_latex)(source, names, shapes, strangers=strangers, wanted=wanted)
     except FormulaError as error:
-        raise FormulaError(error.message, given, _back(error.span, origins)) from None
+        raise error.at(given, _back(error.span, origins)) from None
     return rebuild(tree, lambda node: with_span(node, _back(node.span, origins)))
 
 

@@ -45,23 +45,23 @@ def find(
     """
     from radartrack.derive.checking.papers.deadline import Decider
     from radartrack.derive.formula.error import FormulaError
-    from radartrack.derive.reading.any_letters import read_loosely
+    from radartrack.derive.reading.any_letters import possible_trees
     from radartrack.derive.reading.notation import LATEX, TEXT
 
     if latex and code:
         raise typer.BadParameter("a formula is LaTeX or code, not both", param_hint="--code")
     source, function = code_argument(formula) if code else (formula, "")
     try:
-        tree = read_loosely(source, notation=code or (LATEX if latex else TEXT), function=function)
+        trees = possible_trees(source, notation=code or (LATEX if latex else TEXT), function=function)
     except FormulaError as error:
         terminal.complain(str(error))
         raise typer.Exit(UNREADABLE) from None
+    own, models = own_quantities(model).values(), declared(model)
     with Decider(timeout) as decider:
         decider.start()
-        search = search_over(rows_until_found(own_quantities(model).values(), tree))
-        judged = list(_judged(search.candidates(tree), decider, declared(model)))
-        if not judged:  # what is a quantity but for a slip is hardly another with letters for functions
-            judged = _in_usual_letters(search, tree, decider)
+        every = ((search_over(rows_until_found(own, tree)), tree) for tree in trees)
+        searched = [(search, tree, _looked_up(search, tree, decider, models)) for search, tree in every]
+    search, tree, judged = min(searched, key=lambda one: (not any(is_found for *_, is_found in one[2]), not one[2]))
     found = any(is_found for *_, is_found in judged)
     for candidate, words, is_found in judged:
         if is_found or not found:
@@ -69,6 +69,13 @@ def find(
     if not judged:
         _tell_what_is_near(search, tree)
     raise typer.Exit(FOUND if found else ONLY_NEAR)
+
+
+def _looked_up(
+    search: FormulaSearch, tree: Tree, decider: Decider, models: tuple[Mapping[str, Any], ...]
+) -> list[Judged]:
+    """What a formula is, or near; one that is a quantity but for a slip is hardly another with letters for functions."""
+    return list(_judged(search.candidates(tree), decider, models)) or _in_usual_letters(search, tree, decider)
 
 
 def _tell_what_is_near(search: FormulaSearch, tree: Tree) -> None:

@@ -29,8 +29,9 @@ from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.grammar import Part, TreeBuilder, call, check_decimals, finished, place, trees, verb
 from radartrack.derive.reading.joined_equations import Definition, combined
 from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
+from radartrack.derive.reading.tex.latex_arguments import AmbiguousArgument, bracketed
 from radartrack.derive.reading.tex.latex_equations import Equation, equations, without_formula_before
-from radartrack.derive.reading.tex.latex_hints import hint
+from radartrack.derive.reading.tex.latex_hints import refusal
 from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
 from radartrack.derive.reading.tex.latex_tokens import WORDS, LatexTokens
 
@@ -81,7 +82,8 @@ def read_latex(
         letters = [letter for tokens in rights for letter in tokens.letters]
         spelling = Names([*letters, *filter(None, lefts)], allowed, strangers=strangers)
         defined = [spelling.of(letter) if letter else "" for letter in lefts]
-        trees = [_parse(tokens.named(spelling, {*defined} - {""}), len(text)) for tokens in rights]
+        named = [tokens.named(spelling, {*defined} - {""}) for tokens in rights]
+        trees = _parsed(text, dict(zip((one.right for one in found), named, strict=True)))
         tree = combined([Definition(name, tree) for name, tree in zip(defined, trees, strict=True)], wanted)
         return finished(tree, shapes=shapes, strangers=strangers)
     except FormulaError as error:
@@ -260,15 +262,23 @@ def _parser() -> Lark:
     return Lark.open("latex.lark", rel_to=__file__, parser="lalr", lexer="basic", transformer=_LatexBuilder())
 
 
+def _parsed(text: str, formulas: Mapping[str, Sequence[Token]]) -> list[Tree]:
+    """The formulas in a text, whose tokens these are."""
+    try:
+        return [_parse(tokens, len(text)) for tokens in formulas.values()]
+    except AmbiguousArgument as error:
+        raise error.read_as(bracketed(text, formulas)) from None
+
+
 def _parse(found: Sequence[Token], length: int) -> Tree:
     parser = _parser().parse_interactive()
     for index, token in enumerate(found):
         try:
             parser.feed_token(token)
         except UnexpectedToken:
-            raise FormulaError(hint(found, index), span=place([token])) from None
+            raise refusal(found, index, place([token])) from None
     try:
         tree: Tree = parser.feed_eof()  # type: ignore[no-untyped-call]
     except UnexpectedToken:
-        raise FormulaError(hint(found, len(found)), span=(length, length)) from None
+        raise refusal(found, len(found), (length, length)) from None
     return tree

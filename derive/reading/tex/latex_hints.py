@@ -6,6 +6,9 @@ from collections.abc import Sequence
 
 from lark import Token
 
+from radartrack.derive.formula.error import FormulaError, Span
+from radartrack.derive.reading.tex.latex_arguments import AmbiguousArgument
+
 _OPENERS = frozenset({"LPAR", "LBRACE", "LBAR", "LINDEX", "BEGIN"})
 _CLOSERS = frozenset({"RPAR", "RBRACE", "RBAR", "RINDEX", "END"})
 _SEPARATORS = frozenset({"PLUS", "MINUS", "COMMA", "AMPERSAND", "NEWLINE"})
@@ -13,26 +16,31 @@ _ENCLOSING = frozenset({"LPAR", "LBAR", "BEGIN", "TIMES"})  # what ends the argu
 _BETWEEN = frozenset({"PLUS", "MINUS", "TIMES", "SLASH"})
 
 
-def hint(tokens: Sequence[Token], at: int) -> str:
+def refusal(tokens: Sequence[Token], at: int, span: Span) -> FormulaError:
     """What is wrong at the token where the parser stopped, or at the end, and what to write instead."""
     before = tokens[at - 1] if at else None
     now = tokens[at] if at < len(tokens) else None
     if before is not None and before.type == "FUNCTION":
-        return f"put the argument of \\{before} in brackets: \\{before}(...)"
-    return _scope(tokens, at) or _sign(tokens, at) or _other(before, now)
+        return FormulaError(f"put the argument of \\{before} in brackets: \\{before}(...)", span=span)
+    match _left_open(tokens, at):
+        case Token(type="FUNCTION") as function:
+            words = f"where the argument of \\{function} ends is ambiguous: put it in brackets, \\{function}(...)"
+            return AmbiguousArgument(words, span=span)
+        case Token(type="SLASH"):
+            words = "what is divided by what is ambiguous after a slash: write \\frac{...}{...} or brackets"
+            return FormulaError(words, span=span)
+    return FormulaError(_sign(tokens, at) or _other(before, now), span=span)
 
 
-def _scope(tokens: Sequence[Token], at: int) -> str | None:
-    """What was left open by a function or a slash to the left, within the same term and brackets."""
+def _left_open(tokens: Sequence[Token], at: int) -> Token | None:
+    """A function or a slash to the left that may go on here, within the same term and brackets."""
     if at >= len(tokens) or tokens[at].type in _SEPARATORS | _CLOSERS:
         return None
     enclosed = False
     for token in _term_before(tokens, at):
         enclosed |= token.type in _ENCLOSING
-        if token.type == "FUNCTION" and not enclosed:
-            return f"where the argument of \\{token} ends is ambiguous: put it in brackets, \\{token}(...)"
-        if token.type == "SLASH":
-            return "what is divided by what is ambiguous after a slash: write \\frac{...}{...} or brackets"
+        if token.type == "SLASH" or (token.type == "FUNCTION" and not enclosed):
+            return token
     return None
 
 

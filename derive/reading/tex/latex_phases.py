@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from lark import Token
 
-_TURNING = frozenset({"cos", "cot", "sin", "tan"})
+TURNING = frozenset({"cos", "cot", "sin", "tan"})
 _RATE = re.compile(r"[oO]mega(?:_\w+)?")
 _TIME = re.compile(r"(?:Delta_)?[Tt](?:_\w+)?|(?:Delta_)?tau|dt|h")
 
@@ -19,9 +19,9 @@ def with_phases(tokens: Sequence[Token]) -> list[Token]:
     while index < len(tokens):
         found.append(tokens[index])
         index += 1
-        if found[-1].type != "FUNCTION" or found[-1].value not in _TURNING:
+        if found[-1].type != "FUNCTION" or found[-1].value not in TURNING:
             continue
-        first = _behind_power(tokens, index)
+        first = behind_power(tokens, index)
         end = _phase_end(tokens, first)
         if end:
             opened, closed = tokens[first], tokens[end - 1]
@@ -33,11 +33,14 @@ def with_phases(tokens: Sequence[Token]) -> list[Token]:
     return found
 
 
-def _behind_power(tokens: Sequence[Token], index: int) -> int:
-    r"""Where the argument of \cos^2 begins."""
-    if index < len(tokens) and tokens[index].type == "RAISED":
-        return next((at + 1 for at in range(index, len(tokens)) if tokens[at].type == "RBRACE"), index)
-    return index
+def behind_power(tokens: Sequence[Token], at: int) -> int:
+    """Where a power ends that begins here; the same place where none does."""
+    depth = 0
+    for end in range(at + 1, len(tokens)) if at < len(tokens) and tokens[at].type == "RAISED" else ():
+        depth += (tokens[end].type == "LBRACE") - (tokens[end].type == "RBRACE")
+        if depth == 0:
+            return end + 1
+    return at
 
 
 def _phase_end(tokens: Sequence[Token], first: int) -> int:

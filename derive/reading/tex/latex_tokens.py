@@ -19,6 +19,7 @@ from radartrack.derive.formula.latex_names import ACCENTS, GREEK
 from radartrack.derive.formula.limits import MAX_PRINTED, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.unknown_names import unknown_function, unknown_name
+from radartrack.derive.reading.tex.latex_arguments import before_deviations
 from radartrack.derive.reading.tex.latex_letters import DECORATIONS, SAYS_NOTHING, Letter, Names, spelled
 from radartrack.derive.reading.tex.latex_phases import with_phases
 from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
@@ -96,7 +97,7 @@ class LatexTokens:
         found = list(self._tokens)
         for index, letter in self._tokenizer.letters.items():
             found[index] = self._named(found[index], letter, names.of(letter), defined)
-        return with_phases(found)
+        return before_deviations(with_phases(found))
 
     def _named(self, token: Token, letter: Letter, name: str, defined: Collection[str]) -> Token:
         known = self._known | set(defined) | self._tokenizer.bound
