@@ -74,7 +74,7 @@ def find(
 def _looked_up(
     search: FormulaSearch, tree: Tree, decider: Decider, models: tuple[Mapping[str, Any], ...]
 ) -> list[Judged]:
-    """What a formula is, or near; one that is a quantity but for a slip is hardly another with letters for functions."""
+    """What a formula is, or near; what is a quantity but for a slip is hardly another with letters for functions."""
     return list(_judged(search.candidates(tree), decider, models)) or _in_usual_letters(search, tree, decider)
 
 

@@ -50,7 +50,7 @@ class _Argument:
     ends: tuple[int, ...]
 
     def kind(self, tokens: Sequence[Token]) -> tuple[str, ...]:
-        """Its first factors: where \\sin\\beta r ends, \\cos\\beta r does."""
+        r"""Its first factors: where \sin\beta r ends, \cos\beta r does."""
         return tuple(token.value for token in tokens[self.first : self.ends[min(1, len(self.ends) - 1)]])
 
 
