@@ -117,10 +117,10 @@ def _with_brackets(paper: Paper, quantity: str | Quantity, error: AmbiguousArgum
     fitting = [question for question in questions if question.has_units]
     if len(fitting) == 1 or any(question.is_equal for question in fitting):
         return next((question for question in fitting if question.is_equal), fitting[0])
-    best, *others = sorted(fitting, key=lambda question: question.to_explain) or [None]
-    if best is None or best.to_explain >= UNEXPLAINED or any(one.to_explain == best.to_explain for one in others):
+    best = sorted(fitting, key=lambda question: question.to_explain)
+    if not best or best[0].to_explain >= min([UNEXPLAINED, *(question.to_explain for question in best[1:])]):
         raise error.within(paper.formula)
-    return best
+    return best[0]
 
 
 def _of_another_model(paper: Paper, quantity: str | Quantity, error: FormulaError) -> Question:
