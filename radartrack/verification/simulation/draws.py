@@ -190,7 +190,7 @@ def _compiled(experiment: Experiment) -> Summation | None:
         return None
     compiled_draws = import_module("radartrack.verification.simulation.machine_code_draws")  # loads Numba
     try:
-        tape = traced(partial(_powers, experiment), experiment.normals)
+        tape = traced(partial(_residuals, experiment), experiment.normals)
     except TypeError:
         return None
     return cast("Summation", compiled_draws.summation(tape)) if compiled_draws.is_possible(tape) else None
