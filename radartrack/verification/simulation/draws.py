@@ -25,6 +25,7 @@ import numpy.typing as npt
 from radartrack._arrays import machine_code
 from radartrack.verification.array_program import Program
 from radartrack.verification.simulation.exact_sum import ExactSum
+from radartrack.verification.simulation.statistics import POWERS
 from radartrack.verification.simulation.tracing import traced
 
 Array = npt.NDArray[np.float64]
@@ -34,7 +35,6 @@ BLOCK = 1 << 12  # times that all errors are drawn at once: what is computed fro
 CHUNK = 1 << 16  # times that they are drawn from one stream
 CHUNKS_OF_A_TASK = 64
 COMPILED_FROM = CHUNKS_OF_A_TASK  # chunks; for fewer, loading the compiler takes longer than it saves
-POWERS = 4
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ import numpy.typing as npt
 
 from radartrack._arrays import machine_code
 from radartrack.generated import elementary
-from radartrack.verification.simulation.draws import POWERS
+from radartrack.verification.simulation.statistics import POWERS
 from radartrack.verification.simulation.tracing import SUMMED, Tape, with_products_summed
 
 Array = npt.NDArray[np.float64]

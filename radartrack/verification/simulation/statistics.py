@@ -9,6 +9,7 @@ from statistics import NormalDist
 
 from radartrack.verification.simulation.exact_sum import ExactSum
 
+POWERS = 4  # of draws, whose sums say mean, deviation, skewness and kurtosis
 FALSE_ALARM = 1e-6
 POWER = 0.999
 MOST_CORRECTION = 4.0

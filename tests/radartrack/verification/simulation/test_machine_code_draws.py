@@ -18,6 +18,7 @@ from radartrack.verification.simulation import draws, machine_code_draws
 from radartrack.verification.simulation.draws import Experiment, simulate
 from radartrack.verification.simulation.experiments import Trial, trials
 from radartrack.verification.simulation.machine_code_draws import LANES, is_possible, summation
+from radartrack.verification.simulation.statistics import POWERS
 from radartrack.verification.simulation.tracing import Tape, traced
 
 NAMES = [
@@ -41,7 +42,7 @@ def test_sines_of_any_size_are_those_of_numpy(function: Any) -> None:
     tape = traced(lambda rows: [function(rows[0])], 1)
     for largest in (1.0, 2 * LARGEST_ANGLE, 1e300):
         inputs[0, 7] = largest
-        expected = [(function(inputs) ** n).sum() for n in range(1, draws.POWERS + 1)]
+        expected = [(function(inputs) ** n).sum() for n in range(1, POWERS + 1)]
         assert summation(tape)([inputs]) == pytest.approx(expected, abs=1e-13)
     inputs[0, 7] = math.nan
     assert math.isnan(summation(tape)([inputs])[0])
@@ -55,7 +56,7 @@ def test_sums_are_those_of_numpy(name: str) -> None:
     tape = traced(partial(draws._residuals, one.experiment), one.experiment.normals)
     assert is_possible(tape) == machine_code.is_available()
     normals = np.random.default_rng(4).standard_normal((one.experiment.normals, LANES))
-    found = summation(tape)([normals, normals]).reshape(-1, draws.POWERS) / (2 * LANES)
+    found = summation(tape)([normals, normals]).reshape(-1, POWERS) / (2 * LANES)
     for mean, rounding, values in zip(found, one.rounding, _powers(powers(list(normals))), strict=True):
         sizes = np.abs(values).mean(axis=-1)
         slopes = np.array([1.0, *(n * size for n, size in enumerate(sizes[:-1], start=2))])
@@ -63,7 +64,7 @@ def test_sums_are_those_of_numpy(name: str) -> None:
 
 
 def _powers(arrays: list[np.ndarray]) -> np.ndarray:
-    return np.array(arrays).reshape(-1, draws.POWERS, LANES)
+    return np.array(arrays).reshape(-1, POWERS, LANES)
 
 
 @pytest.fixture
