@@ -51,6 +51,13 @@ def _atan2(above: Number, beside: Number) -> Number:
     return -mpmath.j * mpmath.log((beside + mpmath.j * above) / _hypot(above, beside))
 
 
+def _direction(above: Number, beside: Number) -> Number:
+    """The angle of a direction, where there is one."""
+    if not (above or beside):
+        raise ZeroDivisionError("no direction: atan2(0, 0)")
+    return _atan2(above, beside)
+
+
 def _remainder(argument: Number, order: Number) -> Number:
     return mpmath.exp(argument) - sum(argument**n / mpmath.factorial(n) for n in range(int(order)))
 
@@ -126,11 +133,19 @@ class Evaluator:
     """A tensor of expressions, prepared for evaluation at many points.
 
     Every distinct subexpression is computed once a point.
+
+    Args:
+        entries: the expressions.
+        symbols: what they are made of.
+        digits: how many are right, unless some cancel.
+        strict: whether atan2(0, 0) has no value; else it is zero, as in generated code.
     """
 
-    def __init__(self, entries: Tensor[Expr], symbols: Sequence[Symbol], digits: int = DIGITS) -> None:
+    def __init__(
+        self, entries: Tensor[Expr], symbols: Sequence[Symbol], digits: int = DIGITS, *, strict: bool = False
+    ) -> None:
         self._precision = digits + GUARD
-        self._steps = steps(entries, symbols, _step)
+        self._steps = steps(entries, symbols, _strict_step if strict else _step)
         self._shape = entries.shape
 
     def __call__(
@@ -178,6 +193,11 @@ def _step(expression: Expr) -> tuple[Callable[..., Number], Sequence[Expr]]:
     if expression.func in _FUNCTIONS:
         return _FUNCTIONS[expression.func], expression.args
     return _refusal(expression), ()
+
+
+def _strict_step(expression: Expr) -> tuple[Callable[..., Number], Sequence[Expr]]:
+    """The same, but nothing is the angle of no direction."""
+    return (_direction, expression.args) if isinstance(expression, sp.atan2) else _step(expression)
 
 
 def _refusal(expression: Expr) -> Callable[[], Number]:

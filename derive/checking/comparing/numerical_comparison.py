@@ -57,13 +57,13 @@ class Imaginary:
 
 
 class Comparison:
-    """Two formulas in the same symbols, ready to be evaluated."""
+    """Two formulas in the same symbols, ready to be evaluated; atan2(0, 0), which languages call zero, is no value."""
 
     def __init__(self, printed: Expr, derived: Expr, symbols: Sequence[Symbol]) -> None:
         self.printed = printed
         self._symbols = symbols
         self._derived = derived
-        self._evaluator = Evaluator(Tensor((2,), (printed, derived)), symbols)
+        self._evaluator = Evaluator(Tensor((2,), (printed, derived)), symbols, strict=True)
 
     def at(self, point: Point, *, thorough: bool = False) -> Values | Imaginary | Here:
         """What is found at a point: both values when they differ beyond the rounding of many digits.
@@ -132,7 +132,7 @@ class Comparison:
 
     @cached_property
     def _derived_alone(self) -> Evaluator:
-        return Evaluator(Tensor((1,), (self._derived,)), self._symbols)
+        return Evaluator(Tensor((1,), (self._derived,)), self._symbols, strict=True)
 
 
 def _found(point: Point, rough: tuple[Number, Number], fine: tuple[Number, Number]) -> Values | Imaginary | Here:

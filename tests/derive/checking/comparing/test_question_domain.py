@@ -148,6 +148,27 @@ def test_where_the_printed_formula_has_no_value_the_share_of_the_points_is_said(
     assert 0 < int(share[1]) < int(share[2])
 
 
+@pytest.mark.parametrize(
+    ("name", "factor"),
+    [
+        ("finite_sample.degree1.range_rate.covariance[0,1]", "atan2(C, C)*4/pi"),
+        ("finite_sample.degree1.range_rate.at_lag.covariance[0,1]", "2 - 4*atan2(C, C)/pi"),
+        ("observe.polar.map[1]", "atan2(x**2, x**2)*4/pi"),
+    ],
+)
+def test_where_a_printed_angle_has_no_direction_nothing_is_compared(name: str, factor: str) -> None:
+    formula = {"polar.map[0]": "r*cos(beta)", "observe.polar.map[1]": "atan2(y, x)"}.get(name) or check(
+        name, "1"
+    ).derived
+    found = check(name, f"({formula})*({factor})")
+    assert found.verdict is (Outcome.UNDECIDED if "C" in factor else Outcome.EQUAL_NUMERICALLY)
+    assert "C" not in factor or "at the others it has no value" in found.reason
+
+
+def test_an_angle_that_is_derived_needs_no_direction_either() -> None:
+    assert check("observe.polar.map[1]", "atan2(2*y, 2*x)").verdict in {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}
+
+
 def test_limits_are_those_of_the_variables() -> None:
     assert not Domain([FRACTION]).contains({"x": 0.6})
     assert Domain([FRACTION]).contains({"x": 0.5})
