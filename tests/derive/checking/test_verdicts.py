@@ -38,7 +38,7 @@ PARTS = 2 if FORMULAS < 1000 else 20
 SOON = ("polar.", "observe.", "line.", "finite_sample.degree1.range.")
 LONG = 90  # characters of a formula
 POINTS = 25 if FORMULAS < 1000 else 8  # for each formula
-EXPLAINED = 40  # of so many formulas, one is explained too
+EXPLAINED = 40  # of so many formulas of a part, one is explained too
 Change: TypeAlias = Callable[[Tree, Sequence[Variable], Random], Tree]
 EQUAL = {Outcome.EQUAL, Outcome.EQUAL_NUMERICALLY}
 
@@ -73,7 +73,7 @@ def test_no_verdict_on_a_formula_by_chance_is_wrong_or_lost(change: Change, part
         except FormulaError:
             counts["not read"] += 1
             continue
-        if fault := _fault(question, tree, random, counts, explained=number % EXPLAINED == 0):
+        if fault := _fault(question, tree, random, counts, explained=number // PARTS % EXPLAINED == 0):
             faults.append(f"{entry} for {to_text(changed)}: {fault}")
     print(dict(counts))
     assert not faults, "\n".join(faults[:20])
