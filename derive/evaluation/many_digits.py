@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import cycle
 from typing import Any
@@ -18,6 +19,7 @@ GUARD = 90  # an unstable textbook form may lose as many digits as a fourth powe
 Number = Any
 
 LARGEST_EXPONENT = 1e6
+DIGITS_OF_AN_ANGLE = 10_000  # before the point: for as many more pi is not soon known
 RESIDUE = 30  # of the digits carried, those that rounding may reach in the part of a complex number that is zero
 
 
@@ -36,6 +38,17 @@ def _growing(function: Callable[[Number], Number]) -> Callable[[Number], Number]
         if abs(argument) > LARGEST_EXPONENT:
             raise OverflowError(f"the exponential of {mpmath.nstr(argument, 3)} is not evaluated")
         return function(argument)
+
+    return bounded
+
+
+def _turning(function: Callable[[Number], Number]) -> Callable[[Number], Number]:
+    """The function of an angle, refusing those for which whole turns take for ever to take off."""
+
+    def bounded(angle: Number) -> Number:
+        if mpmath.mag(angle) > DIGITS_OF_AN_ANGLE * math.log2(10):
+            raise OverflowError(f"an angle of more than {DIGITS_OF_AN_ANGLE} digits is not turned back")
+        return function(angle)
 
     return bounded
 
@@ -97,11 +110,11 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.atanh: mpmath.atanh,
     sp.below: lambda value, limit: mpmath.mpf(int(value < limit)),
     sp.conjugate: mpmath.conj,
-    sp.cos: mpmath.cos,
+    sp.cos: _turning(mpmath.cos),
     sp.cosh: _growing(mpmath.cosh),
-    sp.cot: mpmath.cot,
+    sp.cot: _turning(mpmath.cot),
     sp.coth: mpmath.coth,
-    sp.csc: mpmath.csc,
+    sp.csc: _turning(mpmath.csc),
     sp.csch: _growing(mpmath.csch),
     sp.erf: mpmath.erf,
     sp.exp: _growing(mpmath.exp),
@@ -112,13 +125,13 @@ _FUNCTIONS: dict[type[Expr], Callable[..., Number]] = {
     sp.ratio: lambda above, below: above / below if below else mpmath.mpf(0),
     sp.re: mpmath.re,
     sp.remainder: _remainder,
-    sp.sec: mpmath.sec,
+    sp.sec: _turning(mpmath.sec),
     sp.sech: _growing(mpmath.sech),
     sp.sign: mpmath.sign,
-    sp.sin: mpmath.sin,
+    sp.sin: _turning(mpmath.sin),
     sp.sinh: _growing(mpmath.sinh),
     sp.stumpff: _stumpff,
-    sp.tan: mpmath.tan,
+    sp.tan: _turning(mpmath.tan),
     sp.tanh: mpmath.tanh,
     sp.third: _third,
 }
@@ -160,7 +173,7 @@ class Evaluator:
                 stays what it is owes nothing to how they are rounded, however many are lost.
 
         Raises:
-            OverflowError: for an exponential of more than a million.
+            OverflowError: for an exponential of more than a million, and the sine of an angle of too many digits.
             ZeroDivisionError: where a formula divides by zero.
             NotComputed: for a formula that holds what is not evaluated.
         """

@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from functools import reduce
+from itertools import pairwise
 from operator import mul, neg, truediv
 from random import Random
 from typing import Any
@@ -32,7 +33,7 @@ from radartrack.derive.formula.tree import (
 )
 from radartrack.derive.language.variable import Variable
 
-DIGITS = (80, 200, 500)
+DIGITS = (80, 200, 500, 1500)
 SAME = 1e-45  # relative: more than the rounding of fifty digits, less than any slip
 ROUNDING = 1e-100  # relative: of what two precisions settle
 LARGEST = 1e5  # of exponents
@@ -52,9 +53,11 @@ def worth(tree: Tree, point: Mapping[str, float]) -> Any:
     before = _with_digits(tree, point, DIGITS[0], exact=True)
     if before is No.UNDEFINED:
         return before
-    for digits in DIGITS[1:]:
+    for fewer, digits in pairwise(DIGITS):
         after = _with_digits(tree, point, digits)
         found = _settled(before, after)
+        if found is No.UNKNOWN and digits == DIGITS[-1] and _vanishes(before, after, digits - fewer):
+            return mpmath.mpf(0)
         if found is not No.UNKNOWN:
             return found
         before = after
@@ -110,9 +113,14 @@ def _settled(before: Any, after: Any) -> Any:
         steady = abs(mpmath.im(after) - mpmath.im(before)) <= 1e-9 * abs(mpmath.im(after))
         return No.UNREAL if steady else No.UNKNOWN
     after, before = mpmath.re(after), mpmath.re(before)
-    if abs(after - before) <= 1e-30 * abs(after):
-        return after
-    return mpmath.mpf(0) if abs(after) < 1e-30 * abs(before) and abs(after) < 1e-60 else No.UNKNOWN
+    return after if abs(after - before) <= 1e-30 * abs(after) else No.UNKNOWN
+
+
+def _vanishes(before: Any, after: Any, more_digits: int) -> bool:
+    """Whether a value is rounding alone: with more digits it is by all of them smaller, unlike a small difference."""
+    if isinstance(before, No) or isinstance(after, No):
+        return False
+    return bool(abs(after) < 1e-60 and abs(after) <= mpmath.mpf(10) ** (-0.9 * more_digits) * abs(before))
 
 
 def _with_digits(tree: Tree, point: Mapping[str, float], digits: int, *, exact: bool = False) -> Any:
