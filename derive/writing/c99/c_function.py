@@ -190,10 +190,11 @@ def function(name: str, symbols: Sequence[str], outputs: Sequence[Output], state
     )
     arguments = tuple(names[symbol] for symbol in symbols)
     given = _with_sines(statements, angles)
-    double, single = (
-        "\n".join(body(given, arguments, outputs, CExpression(suffix, names=names))) for suffix in ("", SINGLE)
-    )
     known = tuple((names[symbol], names[sine], names[cosine]) for symbol, (sine, cosine) in angles.items())
+    passed = [*arguments, *(name for _, *sines in known for name in sines)]
+    double, single = (
+        "\n".join(body(given, passed, outputs, CExpression(suffix, names=names))) for suffix in ("", SINGLE)
+    )
     return CFunction(name, arguments, tuple(outputs), (double, single), known)
 
 

@@ -58,6 +58,18 @@ int main(void)
 
 
 @needs_compiler
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("wave", [sp.sin, sp.cos])
+def test_one_of_sine_and_cosine_alone_compiles_without_a_warning(language: str, wave: type[sp.Expr], tmp_path: Path):
+    x = sympy.Symbol("x", real=True)
+    vector = function("radartrack_v", ["x"], [Output("result", (1,))], Statements((), (wave(x),)))
+    number = function("radartrack_s", ["x"], [], Statements((), (wave(x),)))
+    source = f"#include <stdio.h>\n{c_elementary.header()}\n{vector.text('any')}\n{number.text('any')}"
+    main = '\nint main(void) { double v[1]; radartrack_v(1.5, v); printf("%d", v[0] == radartrack_s(1.5)); return 0; }\n'
+    assert run(source + main, tmp_path, *LANGUAGES[language], *WARNINGS) == "1"
+
+
+@needs_compiler
 def test_no_text_of_a_comment_gets_out_of_it(tmp_path: Path):
     evil = 'a */ int main(void) { return 1; } /* "b" ??/\n\\\nπ'
     assert in_comment(evil).count("*/") == 1
