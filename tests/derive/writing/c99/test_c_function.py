@@ -65,8 +65,8 @@ def test_one_of_sine_and_cosine_alone_compiles_without_a_warning(language: str, 
     vector = function("radartrack_v", ["x"], [Output("result", (1,))], Statements((), (wave(x),)))
     number = function("radartrack_s", ["x"], [], Statements((), (wave(x),)))
     source = f"#include <stdio.h>\n{c_elementary.header()}\n{vector.text('any')}\n{number.text('any')}"
-    main = '\nint main(void) { double v[1]; radartrack_v(1.5, v); printf("%d", v[0] == radartrack_s(1.5)); return 0; }\n'
-    assert run(source + main, tmp_path, *LANGUAGES[language], *WARNINGS) == "1"
+    calls = 'double v[1]; radartrack_v(1.5, v); printf("%d", v[0] == radartrack_s(1.5)); return 0;'
+    assert run(f"{source}\nint main(void) {{ {calls} }}\n", tmp_path, *LANGUAGES[language], *WARNINGS) == "1"
 
 
 @needs_compiler
