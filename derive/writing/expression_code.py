@@ -10,6 +10,7 @@ from radartrack.derive.algebra.term_order import by_name
 from radartrack.derive.symbolic import Expr
 
 SUM, PRODUCT, POWER, ATOM = range(4)
+LONGEST_PART = 2**32  # of a fraction: what is multiplied by a longer one may leave single precision on the way
 Code = tuple[str, int]  # text, and how tightly it binds
 
 
@@ -93,8 +94,9 @@ class ExpressionCode(ABC):
         sign = "-" if number < 0 else "+"
         above, below = [], []
         numerator, denominator = int(abs(number.p)), int(number.q)
-        if denominator & (denominator - 1) == 0 and denominator > 1:
+        if _is_one_number(numerator, denominator):
             above.append(self.number(numerator / denominator))
+            denominator = 1
         elif numerator != 1:
             above.append(self.number(numerator))
         for factor in by_name(sp.Mul.make_args(rest)) if rest != 1 else []:
@@ -103,7 +105,7 @@ class ExpressionCode(ABC):
                 below.append(self._wrapped(base**-exponent, POWER))
             else:
                 above.append(self._wrapped(factor, PRODUCT))
-        if denominator & (denominator - 1):
+        if denominator > 1:
             below.append(self.number(denominator))
         product = " * ".join(above) or self.number(1)
         if not below:
@@ -139,6 +141,12 @@ class ExpressionCode(ABC):
 
     def _wrapped(self, expression: Expr, level: int) -> str:
         return enclosed(self._code(expression), level)
+
+
+def _is_one_number(numerator: int, denominator: int) -> bool:
+    """Whether a fraction is written as the double nearest to it: what is one, and what a long decimal leaves."""
+    is_double = denominator & (denominator - 1) == 0
+    return denominator > 1 and (is_double or max(numerator, denominator) > LONGEST_PART)
 
 
 def enclosed(code: Code, level: int) -> str:

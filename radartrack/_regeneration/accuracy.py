@@ -136,11 +136,14 @@ def with_proofs(functions: Iterable[Function], record: Record) -> Record:
     found = dict(record)
     for function in functions:
         name, row = function.quantity.name, rows.get(function.quantity.name, {})
-        text = function.text("")
-        code = code_of(helpers(text) + text, function.quantity.function)
-        if known.get(name) is function.quantity and row.get("code") == code:
+        if known.get(name) is function.quantity and row.get("code") == _code(function):
             found[name] = replace(record[name], proved=_said(function.quantity, proved_bounds(row)))
     return found
+
+
+def _code(function: Function) -> str:
+    text = function.text("")
+    return code_of(helpers(text) + text, function.quantity.function)
 
 
 def _said(quantity: Quantity, bounds: Mapping[str, float]) -> Mapping[str, float]:

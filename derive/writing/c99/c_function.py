@@ -33,8 +33,10 @@ WORDS = """
     mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public reinterpret_cast
     requires static_assert static_cast template this thread_local throw true try typeid typename using virtual wchar_t
     xor xor_eq
-    EOF HUGE_VAL HUGE_VALF HUGE_VALL I INFINITY NAN NULL assert errno linux math_errhandling offsetof unix
+    EOF HUGE_VAL HUGE_VALF HUGE_VALL I INFINITY MAXFLOAT NAN NULL SNAN SNANF SNANL assert errno linux math_errhandling
+    offsetof unix
 """  # of C99 and C++20, and what headers may define
+OTHERS = (PREFIX, "FP_", "MATH_", "M_")  # beginnings of what these headers and math.h define
 TAKEN = frozenset([*WORDS.split(), RESULT, "mean", "covariance", COUNT, PLACE, START, SOME])
 
 
@@ -184,16 +186,16 @@ def of_quantity(quantity: Quantity, form: StableForm) -> CFunction:
 
 def function(name: str, symbols: Sequence[str], outputs: Sequence[Output], statements: Statements) -> CFunction:
     """Statements as a function of symbols; names that C or C++ has for something else get an underscore."""
-    angles = {symbol: (f"sine_of_{symbol}", f"cosine_of_{symbol}") for symbol in _angles(symbols, statements)}
-    names = _free_names(
-        [*symbols, *(name for both in angles.values() for name in both), *(name for name, _ in statements.definitions)]
-    )
+    said = [*symbols, *(name for name, _ in statements.definitions)]
+    angles = {symbol: _names_of_sines(symbol, said) for symbol in _angles(symbols, statements)}
+    names = _free_names([*said, *(name for both in angles.values() for name in both)])
     arguments = tuple(names[symbol] for symbol in symbols)
     given = _with_sines(statements, angles)
-    double, single = (
-        "\n".join(body(given, arguments, outputs, CExpression(suffix, names=names))) for suffix in ("", SINGLE)
-    )
     known = tuple((names[symbol], names[sine], names[cosine]) for symbol, (sine, cosine) in angles.items())
+    passed = [*arguments, *(name for _, *sines in known for name in sines)]
+    double, single = (
+        "\n".join(body(given, passed, outputs, CExpression(suffix, names=names))) for suffix in ("", SINGLE)
+    )
     return CFunction(name, arguments, tuple(outputs), (double, single), known)
 
 
@@ -203,6 +205,14 @@ def _angles(symbols: Sequence[str], statements: Statements) -> list[str]:
     taken = {wave.args[0] for one in expressions for wave in one.atoms(sp.sin, sp.cos)}
     names = {angle.name for angle in taken if isinstance(angle, sp.Symbol)}
     return [symbol for symbol in symbols if symbol in names]
+
+
+def _names_of_sines(angle: str, taken: Sequence[str]) -> tuple[str, str]:
+    """Of its sine and cosine, which no symbol has."""
+    sine, cosine = f"sine_of_{angle}", f"cosine_of_{angle}"
+    while sine in taken or cosine in taken:
+        sine, cosine = f"{sine}_", f"{cosine}_"
+    return sine, cosine
 
 
 def _with_sines(statements: Statements, angles: Mapping[str, tuple[str, str]]) -> Statements:
@@ -266,8 +276,8 @@ def _free_names(names: Iterable[str]) -> Mapping[str, str]:
     found: dict[str, str] = {}
     for name in names:
         free = name
-        while free in TAKEN or free.startswith(PREFIX) or (free != name and free in known):
-            free = f"{free}_" if not free.startswith(PREFIX) else f"of_{free}"
+        while free in TAKEN or free.startswith(OTHERS) or (free != name and free in known):
+            free = f"{free}_" if not free.startswith(OTHERS) else f"of_{free}"
         known.add(free)
         found[name] = free
     return found

@@ -71,14 +71,17 @@ class Dimensions:
             found = relative(after, before * change.result, scale * np.abs(change.result))
             if found > worst or not title:
                 worst, title = found, change.title
+        if not title:
+            return Outcome.not_applicable(NAME, "a number alone in the map has a unit, and nothing else can be changed")
         return Outcome.measured(NAME, worst, TOLERANCE, f"largest for {title}")
 
 
 def changes(quantity: Quantity) -> Iterator[Change]:
     """The changes that a quantity must follow."""
-    yield _units(quantity, "another unit of length", METRES, 1.0)
-    yield _units(quantity, "another unit of time", 1.0, SECONDS)
     model = model_of(quantity)
+    for title, metre, second in (("another unit of length", METRES, 1.0), ("another unit of time", 1.0, SECONDS)):
+        if model is None or _is_homogeneous(model, metre, second):
+            yield _units(quantity, title, metre, second)
     if model is None:
         return
     for angle in (v for v in model.measured if v in quantity.symbols and _is_periodic(model, v)):
@@ -94,12 +97,13 @@ def changes(quantity: Quantity) -> Iterator[Change]:
 
 
 def _units(quantity: Quantity, title: str, metre: float, second: float) -> Change:
-    def factor(unit: Unit) -> float:
-        return float(metre ** float(unit.metre) * second ** float(unit.second))
-
-    entries = [factor(quantity.unit(index)) for index in np.ndindex(quantity.shape)]
-    arguments = {symbol.name: (factor(symbol.unit), 0.0) for symbol in quantity.symbols}
+    entries = [_factor(quantity.unit(index), metre, second) for index in np.ndindex(quantity.shape)]
+    arguments = {symbol.name: (_factor(symbol.unit, metre, second), 0.0) for symbol in quantity.symbols}
     return Change(title, arguments, np.array(entries).reshape(quantity.shape))
+
+
+def _factor(unit: Unit, metre: float, second: float) -> float:
+    return float(metre ** float(unit.metre) * second ** float(unit.second))
 
 
 def _correlated(model: Model, variable: Variable) -> list[str]:
@@ -137,6 +141,15 @@ def _is_periodic(model: Model, variable: Variable) -> bool:
     program, point = compiled(model.map, model.arguments), _somewhere(model)
     before, after = (program(**point | {variable.name: point[variable.name] + turn}) for turn in (0.0, math.tau))
     return bool(_same(after, before).all())
+
+
+@cache
+def _is_homogeneous(model: Model, metre: float, second: float) -> bool:
+    """Whether the map itself follows a change of units: in x + 100, the number has one that nobody can tell."""
+    program, point = compiled(model.map, model.arguments), _somewhere(model)
+    moved = {symbol.name: point[symbol.name] * _factor(symbol.unit, metre, second) for symbol in model.arguments}
+    factors = np.array([_factor(unit, metre, second) for unit in model.units])
+    return bool(_same(program(**moved), program(**point) * factors).all())
 
 
 def _same(first: Signs, second: Signs) -> npt.NDArray[np.bool_]:

@@ -132,7 +132,7 @@ def _outcome(found: list[Comparison], tests: int) -> Outcome:
     means = sum(c.path == FUNCTION for c in found)
     shape = max(c.correction(limit) for c in found)
     seen = max(c.detectable(tests) for c in found)
-    resolved = max(c.beyond / c.detectable(tests) for c in found)
+    resolved = max((c.beyond / least for c in found if (least := c.detectable(tests))), default=0.0)
     detail = (
         f"{worst.path}: {means} of {tests} means, each of {worst.mean.draws} residuals, worst entry {worst.label} "
         f"{worst.z:.2f} standard errors, p {smallest:.2g} of {FALSE_ALARM / tests:.1g}; an error of {seen:.1g} is "

@@ -122,8 +122,7 @@ class Quadrature:
         if reason:
             return Outcome.not_applicable(NAME, reason)
         points, coarser, finer = _references(quantity, self.points, self.seed)
-        scale, sizes = scale_of(quantity, finer), _sizes(quantity, points)
-        scale = np.where(scale > ZERO * sizes, scale, sizes)
+        scale = _scale(quantity, finer, _sizes(quantity, points))
         unsettled = relative(coarser, finer, scale)
         if row_of(quantity) == "unbiased.estimate":
             found = _mean_of_estimate(quantity, function, points)
@@ -211,6 +210,12 @@ def _sizes(quantity: Quantity, points: Points) -> Array:
     model = _model(quantity)
     sizes = np.abs(_map(model)(**{symbol.name: points[symbol.name] for symbol in model.arguments}))
     return sizes if len(quantity.shape) == 1 else sizes[..., :, np.newaxis] * sizes[..., np.newaxis, :]
+
+
+def _scale(quantity: Quantity, values: Array, sizes: Array) -> Array:
+    """That of the values; what meets in them, where they are its rounding, as of a coordinate that has no error."""
+    scale = scale_of(quantity, np.where(np.abs(values) > ZERO * sizes, values, 0.0))
+    return np.where(scale > ZERO * sizes, scale, sizes)
 
 
 def _component(quantity: Quantity, function: Function, a: int) -> Callable[[Point], Array]:

@@ -184,10 +184,11 @@ def _trial(quantity: Quantity, function: Function, point: dict[str, float], key:
     value = np.asarray(function(**{s.name: point[s.name] for s in quantity.symbols}), dtype=np.float64)
     target = np.zeros(size) if row_of(quantity) == "unbiased.estimate" else value
     known = control.second_moments(whole) if pairs else control.means(whole)
-    scale, sizes = _scale(quantity, value), _sizes(recipe, starts, control, whole)
+    scale = _scale(quantity, value)
+    sizes = _sizes(recipe, starts, control, whole) + _terms(model, slopes, point)
     expected = [float(target[place] / factor - known[place]) for place in places]
     rounding = [ROUNDING * math.prod(sizes[a] for a in place) for place in places]
-    relative = [float(scale[place]) or math.prod(float(sizes[a]) for a in place) for place in places]
+    relative = [float(scale[place]) or math.prod(float(sizes[a]) for a in place) or 1.0 for place in places]
     experiment = Experiment(
         key,
         point,
@@ -210,6 +211,12 @@ def _sizes(recipe: Recipe, starts: Mapping[str, Array], control: Polynomial, cov
     """How large the numbers are that meet in each component of g, before they cancel."""
     largest = sum(np.abs(starts[term.value]) for term in recipe.terms)
     return np.asarray(largest + np.sqrt(np.diagonal(control.second_moments(covariance))))
+
+
+def _terms(model: Model, slopes: Slopes, point: Mapping[str, float]) -> Array:
+    """How large what is rounded inside of the map is: terms that cancel there leave their rounding."""
+    at = np.array([point[variable.name] for variable in model.measured])
+    return np.asarray(np.abs(slopes.jacobian) @ np.abs(at))
 
 
 def _functions(

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from radartrack.derive import symbolic as sp
@@ -69,6 +69,22 @@ def test_numbers_are_written_without_loss_and_no_power_but_the_square():
     assert code(x**2) == "x**2"
     for exponent in (3, 4, 5, 6, -3, sympy.Rational(3, 2)):
         assert not re.search(r"\*\*[^2]", code(x**exponent))
+
+
+@given(decimal=st.floats(1e-2, 1e2), power=st.integers(1, 4))
+@example(decimal=1 / 3, power=4)
+@share(0.4)
+def test_the_parts_of_a_long_fraction_do_not_leave_single_precision(
+    decimal: float, power: int, tmp_path_factory: pytest.TempPathFactory
+):
+    exact = sympy.Rational(repr(decimal)) ** power
+    found = [code(exact * x**4 / y**4), code(-exact * y**4 / x**4), code(x**4 * y**-4 / exact)]
+    source = f"import numpy as np\n\n\ndef run(x, y):\n    return [{', '.join(found)}]\n"
+    values = module_of(source, tmp_path_factory.mktemp("code")).run(np.float32(1e4), np.float32(1.25e4))
+    assert [value.dtype for value in values] == [np.float32] * 3
+    ratio = 0.8**4
+    expected = [float(exact) * ratio, -float(exact) / ratio, ratio / float(exact)]
+    assert np.asarray(values, float) == pytest.approx(expected, rel=1e-5)
 
 
 def test_the_terms_of_a_sum_are_its_code():

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tomllib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -25,6 +26,10 @@ from radartrack.cli import app
 from radartrack.derive import catalogue as catalogue_module
 from radartrack.derive.catalogue import find
 from radartrack.derive.language.stable_form import NotProved
+from radartrack.derive.moments.conversion_quantities import quantities_of
+from radartrack.derive.reading.model_table import read_models
+from radartrack.derive.writing.numpy_writer import Function
+from tests import own_models
 from tests.radartrack._regeneration import small_catalogue
 
 ROOT = Path(__file__).parents[3]
@@ -570,3 +575,10 @@ def test_the_measured_error_is_rounded_up_to_half_an_ulp_and_infinite_for_what_i
     for found, stated in ((0.0, 0.0), (0.2, 0.5), (1.5, 1.5), (1.51, 2.0), (np.inf, np.inf), (np.nan, np.inf)):
         monkeypatch.setattr(measuring, "errors", lambda *_, found=found: np.array([0.0, found]))
         assert measuring.measure(radartrack.generated.polar, find("polar.map")) == stated
+
+
+def test_no_proof_is_looked_for_of_code_that_is_none_of_the_package_s_however_long_its_sums():
+    (model,) = read_models(tomllib.loads(own_models.TOML))
+    function = Function(quantities_of(model)[0], " + ".join(["return r", *["w"] * 3000]))
+    record = {function.quantity.name: accuracy.Accuracy(function.digest, 1.0)}
+    assert accuracy.with_proofs([function], record) == record

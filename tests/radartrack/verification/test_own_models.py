@@ -1,6 +1,7 @@
 """Verification of models of one's own: the same layers, in any process, and faults in their code are found."""
 
 import pickle
+import re
 import tomllib
 from collections.abc import Callable
 from dataclasses import replace
@@ -69,6 +70,70 @@ def test_waves_arcs_powers_roots_inverse_functions_and_motions_pass_every_layer(
     assert {layer: one for layer, one in found["arc.bias.truth"].items() if one != "passed"} == {
         "rounding": "not applicable"  # proofs come with the code of the catalogue alone
     }
+
+
+PLAIN = """
+[symbols]
+r = { unit = "m", low = 1e3, high = 1e5 }
+b = { unit = "rad" }
+p = { unit = "m", low = -1e5, high = 1e5 }
+q = { unit = "m", low = -1e5, high = 1e5 }
+H = { unit = "m", low = 10, high = 900 }
+s_r = { unit = "m", low = 1, high = 100 }
+s_b = { unit = "rad", low = 1e-6, high = 0.1 }
+s_p = { unit = "m", low = 1, high = 100 }
+s_q = { unit = "m", low = 1, high = 100 }
+[[model]]
+name = "of_known_height"
+measured = ["r", "b"]
+parameters = ["H"]
+outputs = { x = "r*cos(b)", y = "r*sin(b)", z = "H" }
+units = { x = "m", y = "m", z = "m" }
+deviations = { r = "s_r", b = "s_b" }
+[[model]]
+name = "flat"
+measured = ["r", "b"]
+outputs = { x = "r*cos(b)", y = "r*sin(b)", z = "0" }
+units = { x = "m", y = "m", z = "m" }
+deviations = { r = "s_r", b = "s_b" }
+[[model]]
+name = "shifted"
+measured = ["r", "b"]
+outputs = { x = "r*cos(b) + 1500", y = "(r + 2)*sin(b) - 800" }
+units = { x = "m", y = "m" }
+deviations = { r = "s_r", b = "s_b" }
+[[model]]
+name = "turned"
+measured = ["p", "q"]
+outputs = { x = "0.8*p - 0.6*q", y = "0.6*p + 0.8*q" }
+units = { x = "m", y = "m" }
+deviations = { p = "s_p", q = "s_q" }
+correlations = { c = ["p", "q"] }
+[[model]]
+name = "level"
+measured = ["p"]
+outputs = { h = "p + 30" }
+units = { h = "m" }
+"""
+
+
+@pytest.mark.parametrize("seed", [0, 5])
+def test_coordinates_that_are_linear_constant_or_shifted_by_a_number_pass_every_layer(seed: int):
+    rows = ["map", "bias.truth", "covariance.second_order", "covariance.truth", "unbiased.estimate"]
+    models = ["of_known_height", "flat", "shifted", "turned"]
+    names = [*(f"{model}.{row}" for model in models for row in rows), "level.map"]
+    own = written(declared(PLAIN), names, HERE, steps)
+    records = Campaign(names, replace(FEW, seed=seed, draws=1 << 20), None, own).run(HERE, steps)
+    wrong = [(one["quantity"], layer) for one in records for layer in one["layers"] if layer["verdict"] == "failed"]
+    assert wrong == []
+
+
+def test_a_number_in_place_of_nothing_is_found():
+    own = written(declared(PLAIN), names := ["flat.map", "flat.bias.truth", "flat.covariance.truth"], HERE, steps)
+    zeros = re.compile(r"^( +result\[\.\.\.(?:, \d)+\] = )0\.0$", re.MULTILINE)
+    found = verdicts(spoilt(own, lambda text: zeros.sub(r"\g<1>1.0", text)), names)
+    assert all(layers["ulp"] == "failed" for layers in found.values())
+    assert all(found[name][layer] == "failed" for name in names[1:] for layer in ("quadrature", "Monte Carlo"))
 
 
 def spoilt(own: OwnModels, change: Callable[[str], str]) -> OwnModels:

@@ -58,6 +58,38 @@ int main(void)
 
 
 @needs_compiler
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("wave", [sp.sin, sp.cos])
+def test_one_of_sine_and_cosine_alone_compiles_without_a_warning(language: str, wave: type[sp.Expr], tmp_path: Path):
+    x = sympy.Symbol("x", real=True)
+    vector = function("radartrack_v", ["x"], [Output("result", (1,))], Statements((), (wave(x),)))
+    number = function("radartrack_s", ["x"], [], Statements((), (wave(x),)))
+    source = f"#include <stdio.h>\n{c_elementary.header()}\n{vector.text('any')}\n{number.text('any')}"
+    calls = 'double v[1]; radartrack_v(1.5, v); printf("%d", v[0] == radartrack_s(1.5)); return 0;'
+    assert run(f"{source}\nint main(void) {{ {calls} }}\n", tmp_path, *LANGUAGES[language], *WARNINGS) == "1"
+
+
+@needs_compiler
+@pytest.mark.parametrize("standard", ["-std=c99", "-std=gnu11", "-std=gnu++17"])
+def test_symbols_may_be_called_like_sines_of_others_and_like_what_math_h_defines(standard: str, tmp_path: Path):
+    defined = ["M_PI", "M_E", "M_SQRT1_2", "FP_NAN", "MATH_ERRNO", "HUGE_VAL", "MAXFLOAT", "NAN", "I", "SNAN"]
+    given = ["x", "sine_of_x", "sine_of_sine_of_x", "cosine_of_x_", *defined]
+    symbols = [sympy.Symbol(text, real=True) for text in given]
+    x, other, *others = symbols
+    inner = sympy.Symbol("sine_of_x_", real=True)
+    statements = Statements(((inner.name, sp.sin(x)),), (inner + sp.cos(x) + sp.sin(other) + sp.Add(*others),))
+    written = function("radartrack_a", given, [], statements)
+    assert len({*written.arguments, *(name for _, *names in written.angles for name in names)}) == len(given) + 4
+    language = ["-x", "c++", standard] if "++" in standard else [standard]
+    calls = f'printf("%.17g", radartrack_a({", ".join(["0.5"] * len(given))}));'
+    source = (
+        f"#include <stdio.h>\n{c_elementary.header()}\n{written.text('any')}\nint main(void) {{ {calls} return 0; }}\n"
+    )
+    expected = float(sympy.cos(0.5) + 2 * sympy.sin(0.5)) + 0.5 * len(others)
+    assert float(run(source, tmp_path, *language, *WARNINGS, "-Wno-pedantic")) == pytest.approx(expected)
+
+
+@needs_compiler
 def test_no_text_of_a_comment_gets_out_of_it(tmp_path: Path):
     evil = 'a */ int main(void) { return 1; } /* "b" ??/\n\\\nπ'
     assert in_comment(evil).count("*/") == 1
