@@ -378,10 +378,8 @@ def covariance_intersection(
         {"mean": points[..., 0, 0], "covariance": errors[..., 0, 0, 0]}
         | ({} if weight is None else {"weight": arrays["weight"]})
     )
-    try:
-        pencil = pencil_of(errors[..., 0, :, :], errors[..., 1, :, :])
-    except np.linalg.LinAlgError:
-        raise ValueError("covariance must be positive definite; got a matrix that is not") from None
+    whitener("covariance", errors)  # which refuses what is singular
+    pencil = pencil_of(errors[..., 0, :, :], errors[..., 1, :, :])
     share = arrays["weight"] if weight is not None else pencil.best_share(chosen)
     both = np.broadcast_to(points, (*shape, 2, size))
     origin = _of_more_accurate(both, errors)
