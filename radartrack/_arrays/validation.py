@@ -50,7 +50,10 @@ class Domain(NamedTuple):
     def describe(self, dtype: np.dtype[Any]) -> str:
         """The interval in words."""
         low, high = self.bounds(dtype)
-        return f"from {low:.7g} to {high:.7g}{self.unit} in {dtype} ({self.reason})"
+        # Seven digits where that does not name a number outside: pi, rounded so, is refused.
+        least = f"{low:.7g}" if float(f"{low:.7g}") >= low else repr(low)
+        most = f"{high:.7g}" if float(f"{high:.7g}") <= high else repr(high)
+        return f"from {least} to {most}{self.unit} in {dtype} ({self.reason})"
 
 
 RANGE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
