@@ -411,6 +411,9 @@ def run_with(
 ) -> Belief:
     """Predict and update with what a sensor measured, scan by scan: an extended Kalman filter.
 
+    A range rate that is far better than the velocity across times the error of an angle makes it too sure, of either
+    order; the documents on tracks have numbers, and say what helps.
+
     Args:
         sensor: the name of a function of `rt.observe`.
         start: beliefs at the scan before the first measured one, of n components, in the order of `update_with`.
