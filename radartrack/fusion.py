@@ -479,7 +479,7 @@ def registration(
     )
     domains = {"r": RANGE, "azimuth": ANGLE, "range_std": POSITIVE, "azimuth_std": WEIGHING, "sites": COORDINATE}
     for name, array in values.items():
-        require_within(name, array[~np.isnan(array)] if name in {"r", "azimuth"} else array, domains[name])
+        require_within(name, np.where(np.isnan(array), 0, array) if name in {"r", "azimuth"} else array, domains[name])
     places = values.pop("sites").astype(np.float64)
     shape = broadcast_shape(values)
     if len(shape) < 2 or shape[-2] < 2 or not shape[-1]:

@@ -109,8 +109,8 @@ def two_plots(
     Returns:
         Means (x, y, vx, vy) or (x, y, z, vx, vy, vz) [m, m/s], shape (..., n), and covariances, shape (..., n, n): of
         the second position and of the difference over the period, given plots whose errors are independent of each
-        other, of a target that flies straight from the first to the second; then, of plots with a range rate, after that
-        of the first and of the second. Computed in float64, and in float32 where every array given is.
+        other and of a target that flies straight from one to the other; then, of plots with a range rate, after that of
+        the first and of the second. Computed in float64, and in float32 where every array given is.
 
     Raises:
         TypeError: as for `one_plot`.

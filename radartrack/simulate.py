@@ -266,13 +266,16 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
             (seed, number of the radar).
 
     Raises:
-        TypeError: a count or a seed is no whole number.
-        ValueError: a count is less than 1, a seed is negative, or a state lies out of what the radar can see.
+        TypeError: a count or a seed is no whole number, or the states are not made of real numbers.
+        ValueError: a count is less than 1, a seed is negative, the target has not one state a time, or one lies out of
+            what the radar can see.
 
     """
     scans, trials = (whole_number(name, count, 1) for name, count in (("scans", scans), ("trials", trials)))
     times = radar.times(scans)
-    states = target.states(times)
+    states = real_arrays({"states of the target": target.states(times)})["states of the target"].astype(np.float64)
+    if states.shape != (scans, len(_STATE)):
+        raise ValueError(f"states of the target must have shape {(scans, len(_STATE))}; got {states.shape}")
     truth = radar.truth(states)
     errors, detections = (np.random.default_rng(part) for part in np.random.SeedSequence(_entropy(seed)).spawn(2))
     noise = scatter(radar.noise_covariance(), errors.standard_normal((trials, scans, len(truth))))
