@@ -25,6 +25,7 @@ from radartrack._arrays.validation import (
     Domain,
     RealArray,
     broadcast_shape,
+    by_name,
     one_of,
     real_arrays,
     require_finite,
@@ -141,7 +142,7 @@ def two_plots(
 
 
 def _read(model: Sensor, plot: Plot) -> dict[str, ArrayLike]:
-    given = {"correlation": 0.0, **plot}
+    given = {"correlation": 0.0} | by_name("a plot", plot)
     if set(given) != set(model.arguments):
         raise TypeError(f"a plot must have the arguments {[*model.arguments]}; got {sorted(plot)}")
     return {name: given[name] for name in model.arguments}

@@ -451,6 +451,8 @@ def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
         line = _put(line, active, replace(better, iterations=line.iterations[active] + 1, converged=found))
         before[active] = total
         active = active[~stops]
+        if not active.size:
+            break
     return _map(line, lambda field: field.reshape(t.shape[:-1] + field.shape[1:]))
 
 

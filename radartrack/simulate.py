@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from radartrack import observe
 from radartrack._arrays.validation import (
     RealArray,
+    by_name,
     number_between,
     one_of,
     real_arrays,
@@ -176,9 +177,10 @@ class Radar:
     def __post_init__(self) -> None:
         model = SENSORS[one_of("sensor", self.sensor, SENSORS)]
         _noise_of(model, self.noise)
-        if not set(self.bias) <= set(model.coordinates):
-            raise TypeError(f"bias must be of {[*model.coordinates]}; got {sorted(self.bias)}")
-        for name, value in self.bias.items():
+        bias, known = (by_name(name, getattr(self, name)) for name in ("bias", "known"))
+        if not set(bias) <= set(model.coordinates):
+            raise TypeError(f"bias must be of {[*model.coordinates]}; got {[*bias]}")
+        for name, value in bias.items():
             domain = model.coordinates[name].domain._replace(signed=True)
             require_within(f"bias of {name}", np.asarray(real_number(f"bias of {name}", value)), domain)
         _vector("site", self.site)
@@ -186,9 +188,9 @@ class Radar:
             raise ValueError(f"period must be finite and more than 0; got {self.period}")
         number_between("detection_probability", self.detection_probability, 0, 1)
         model.chosen_axis(self.azimuth_from)
-        if set(self.known) != set(model.parameters):
-            raise TypeError(f"known must have {[*model.parameters]}; got {sorted(self.known)}")
-        for name, value in self.known.items():
+        if set(known) != set(model.parameters):
+            raise TypeError(f"known must have {[*model.parameters]}; got {[*known]}")
+        for name, value in known.items():
             require_within(name, np.asarray(real_number(name, value)), model.parameters[name].domain)
 
     def times(self, scans: int) -> RealArray:
@@ -322,7 +324,7 @@ def noise_covariance(sensor: SensorName, noise: Mapping[str, float]) -> RealArra
 
 def _noise_of(model: Sensor, given: Mapping[str, float]) -> list[float]:
     """Deviations and correlation in the order of the sensor's arguments, each in its domain."""
-    noise = {"correlation": 0.0, **given}
+    noise = {"correlation": 0.0} | by_name("noise", given)
     if set(noise) != set(model.noise):
         raise TypeError(f"noise must have {[*model.noise]} (correlation is 0 if left out); got {sorted(given)}")
     for name, argument in model.noise.items():

@@ -90,6 +90,19 @@ def one_of(name: str, given: str | None, allowed: Iterable[Choice]) -> Choice:
     raise ValueError(f"{name} must be one of {words}; got {given!r}")
 
 
+def by_name(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Read arguments by name, from a dict or what else has keys.
+
+    Raises:
+        TypeError: it has none.
+
+    """
+    try:
+        return {**given}
+    except TypeError:
+        raise TypeError(f"{name} must be arguments by name, such as a dict; got {_shown(given)}") from None
+
+
 def whole_number(name: str, given: object, least: int, most: int | None = None) -> int:
     """Read a whole number: an int, or what stands for one, such as an integer of NumPy.
 

@@ -137,6 +137,19 @@ def test_a_plot_on_the_line_does_not_divide_by_zero() -> None:
     assert fitted.at([0.0]) == pytest.approx([0.0], abs=1e-12)
 
 
+@pytest.mark.parametrize("tracks", [(), (0,), (3,)])
+def test_an_iteration_ends_when_all_tracks_have_met_their_rule(
+    tracks: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """However many steps are allowed."""
+    solved, solutions = line._solved, []
+    monkeypatch.setattr(line, "_solved", lambda *given: solutions.append(given) or solved(*given))
+    t, x = np.arange(5.0), np.random.default_rng(4).standard_normal((*tracks, 5))
+    found = line.fit(t, x, method="reweighted", max_iterations=1000)
+    assert found.converged.all()
+    assert len(solutions) <= 1 + max(1, found.iterations.max(initial=0))
+
+
 @pytest.mark.parametrize("method", ["perpendicular", "reweighted"])
 def test_a_vertical_line_has_infinite_slope_and_finite_distances(method: line.Method) -> None:
     fitted = line.fit([3.0, 3.0, 3.0], [1.0, 5.0, 11.0], method=method)
