@@ -13,7 +13,7 @@ from stonesoup.feeder.base import DetectionFeeder
 from stonesoup.initiator.simple import SimpleMeasurementInitiator
 from stonesoup.models.measurement import nonlinear
 from stonesoup.models.measurement.linear import LinearGaussian
-from stonesoup.types.array import StateVector, StateVectors
+from stonesoup.types.array import CovarianceMatrix, StateVector, StateVectors
 from stonesoup.types.detection import Clutter, Detection, GaussianDetection, TrueDetection
 from stonesoup.types.groundtruth import GroundTruthPath
 from stonesoup.types.hypothesis import SingleHypothesis
@@ -364,15 +364,29 @@ def test_the_second_order_expects_what_sigma_points_expect_of_a_gentle_curvature
     assert shift < 0.2 * np.abs(np.asarray(first.state_vector - sigma.state_vector, dtype=float) / scale).max()
 
 
-def test_josephs_form_is_the_same_covariance() -> None:
-    _, model = made("space, rate", noise_covar=FAR_NOISE["space, rate"])
-    truth, prediction = predicted(model, 1, 3000.0, 30.0)
+@pytest.mark.parametrize("updater", [stone_soup.SecondOrderUpdater, stone_soup.DecorrelatedUpdater])
+@pytest.mark.parametrize("along", [30.0, 3e3, 1e5])
+@pytest.mark.parametrize("angle", [1e-1, 1e-3, 1e-5, 1e-7])
+def test_josephs_form_is_the_same_update_however_unlike_metres_and_radians_are(
+    updater: Any, along: float, angle: float
+) -> None:
+    """A target that is known across the line of sight, and hardly along it: squared, 1e5 m beside 1e-7 rad is 1e24."""
+    _, model = made("space, rate", noise_covar=noise(angle, angle, 10.0, 1.0))
+    truth, prediction = predicted(model, 1, 3.0, 3.0)
+    sight = (truth[[0, 2, 4]] - SHIFT[:, 0]) / np.linalg.norm(truth[[0, 2, 4]] - SHIFT[:, 0])
+    spread = np.array(prediction.covar, dtype=float)
+    spread[np.ix_([0, 2, 4], [0, 2, 4])] += along**2 * np.outer(sight, sight)
+    believed = GaussianStatePrediction(prediction.state_vector, CovarianceMatrix(spread), timestamp=TIME)
     [plot] = detections(model, [truth], 1)
     plain, joseph = (
-        stone_soup.SecondOrderUpdater(use_joseph_cov=joseph).update(SingleHypothesis(prediction, plot)).covar
-        for joseph in (False, True)
+        updater(use_joseph_cov=joseph).update(SingleHypothesis(believed, plot)) for joseph in (False, True)
     )
-    np.testing.assert_allclose(plain, joseph, rtol=1e-6, atol=1e-6 * np.abs(plain).max())
+    deviations = np.sqrt(np.diag(np.asarray(plain.covar, dtype=float)))
+    np.testing.assert_allclose(
+        joseph.mean / deviations[:, np.newaxis], plain.mean / deviations[:, np.newaxis], rtol=1e-4
+    )
+    scale = np.outer(deviations, deviations)
+    np.testing.assert_allclose(joseph.covar / scale, plain.covar / scale, atol=1e-3)
 
 
 def test_models_without_known_curvature_are_refused_by_name() -> None:
