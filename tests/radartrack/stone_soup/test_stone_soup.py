@@ -131,6 +131,21 @@ def test_the_inverse_of_many_plots_at_once_leads_back_to_them(name: str) -> None
         np.testing.assert_allclose(ours.inverse_function(one), inverse, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("model", made("plane", rotation_offset=StateVector(TILTED), noise_covar=noise(0.01, 10.0)))
+def test_plots_of_a_tilted_sensor_in_the_plane_are_not_converted(model: Any) -> None:
+    truth, prediction = predicted(model, 1, 100.0, 10.0)
+    [plot] = detections(model, [truth], 1)
+    hypothesis = SingleHypothesis(prediction, plot)
+    for convert in (
+        lambda: stone_soup.OnePlotInitiator(prior(model)).initiate({plot}, TIME),
+        lambda: [*stone_soup.DebiasingFeeder([(TIME, {plot})])],
+        lambda: stone_soup.DecorrelatedUpdater().update(hypothesis),
+    ):
+        with pytest.raises(ValueError, match="rotation_offset must be about the z axis alone"):
+            convert()
+    assert stone_soup.SecondOrderUpdater().update(hypothesis).mean.shape == prediction.mean.shape
+
+
 def test_a_sensor_in_the_plane_that_is_tilted_is_refused_where_it_has_no_inverse() -> None:
     tilted, _ = made("plane", rotation_offset=StateVector(TILTED))
     with pytest.raises(ValueError, match="rotation_offset must be about the z axis alone"):
