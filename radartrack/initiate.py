@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from radartrack import convert, observe
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
+    DOUBLE,
     Domain,
     RealArray,
     broadcast_shape,
@@ -129,9 +130,7 @@ def two_plots(
         for name, value in _read(model, plot).items()
     }
     dtype = real_arrays({"period": period, **both})["period"].dtype
-    plots = [
-        {name: values.astype(np.float64) for name, values in _arrays(model, plot).items()} for plot in (first, second)
-    ]
+    plots = [_doubled(model, _arrays(model, plot)) for plot in (first, second)]
     T = real_arrays({"period": period})["period"].astype(np.float64)
     require_within("period", T, PERIOD)
     broadcast_shape({**{f"{name} of first": a for name, a in plots[0].items()}, **plots[1], "period": T})
@@ -152,6 +151,14 @@ def _arrays(model: Sensor, plot: Plot) -> dict[str, RealArray]:
     arrays = real_arrays(_read(model, plot))
     model.read(arrays)
     return arrays
+
+
+def _doubled(model: Sensor, arrays: Mapping[str, RealArray]) -> dict[str, RealArray]:
+    """In float64, in which an elevation of 90 degrees in float32 is beyond the vertical."""
+    return {
+        name: np.clip(values.astype(np.float64), *model.arguments[name].domain.bounds(DOUBLE))
+        for name, values in arrays.items()
+    }
 
 
 def _without_rate(
