@@ -149,7 +149,8 @@ class Radar:
     """A radar: what it measures from where, how often, and with which errors.
 
     Attributes:
-        sensor: a conversion's name, such as "polar" (range and azimuth of a target in the plane).
+        sensor: a conversion's name, such as "polar" (range and azimuth of a target in the plane). "ruv" does not tell a
+            target behind the array, at a z below its own, from its mirror image.
         period: time from scan to scan [s].
         noise: standard deviations, and `correlation` where it is not 0, by the names that the conversion of the
             sensor gives them: {"range_std": 250.0, "azimuth_std": 0.017}.
