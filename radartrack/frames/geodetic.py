@@ -156,7 +156,8 @@ def geodetic_from_ecef(
     require_within("position's height", where.height, ABOVE_CURVATURE)
     jacobian = _formula("geodetic_from_ecef_jacobian", where, ellipsoid)
     place = with_covariance(np.stack(typed, axis=-1), carried(jacobian, errors, dtype))
-    return GeodeticBelief(*np.moveaxis(place.mean, -1, 0), covariance=place.covariance)
+    latitude, longitude, height = np.moveaxis(place.mean, -1, 0)
+    return GeodeticBelief(latitude, longitude, height, place.covariance)
 
 
 def ecef_jacobian(

@@ -61,8 +61,9 @@ def test_a_wrong_deviation_leaves_the_bands() -> None:
 def test_what_the_bands_do_not_hold_for_is_refused_by_name(
     change: dict[str, Any], error: type[Exception], message: str
 ) -> None:
+    arguments: dict[str, Any] = {"radar": RADARS[0], "trials": 10}
     with pytest.raises(error, match=message):
-        compare(**{"radar": RADARS[0], "trials": 10} | change)
+        compare(**arguments | change)
 
 
 def test_the_quantiles_are_those_of_the_chi_square_distribution() -> None:

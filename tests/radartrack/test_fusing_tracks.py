@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+from collections.abc import Callable
 from typing import Any, cast
 
 import mpmath
@@ -379,12 +380,13 @@ def test_errors_that_are_one_are_refused_whichever_way_they_are_rounded(
     one = np.outer(deviations, deviations) * [[1.0, sign], [sign, 1.0]]
     P = np.stack([one, one if both else np.diag(deviations**2)])
     moves = kalman.constant_velocity(1.0, 1.0)
-    calls = {
+    track = fusion.Filtered(P, np.eye(2), one)
+    calls: dict[str, Callable[[], object]] = {
         "fuse": lambda: fusion.fuse(np.zeros((2, 2)), P),
         "fuse_plots": lambda: fusion.fuse_plots([0.0, 1.0], np.zeros((2, 2)), P),
         "fuse_correlated": lambda: fusion.fuse_correlated(np.zeros((2, 2)), P, np.zeros((2, 2))),
         "covariance_intersection": lambda: fusion.covariance_intersection(np.zeros((2, 2)), P),
-        "cross_covariances": lambda: fusion.cross_covariances(moves, *[fusion.Filtered(P, np.eye(2), one)] * 2),
+        "cross_covariances": lambda: fusion.cross_covariances(moves, track, track),
     }
     with pytest.raises(ValueError, match="must be positive definite, by more than rounding"):
         calls[way]()

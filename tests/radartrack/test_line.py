@@ -143,7 +143,12 @@ def test_an_iteration_ends_when_all_tracks_have_met_their_rule(
 ) -> None:
     """However many steps are allowed."""
     solved, solutions = line._solved, []
-    monkeypatch.setattr(line, "_solved", lambda *given: solutions.append(given) or solved(*given))
+
+    def counted(*given: Any) -> line.Fit:
+        solutions.append(given)
+        return solved(*given)
+
+    monkeypatch.setattr(line, "_solved", counted)
     t, x = np.arange(5.0), np.random.default_rng(4).standard_normal((*tracks, 5))
     found = line.fit(t, x, method="reweighted", max_iterations=1000)
     assert found.converged.all()

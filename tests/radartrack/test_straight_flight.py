@@ -106,7 +106,7 @@ def test_what_cannot_be_compared_is_refused_by_name(case: str) -> None:
 
 @pytest.mark.parametrize("correlation", [-1.0, -0.3, 0.0, 0.6, 1.0])
 def test_deviations_age_and_a_correlation_does_not(correlation: float) -> None:
-    station = Station(replace(RADAR, noise=RADAR.noise | {"correlation": correlation}), ageing=3.0)
+    station = Station(replace(RADAR, noise={**RADAR.noise, "correlation": correlation}), ageing=3.0)
     older = station.as_it_is()
     np.testing.assert_allclose(older.noise_covariance(), 9.0 * station.radar.noise_covariance(), rtol=1e-14)
     assert older.noise["correlation"] == correlation

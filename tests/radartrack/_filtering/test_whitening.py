@@ -1,5 +1,6 @@
 """Errors that are one, or hardly more than one, are covariances too, whichever way rounding has taken them."""
 
+from collections.abc import Callable
 from typing import Any, cast
 
 import mpmath
@@ -114,11 +115,12 @@ def test_what_is_no_noise_is_refused_in_each_filter(noise: Any, message: str, le
     errors = np.tile(np.eye(2), (*leading, 1, 1))
     errors[(3,) * len(leading)] = noise
     belief, moves, values = Belief(np.ones(2), np.eye(2)), Motion(np.eye(2), np.eye(2)), np.ones((5, 2))
-    for call in (
+    calls: list[Callable[[], Belief]] = [
         lambda: kalman.update(belief, values, np.eye(2), errors),
         lambda: kalman.update_with("polar", belief, values, errors),
         lambda: kalman.run(belief, moves, values, np.eye(2), errors),
         lambda: kalman.run_with("polar", belief, moves, values, errors),
-    ):
+    ]
+    for call in calls:
         with pytest.raises(ValueError, match=message):
             call()

@@ -181,7 +181,7 @@ def test_one_mean_with_many_covariances_is_many_beliefs(
         assert found.mean.shape == (*tracks, 3)
         assert kalman.update(found, [0.0], [[1.0, 0.0, 0.0]], [[1.0]]).mean.shape == (*tracks, 3)
     assert {part.shape for part in frames.geodetic_from_ecef(*fixed)[:3]} == {tracks}
-    found = frames.ecef_from_geodetic(*places, covariance)
+    found = frames.ecef_from_geodetic(places[0], places[1], places[2], covariance)
     assert found.mean.shape == (*np.broadcast_shapes(leading, of_mean), 3)
 
 
