@@ -25,6 +25,7 @@ from radartrack._arrays.validation import (
     Domain,
     RealArray,
     broadcast_shape,
+    by_name,
     number_between,
     one_of,
     real_arrays,
@@ -343,7 +344,7 @@ def experiment(
 def _point(sensor: Sensor, plot: Mapping[str, float]) -> tuple[RealArray, dict[str, float], dict[str, float]]:
     """The centre of the simulation, and by name what is known, and deviations and correlation."""
     names = [*sensor.arguments]
-    values = {"correlation": 0.0, **plot}
+    values = {"correlation": 0.0} | by_name("plot", plot)
     if set(values) != set(names):
         raise TypeError(f"plot must have the arguments {names}; got {sorted(plot)}")
     arrays = real_arrays({name: values[name] for name in names})

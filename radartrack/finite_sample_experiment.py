@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from radartrack._arrays.validation import RealArray
+from radartrack._arrays.validation import RealArray, number_between
 from radartrack.finite_sample_filter import FiniteSampleFilter, Run
 from radartrack.simulate import Accelerated, Radar, Seed, plots
 
+SMALLEST_FALSE_ALARM = 1e-9
 COMPONENTS = ("range", "speed", "acceleration")
 
 
@@ -89,16 +90,26 @@ def compare(
     """Simulate both filters of degree 2 on the same trials.
 
     Args:
-        radar: of the sensor "polar_doppler", at the origin.
+        radar: of the sensor "polar_doppler", at the origin, that misses nothing; its errors are told to no filter but
+            by their deviations.
         scans: number of scans.
         trials: number of independent trials.
         start: range [m], speed [m/s] and acceleration [m/s^2] of the target at the first scan, along the line of
             sight.
         false_alarm: probability that a correct filter leaves any band of this comparison, by Bonferroni. A
-            mean of squares counts as chi-square distributed, with the freedom that fits its variance.
+            mean of squares counts as chi-square distributed, with the freedom that fits its variance. From 1e-9 to 0.5.
         seed: of the simulation; the same seed gives the same numbers.
 
+    Raises:
+        TypeError: an argument is not made of real numbers, or a count is no whole one.
+        ValueError: the radar is another, or a number is out of place.
+
     """
+    if radar.sensor != "polar_doppler" or any(radar.site) or radar.detection_probability < 1:
+        raise ValueError(f"radar must be of the sensor 'polar_doppler', at the origin, and miss nothing; got {radar}")
+    if len(start) != len(COMPONENTS):
+        raise ValueError(f"start must be range, speed and acceleration; got {start!r}")
+    number_between("false_alarm", false_alarm, SMALLEST_FALSE_ALARM, 1 / 2)
     r, v, a = start
     seen = plots(Accelerated((r, 0.0), (v, 0.0), (a, 0.0)), radar, scans=scans, trials=trials, seed=seed)
     ranges, rates = seen.measured["r"], seen.measured["range_rate"]

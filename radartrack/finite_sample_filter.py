@@ -271,8 +271,8 @@ class FiniteSampleFilter:
 
         Raises:
             TypeError: k is no whole number, or the intensity no real one.
-            ValueError: so few scans do not determine the state, the intensity is negative or too large, or `lag`
-                is not 0.
+            ValueError: so few scans do not determine the state, the intensity is negative, or so large or small that
+                the matrices of the motion overflow or lose their digits, or `lag` is not 0.
 
         """
         return HandOver(self, k, process_noise)
@@ -467,6 +467,7 @@ class HandOver:
         if real_number("process_noise", self.process_noise) < 0:
             raise ValueError(f"process_noise must be finite and at least 0; got {self.process_noise}")
         self.start._checked_count(self.k)  # noqa: SLF001 - one thought in two classes
+        _ = self.motion  # whose matrices refuse an intensity that is too large, or too small beside the period
 
     @property
     def motion(self) -> kalman.Motion:

@@ -378,10 +378,8 @@ def covariance_intersection(
         {"mean": points[..., 0, 0], "covariance": errors[..., 0, 0, 0]}
         | ({} if weight is None else {"weight": arrays["weight"]})
     )
-    try:
-        pencil = pencil_of(errors[..., 0, :, :], errors[..., 1, :, :])
-    except np.linalg.LinAlgError:
-        raise ValueError("covariance must be positive definite; got a matrix that is not") from None
+    whitener("covariance", errors)  # which refuses what is singular
+    pencil = pencil_of(errors[..., 0, :, :], errors[..., 1, :, :])
     share = arrays["weight"] if weight is not None else pencil.best_share(chosen)
     both = np.broadcast_to(points, (*shape, 2, size))
     origin = _of_more_accurate(both, errors)
@@ -481,7 +479,7 @@ def registration(
     )
     domains = {"r": RANGE, "azimuth": ANGLE, "range_std": POSITIVE, "azimuth_std": WEIGHING, "sites": COORDINATE}
     for name, array in values.items():
-        require_within(name, array[~np.isnan(array)] if name in {"r", "azimuth"} else array, domains[name])
+        require_within(name, np.where(np.isnan(array), 0, array) if name in {"r", "azimuth"} else array, domains[name])
     places = values.pop("sites").astype(np.float64)
     shape = broadcast_shape(values)
     if len(shape) < 2 or shape[-2] < 2 or not shape[-1]:

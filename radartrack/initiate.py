@@ -22,9 +22,11 @@ from numpy.typing import ArrayLike
 from radartrack import convert, observe
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
+    DOUBLE,
     Domain,
     RealArray,
     broadcast_shape,
+    by_name,
     one_of,
     real_arrays,
     require_finite,
@@ -109,8 +111,8 @@ def two_plots(
     Returns:
         Means (x, y, vx, vy) or (x, y, z, vx, vy, vz) [m, m/s], shape (..., n), and covariances, shape (..., n, n): of
         the second position and of the difference over the period, given plots whose errors are independent of each
-        other; then, of plots with a range rate, after that of the first and of the second. Computed in float64, and in
-        float32 where every array given is.
+        other and of a target that flies straight from one to the other; then, of plots with a range rate, after that of
+        the first and of the second. Computed in float64, and in float32 where every array given is.
 
     Raises:
         TypeError: as for `one_plot`.
@@ -128,9 +130,7 @@ def two_plots(
         for name, value in _read(model, plot).items()
     }
     dtype = real_arrays({"period": period, **both})["period"].dtype
-    plots = [
-        {name: values.astype(np.float64) for name, values in _arrays(model, plot).items()} for plot in (first, second)
-    ]
+    plots = [_doubled(model, _arrays(model, plot)) for plot in (first, second)]
     T = real_arrays({"period": period})["period"].astype(np.float64)
     require_within("period", T, PERIOD)
     broadcast_shape({**{f"{name} of first": a for name, a in plots[0].items()}, **plots[1], "period": T})
@@ -141,7 +141,7 @@ def two_plots(
 
 
 def _read(model: Sensor, plot: Plot) -> dict[str, ArrayLike]:
-    given = {"correlation": 0.0, **plot}
+    given = {"correlation": 0.0} | by_name("a plot", plot)
     if set(given) != set(model.arguments):
         raise TypeError(f"a plot must have the arguments {[*model.arguments]}; got {sorted(plot)}")
     return {name: given[name] for name in model.arguments}
@@ -151,6 +151,14 @@ def _arrays(model: Sensor, plot: Plot) -> dict[str, RealArray]:
     arrays = real_arrays(_read(model, plot))
     model.read(arrays)
     return arrays
+
+
+def _doubled(model: Sensor, arrays: Mapping[str, RealArray]) -> dict[str, RealArray]:
+    """In float64, in which an elevation of 90 degrees in float32 is beyond the vertical."""
+    return {
+        name: np.clip(values.astype(np.float64), *model.arguments[name].domain.bounds(DOUBLE))
+        for name, values in arrays.items()
+    }
 
 
 def _without_rate(

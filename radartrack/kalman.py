@@ -250,7 +250,8 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
         belief: of n components.
         measured: shape (..., m); NaN where one is missing.
         matrix: H, what is measured by the state, shape (m, n).
-        noise: R, the covariance of the measurement errors, shape (m, m), or (..., m, m) where tracks differ.
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., m, m) where tracks differ; they
+            may be fully correlated.
 
     Returns:
         Means, shape (..., n), and covariances, shape (..., n, n), a read-only view where all tracks share
@@ -259,7 +260,7 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
-            none, R is not positive definite, or the result overflows.
+            none, a variance of R is 0, or the result overflows.
 
     Source: Bierman 1977, V.3.
 
@@ -297,7 +298,8 @@ def update_with(
         sensor: the name of a function of `rt.observe`.
         belief: of n components; the first are those that the function of this name takes, and others are not measured.
         measured: what it measures, in its order, shape (..., m); NaN where missing. Angles may be wrapped or not.
-        noise: R, the covariance of the measurement errors, shape (m, m), or (..., m, m) where tracks differ.
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., m, m) where tracks differ; they
+            may be fully correlated.
         order: 1, extended, or 2, second-order extended.
         azimuth_from: as the function of this name takes it; None for its default. Some have none.
         site: `baseline`, shape (...), or `receiver`, shape (..., 3), where the function of this name takes it.
@@ -308,7 +310,7 @@ def update_with(
     Raises:
         TypeError: an argument is not made of real numbers, or a site is missing or of no use.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite or out of place, a
-            covariance is none, R is not positive definite, a word is unknown, or the result overflows.
+            covariance is none, a variance of R is 0, a word is unknown, or the result overflows.
 
     Source: Bar-Shalom, Willett & Tian 2011, first- and second-order extended Kalman filter.
 
@@ -359,7 +361,8 @@ def run(
         motion: as `predict` takes it.
         measured: shape (..., scans, m); NaN where one is missing.
         matrix: H, what is measured by the state, shape (m, n).
-        noise: R, the covariance of the measurement errors, shape (m, m), or (..., scans, m, m) where they differ.
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., scans, m, m) where they differ; they
+            may be fully correlated.
         order: as `predict` takes it.
 
     Returns:
@@ -369,7 +372,7 @@ def run(
     Raises:
         TypeError: an argument is not made of real numbers.
         ValueError: the shapes do not fit, a measurement is infinite, another number is not finite, a covariance is
-            none, R is not positive definite, or the result overflows.
+            none, a variance of R is 0, or the result overflows.
 
     Source: Bar-Shalom, Li & Kirubarajan 2001, 5.2, doi:10.1002/0471221279; Bierman 1977, V.3.
 
@@ -408,12 +411,16 @@ def run_with(
 ) -> Belief:
     """Predict and update with what a sensor measured, scan by scan: an extended Kalman filter.
 
+    A range rate that is far better than the velocity across times the error of an angle makes it too sure, of either
+    order; the documents on tracks have numbers, and say what helps.
+
     Args:
         sensor: the name of a function of `rt.observe`.
         start: beliefs at the scan before the first measured one, of n components, in the order of `update_with`.
         motion: as `predict` takes it, in that order too: `grouped="derivative"` makes it so.
         measured: what the sensor measures, in its order, shape (..., scans, m); NaN where missing.
-        noise: R, the covariance of the measurement errors, shape (m, m), or (..., scans, m, m) where they differ.
+        noise: R, the covariance of the measurement errors, shape (m, m), or (..., scans, m, m) where they differ; they
+            may be fully correlated.
         order: 1, extended, or 2, second-order extended, of motion and sensor.
         azimuth_from: as `update_with` takes it.
         site: as `update_with` takes it.

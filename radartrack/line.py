@@ -239,10 +239,9 @@ class MeasurementStd:
         if not 0 < real_number("confidence", confidence) < 1:
             raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
         estimates = np.stack([self.x, self.y], axis=-1)
-        tails = (1 + confidence) / 2, (1 - confidence) / 2
-        low, high = (chi_square.quantile(tail, self.degrees_of_freedom) for tail in tails)
-        scale = np.sqrt(self.degrees_of_freedom)
-        return Interval(estimates * scale / np.sqrt(low), estimates * scale / np.sqrt(high))
+        tail, freedom = (1 - confidence) / 2, self.degrees_of_freedom
+        most, least = (found(tail, freedom) for found in (chi_square.upper_quantile, chi_square.quantile))
+        return Interval(estimates * np.sqrt(freedom) / np.sqrt(most), estimates * np.sqrt(freedom) / np.sqrt(least))
 
 
 def measurement_std(
@@ -452,6 +451,8 @@ def _reweighted(t: Floats, x: Floats, max_iterations: int) -> Fit:
         line = _put(line, active, replace(better, iterations=line.iterations[active] + 1, converged=found))
         before[active] = total
         active = active[~stops]
+        if not active.size:
+            break
     return _map(line, lambda field: field.reshape(t.shape[:-1] + field.shape[1:]))
 
 

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from radartrack import observe
 from radartrack._arrays.validation import (
     RealArray,
+    by_name,
     number_between,
     one_of,
     real_arrays,
@@ -148,7 +149,8 @@ class Radar:
     """A radar: what it measures from where, how often, and with which errors.
 
     Attributes:
-        sensor: a conversion's name, such as "polar" (range and azimuth of a target in the plane).
+        sensor: a conversion's name, such as "polar" (range and azimuth of a target in the plane). "ruv" does not tell a
+            target behind the array, at a z below its own, from its mirror image.
         period: time from scan to scan [s].
         noise: standard deviations, and `correlation` where it is not 0, by the names that the conversion of the
             sensor gives them: {"range_std": 250.0, "azimuth_std": 0.017}.
@@ -176,9 +178,10 @@ class Radar:
     def __post_init__(self) -> None:
         model = SENSORS[one_of("sensor", self.sensor, SENSORS)]
         _noise_of(model, self.noise)
-        if not set(self.bias) <= set(model.coordinates):
-            raise TypeError(f"bias must be of {[*model.coordinates]}; got {sorted(self.bias)}")
-        for name, value in self.bias.items():
+        bias, known = (by_name(name, getattr(self, name)) for name in ("bias", "known"))
+        if not set(bias) <= set(model.coordinates):
+            raise TypeError(f"bias must be of {[*model.coordinates]}; got {[*bias]}")
+        for name, value in bias.items():
             domain = model.coordinates[name].domain._replace(signed=True)
             require_within(f"bias of {name}", np.asarray(real_number(f"bias of {name}", value)), domain)
         _vector("site", self.site)
@@ -186,9 +189,9 @@ class Radar:
             raise ValueError(f"period must be finite and more than 0; got {self.period}")
         number_between("detection_probability", self.detection_probability, 0, 1)
         model.chosen_axis(self.azimuth_from)
-        if set(self.known) != set(model.parameters):
-            raise TypeError(f"known must have {[*model.parameters]}; got {sorted(self.known)}")
-        for name, value in self.known.items():
+        if set(known) != set(model.parameters):
+            raise TypeError(f"known must have {[*model.parameters]}; got {[*known]}")
+        for name, value in known.items():
             require_within(name, np.asarray(real_number(name, value)), model.parameters[name].domain)
 
     def times(self, scans: int) -> RealArray:
@@ -266,13 +269,16 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
             (seed, number of the radar).
 
     Raises:
-        TypeError: a count or a seed is no whole number.
-        ValueError: a count is less than 1, a seed is negative, or a state lies out of what the radar can see.
+        TypeError: a count or a seed is no whole number, or the states are not made of real numbers.
+        ValueError: a count is less than 1, a seed is negative, the target has not one state a time, or one lies out of
+            what the radar can see.
 
     """
     scans, trials = (whole_number(name, count, 1) for name, count in (("scans", scans), ("trials", trials)))
     times = radar.times(scans)
-    states = target.states(times)
+    states = real_arrays({"states of the target": target.states(times)})["states of the target"].astype(np.float64)
+    if states.shape != (scans, len(_STATE)):
+        raise ValueError(f"states of the target must have shape {(scans, len(_STATE))}; got {states.shape}")
     truth = radar.truth(states)
     errors, detections = (np.random.default_rng(part) for part in np.random.SeedSequence(_entropy(seed)).spawn(2))
     noise = scatter(radar.noise_covariance(), errors.standard_normal((trials, scans, len(truth))))
@@ -319,7 +325,7 @@ def noise_covariance(sensor: SensorName, noise: Mapping[str, float]) -> RealArra
 
 def _noise_of(model: Sensor, given: Mapping[str, float]) -> list[float]:
     """Deviations and correlation in the order of the sensor's arguments, each in its domain."""
-    noise = {"correlation": 0.0, **given}
+    noise = {"correlation": 0.0} | by_name("noise", given)
     if set(noise) != set(model.noise):
         raise TypeError(f"noise must have {[*model.noise]} (correlation is 0 if left out); got {sorted(given)}")
     for name, argument in model.noise.items():

@@ -5,7 +5,6 @@ straight flight without giving numbers. The numbers here are this project's; eac
 one thing.
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, TypeAlias
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 from radartrack import fusion, line
 from radartrack._arrays import repeated_trials
 from radartrack._arrays.repeated_trials import Estimate
-from radartrack._arrays.validation import RealArray, whole_number
+from radartrack._arrays.validation import RealArray, positive_number, real_number, whole_number
 from radartrack.simulate import Radar, Seed, Straight, plots
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -35,6 +34,7 @@ class Station:
         ageing: the true deviations over the stated ones, more than 0.
 
     Raises:
+        TypeError: the ageing is no real number.
         ValueError: the radar is another, a deviation of its range or azimuth is 0, or the ageing out of place.
     """
 
@@ -48,8 +48,7 @@ class Station:
             raise ValueError(f"radar must be spherical, with its azimuth from y, and miss nothing; got {radar}")
         if not (radar.noise["range_std"] > 0 and radar.noise["azimuth_std"] > 0):
             raise ValueError(f"radar must have positive deviations of range and azimuth; got {radar.noise}")
-        if not 0 < self.ageing < math.inf:
-            raise ValueError(f"ageing must be finite and more than 0; got {self.ageing}")
+        positive_number("ageing", self.ageing)
 
     @property
     def site(self) -> tuple[float, float]:
@@ -59,7 +58,8 @@ class Station:
 
     def as_it_is(self) -> Radar:
         """The radar with its true deviations."""
-        return replace(self.radar, noise={name: std * self.ageing for name, std in self.radar.noise.items()})
+        age = {name: self.ageing if name.endswith("_std") else 1.0 for name in self.radar.noise}
+        return replace(self.radar, noise={name: value * age[name] for name, value in self.radar.noise.items()})
 
     def deviations(self) -> tuple[float, float, float]:
         """What is stated of range [m], azimuth and elevation [rad]; 0 for an elevation that is not measured."""
@@ -149,11 +149,11 @@ def compare(
         confidence: of the intervals, which are normal approximations; between 0 and 1.
 
     Raises:
-        TypeError: the number of runs is not whole.
+        TypeError: the number of runs is not whole, or the confidence no real number.
         ValueError: an argument is out of place.
     """
     runs = whole_number("runs", runs, 2)
-    if not 0 < confidence < 1:
+    if not 0 < real_number("confidence", confidence) < 1:
         raise ValueError(f"confidence must be between 0 and 1; got {confidence!r}")
     if not stations or any(_scans(station.radar) < 3 for station in stations):
         periods = [station.radar.period for station in stations]

@@ -25,6 +25,7 @@ from radartrack._arrays.validation import (
     COVARIANCE,
     RANGE,
     broadcast_shape,
+    number_between,
     real_arrays,
     require_covariance,
     require_trailing_shape,
@@ -42,6 +43,7 @@ VERSION = 1
 VARIANCE = COVARIANCE._replace(unit=" m^2")
 ROUNDING = 1e-9  # beside it, rounding errors of 1e-16 are nothing: of 1 - leverage, and of a correlation of 1
 MOST_CELLS = 2**20
+SMALLEST_FREEDOM = 1e-300  # of a cell; without any there is no covariance
 LARGEST_SUM = 1e250  # of squares of deviations below 1e100; sums of these do not overflow
 VANISHING = float(np.finfo(np.float64).tiny / np.finfo(np.float64).eps)  # a variance below it has not all its digits
 
@@ -174,8 +176,7 @@ class VarianceTable:
             ValueError: an argument is out of its domain or of the table, shapes do not broadcast, a flight
                 has too few plots or its times are all the same, or the label ends in a NUL.
         """
-        if not isinstance(label, str):
-            raise TypeError(f"label must be text; got {label!r}")
+        _require_text(label)
         if label.endswith("\0"):
             raise ValueError(f"label must not end in a NUL, which arrays of text drop; got {label!r}")
         x, y = line.to_plane(r, azimuth, elevation)
@@ -239,11 +240,10 @@ class VarianceTable:
             minimum_degrees: fewer degrees of freedom make a cell thin; more than 0.
 
         Raises:
-            TypeError: an argument is not made of real numbers.
+            TypeError: an argument is not made of real numbers, or the label is no text.
             ValueError: an argument is out of its domain, or the shapes do not broadcast.
         """
-        if not minimum_degrees > 0:
-            raise ValueError(f"minimum_degrees must be positive; got {minimum_degrees}")
+        least = number_between("minimum_degrees", minimum_degrees, SMALLEST_FREEDOM, math.inf)
         given = real_arrays({"r": r, "azimuth": azimuth, "fallback": fallback})
         arrays = {name: array.astype(np.float64) for name, array in given.items()}
         for name, domain in (("r", RANGE), ("azimuth", ANGLE), ("fallback", VARIANCE)):
@@ -254,7 +254,7 @@ class VarianceTable:
         spare = (spare + np.swapaxes(spare, -1, -2)) / 2
         shape = broadcast_shape({**arrays, "fallback": spare[..., 0, 0]})
         ranges, angles = (np.broadcast_to(array, shape) for array in arrays.values())
-        table, share = self._interpolated(ranges, angles, label, minimum_degrees)
+        table, share = self._interpolated(ranges, angles, label, least)
         return Lookup(_turned(table, angles) + (1 - share)[..., np.newaxis, np.newaxis] * spare, share)
 
     def save(self, path: str | PathLike[str]) -> None:
@@ -360,6 +360,7 @@ class VarianceTable:
         return {label: self._summed(np.flatnonzero(parts.label == label)) for label in self.labels}
 
     def _totals(self, label: str) -> _Totals:
+        _require_text(label)
         empty = np.zeros((self.range_edges.size - 1, self.sectors))
         return self._by_label.get(label, _Totals(empty, empty, empty, empty))
 
@@ -397,6 +398,11 @@ class VarianceTable:
         before = np.floor(place)
         index = before.astype(np.intp) % self.sectors
         return [(index, 1 - (place - before)), ((index + 1) % self.sectors, place - before)]
+
+
+def _require_text(label: object) -> None:
+    if not isinstance(label, str):
+        raise TypeError(f"label must be text; got {label!r}")
 
 
 _COLUMNS = ("range_edges", "sectors", *(field.name for field in fields(Contributions)))

@@ -142,9 +142,11 @@ def _squares(weights: RealArray) -> RealArray:
 
 
 def _basis(sample: Sample, after: float, degree: int, rate_weight: float, unit_of_time: float) -> _Basis:
-    since = sample.times - sample.times[:, -1:]  # beside times of 1e9 s a fraction of a period would be rounded away
     seen = sample.has_range | sample.has_rate
     empty = ~seen.any(axis=1)
+    # Beside times of 1e9 s a fraction of a period would be rounded away, and what is seen beside a scan that is missed.
+    latest = sample.times.shape[1] - 1 - np.argmax(seen[:, ::-1], axis=1)
+    since = sample.times - np.take_along_axis(sample.times, latest[:, np.newaxis], axis=1)
     first = np.where(empty, 0.0, np.where(seen, since, np.inf).min(axis=1))
     last = np.where(empty, 0.0, np.where(seen, since, -np.inf).max(axis=1))
     middle = first / 2 + last / 2
@@ -152,7 +154,8 @@ def _basis(sample: Sample, after: float, degree: int, rate_weight: float, unit_o
     scaled = (since - middle[:, np.newaxis]) / half[:, np.newaxis]
     values, slopes = (_legendre(scaled, degree, order) for order in (0, 1))
     wanted = [
-        _legendre((after - middle) / half, degree, order) / half[:, np.newaxis] ** order for order in range(degree + 1)
+        _legendre((since[:, -1] + after - middle) / half, degree, order) / half[:, np.newaxis] ** order
+        for order in range(degree + 1)
     ]
     counts = sample.has_range.sum(axis=1)[:, np.newaxis]
     mean = (values * sample.has_range[..., np.newaxis]).sum(axis=1) / np.maximum(counts, 1)

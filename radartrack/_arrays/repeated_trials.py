@@ -96,6 +96,6 @@ def _half_width(values: RealArray, confidence: float) -> RealArray:
     share = real_number("confidence", confidence)
     if not 0 < share < 1:
         raise ValueError(f"confidence must be between 0 and 1; got {share:g}")
-    quantile = NormalDist().inv_cdf((1 + share) / 2)
+    quantile = -NormalDist().inv_cdf((1 - share) / 2)  # of the small tail, which keeps its digits
     half: RealArray = quantile * values.std(axis=0, ddof=1) / np.sqrt(len(values))
     return half

@@ -50,7 +50,10 @@ class Domain(NamedTuple):
     def describe(self, dtype: np.dtype[Any]) -> str:
         """The interval in words."""
         low, high = self.bounds(dtype)
-        return f"from {low:.7g} to {high:.7g}{self.unit} in {dtype} ({self.reason})"
+        # Seven digits where that does not name a number outside: pi, rounded so, is refused.
+        least = f"{low:.7g}" if float(f"{low:.7g}") >= low else repr(low)
+        most = f"{high:.7g}" if float(f"{high:.7g}") <= high else repr(high)
+        return f"from {least} to {most}{self.unit} in {dtype} ({self.reason})"
 
 
 RANGE = Domain(" m", 1e100, 1e10, "squares of larger numbers overflow")
@@ -85,6 +88,19 @@ def one_of(name: str, given: str | None, allowed: Iterable[Choice]) -> Choice:
 
     words.sort(key=lambda word: difflib.SequenceMatcher(None, given.lower(), word).ratio(), reverse=True)
     raise ValueError(f"{name} must be one of {words}; got {given!r}")
+
+
+def by_name(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Read arguments by name, from a dict or what else has keys.
+
+    Raises:
+        TypeError: it has none.
+
+    """
+    try:
+        return {**given}
+    except TypeError:
+        raise TypeError(f"{name} must be arguments by name, such as a dict; got {_shown(given)}") from None
 
 
 def whole_number(name: str, given: object, least: int, most: int | None = None) -> int:

@@ -147,6 +147,24 @@ def measured_values(arrays: dict[str, RealArray], size: int) -> tuple[RealArray,
     if np.isinf(values).any():
         raise ValueError(f"measured must be finite, or NaN where missing; got {np.isinf(values).sum()} infinite")
     require_finite("noise", R)
-    if not np.array_equal(R, np.swapaxes(R, -1, -2)):
-        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
-    return values, R
+    return values, _checked_noise(R)
+
+
+def _checked_noise(R: RealArray) -> RealArray:
+    """Covariances of errors (..., m, m), symmetric to the last bit. Errors may be one; none may be nothing.
+
+    Raises:
+        ValueError: a matrix is no covariance, or has a variance of 0.
+
+    """
+    size = R.shape[-1]
+    own = R[tuple(slice(0, 1) if stride == 0 else slice(None) for stride in R.strides[:-2])]
+    last = np.ascontiguousarray(np.moveaxis(own.reshape(-1, size, size), 0, -1))
+    try:
+        checked = checked_covariances("noise", last)
+    except ValueError:  # the message is to count among all
+        require_covariance("noise", R)
+        raise
+    if not (np.diagonal(checked) > 0).all():
+        raise ValueError("noise must have variances of more than 0; got one that is 0")
+    return R if checked is last else np.where(np.triu(np.ones((size, size), dtype=bool)), R, R.swapaxes(-1, -2))

@@ -8,7 +8,7 @@ import numpy as np
 
 from radartrack._arrays.validation import RealArray
 from radartrack._conversion.semidefinite import cast
-from radartrack._filtering.beliefs import Motion
+from radartrack._filtering.beliefs import Belief, Motion
 from radartrack._filtering.extended import curvature_of
 from radartrack._filtering.factors import combination, factored, product_of
 from radartrack._filtering.nonlinear_motion import NonlinearMotion
@@ -46,6 +46,13 @@ def carried(jacobian: RealArray, covariance: RealArray, dtype: np.dtype[Any]) ->
     shape = np.broadcast_shapes(jacobian.shape, covariance.shape)
     J, P = (np.moveaxis(np.broadcast_to(part, shape), (-2, -1), (0, 1)) for part in (jacobian, covariance))
     return cast(np.moveaxis(_carried(J, P), (0, 1), (-2, -1)), dtype)
+
+
+def with_covariance(mean: RealArray, covariance: RealArray) -> Belief:
+    """Means and their covariances; of one mean with many covariances as many means."""
+    tracks = np.broadcast_shapes(mean.shape[:-1], covariance.shape[:-2])
+    means = mean if mean.shape[:-1] == tracks else np.broadcast_to(mean, (*tracks, mean.shape[-1])).copy()
+    return Belief(means, covariance)
 
 
 def _carried(F: RealArray, covariance: RealArray) -> RealArray:

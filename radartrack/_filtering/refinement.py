@@ -65,9 +65,6 @@ def refined(covariance: RealArray, told: Told) -> tuple[RealArray, RealArray]:
         covariance: P, (n, n, tracks or 1).
         told: to as many tracks.
 
-    Raises:
-        ValueError: the noise is not positive definite.
-
     """
     step, reduced, lost = _plainly(covariance, told)
     doubtful = ~(lost <= np.finfo(reduced.dtype).eps ** -0.375)
@@ -104,10 +101,8 @@ def _lost(noise: RealArray, left: RealArray) -> RealArray:
     table = noise.copy()
     eliminate(table)
     own = pivots(table)
-    if not (own > 0).all():
-        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
     share = left / own * (np.diagonal(noise).T / own)
-    possible = (left > own / 2).all(axis=0)  # no covariance takes from the noise, but by rounding
+    possible = ((own > 0) & (left > own / 2)).all(axis=0)  # no covariance takes from the noise, but by rounding
     return np.where(possible, share.prod(axis=0), np.inf)
 
 

@@ -45,7 +45,7 @@ def whitened(values: RealArray, sensor: Sensor) -> Observation:
 def sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans: int) -> Iterator[Sensor]:
     """The sensor at each scan, the same one where the noise is one matrix."""
     if noise.ndim == 2:
-        across = _whitening(np.ones(len(noise), dtype=bool), noise).T[..., np.newaxis]
+        across = _whitening_of_each(np.ones((len(noise), 1), dtype=bool), noise).swapaxes(0, 1)
         yield from repeat(Sensor(matrix, noise, across, _rows(across, matrix)), scans)
         return
     size = len(matrix)
@@ -60,16 +60,9 @@ def sensors(matrix: RealArray, noise: RealArray, tracks: tuple[int, ...], scans:
 
 
 def independent(values: RealArray, matrix: RealArray, noise: RealArray) -> Observation:
-    """Measurements, (m, tracks), of tracks that each have an H, (m, n, tracks), with their errors made independent.
-
-    R is (m, m, tracks or 1), semidefinite but for rounding, as it is where curvature has added far more than there was:
-    what others determine of an error counts as what rounding may have been.
-    """
-    upper, variances = factored(noise)
+    """Measurements, (m, tracks), of tracks that each have an H, (m, n, tracks), with their errors made independent."""
     told = np.concatenate([values[:, np.newaxis], matrix], axis=1)
-    for j in reversed(range(len(told))):
-        told[:j] -= upper[:j, np.newaxis, j] * told[j]
-    told /= np.sqrt(variances)[:, np.newaxis]
+    _make_independent(told, noise)
     return Observation(told[:, 0], told[:, 1:])
 
 
@@ -82,41 +75,28 @@ def _rows(across: RealArray, matrix: RealArray) -> RealArray:
 def _whitening_of_each(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
     """The whitening of each track, (m, m, tracks), from one noise for all or one for each, (m, m, tracks)."""
     if noise.ndim > 2:
-        both = seen[:, np.newaxis] & seen
-        return np.where(both, _inverse_roots(np.where(both, noise, np.eye(len(noise))[..., np.newaxis])), 0.0)
+        return _whitening(seen, noise)
     first, which = patterns.distinct(seen.T)
-    return np.stack([_whitening(pattern, noise) for pattern in seen.T[first]], axis=-1)[..., which]
+    return _whitening(seen[:, first], noise[..., np.newaxis])[..., which]
 
 
 def _whitening(seen: NDArray[np.bool_], noise: RealArray) -> RealArray:
     """What makes the errors of the measurements that are seen independent, of variance one; 0 for the others."""
-    result = np.zeros_like(noise)
-    chosen = np.ix_(seen, seen)
-    result[chosen] = _inverse_root(noise[chosen])
-    return result
+    both = seen[:, np.newaxis] & seen
+    alone = np.eye(len(noise), dtype=noise.dtype)[..., np.newaxis]
+    errors = np.where(both, noise, alone)
+    found = np.zeros_like(errors) + alone
+    _make_independent(found, errors)
+    return np.where(both, found, 0)
 
 
-def _inverse_root(noise: RealArray) -> RealArray:
-    """Inverses of the Cholesky factors of matrices, (..., m, m)."""
-    try:
-        return np.linalg.inv(np.linalg.cholesky(noise))
-    except np.linalg.LinAlgError:
-        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not") from None
+def _make_independent(told: RealArray, noise: RealArray) -> None:
+    """Combine what is told, (m, k, tracks), in place, so that its errors are independent, of variance one.
 
-
-def _inverse_roots(noise: RealArray) -> RealArray:
-    """The same of matrices with the tracks last, (m, m, tracks), which is faster than to factor them one by one."""
-    size = len(noise)
-    root, inverse = np.zeros_like(noise), np.zeros_like(noise)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        for j in range(size):
-            for i in range(j, size):
-                left = noise[i, j] - (root[i, :j] * root[j, :j]).sum(axis=0)
-                root[i, j] = left / root[j, j] if i > j else np.sqrt(left)
-            inverse[j, j] = 1
-            for k in range(j):
-                inverse[j] -= root[j, k] * inverse[k]
-            inverse[j] /= root[j, j]
-    if not (np.diagonal(root) > 0).all():
-        raise ValueError("noise must be symmetric and positive definite; got a matrix that is not")
-    return inverse
+    R is (m, m, tracks or 1), semidefinite but for rounding, as it is for errors that are one, and where curvature has
+    added far more than there was: what others determine of an error counts as what rounding may have been.
+    """
+    upper, variances = factored(noise)
+    for j in reversed(range(len(told))):
+        told[:j] -= upper[:j, np.newaxis, j] * told[j]
+    told /= np.sqrt(variances)[:, np.newaxis]

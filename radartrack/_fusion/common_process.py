@@ -13,6 +13,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
 )
 from radartrack._filtering.beliefs import Motion, checked_motion
+from radartrack._fusion.whitened_least_squares import whitener
 
 Floats: TypeAlias = NDArray[np.float64]
 MOST_DOUBLINGS = 100
@@ -53,14 +54,11 @@ class Filtered(NamedTuple):
         require_covariance(names[0], P)
         require_finite(names[1], H)
         require_covariance(names[2], R)
-        try:
-            weighed = np.linalg.solve(R, H)
-        except np.linalg.LinAlgError:
-            raise ValueError(f"{names[2]} must be positive definite; got a matrix that is not") from None
+        white = whitener(names[2], R).matrix
         seen = np.asarray(self.seen)
         if seen.dtype != np.bool_:
             raise TypeError(f"{name}.seen must be of booleans; got {seen.dtype}")
-        found: Floats = np.eye(n) - P @ (H.T @ weighed)
+        found: Floats = np.eye(n) - P @ ((white @ H).T @ (white @ H))
         broadcast_shape({f"{name}.seen": seen, f"{name}.covariance": P[..., 0, 0]})
         return np.where(seen[..., np.newaxis, np.newaxis], found, np.eye(n))
 

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from radartrack._conversion.semidefinite import ROUNDING
+
 Floats = npt.NDArray[np.float64]
 
 SYMMETRY = 1e-9
@@ -37,10 +39,10 @@ def whitener(name: str, covariance: Floats) -> Whitener:
     """The inverses of the roots of covariances, shape (..., n, d, d).
 
     Raises:
-        ValueError: one is not symmetric or not positive definite; it names the argument.
+        ValueError: one is not symmetric, or not positive definite by more than rounding; it names the argument.
     """
     variances = np.diagonal(covariance, axis1=-2, axis2=-1)
-    indefinite = ValueError(f"{name} must be positive definite; got a matrix that is not")
+    indefinite = ValueError(f"{name} must be positive definite, by more than rounding; got a matrix that is not")
     if not np.all(variances > 0):
         raise indefinite
     scale = np.sqrt(variances)
@@ -54,6 +56,8 @@ def whitener(name: str, covariance: Floats) -> Whitener:
         factor = np.linalg.cholesky(correlations).astype(np.float64, copy=False)
     except np.linalg.LinAlgError:
         raise indefinite from None
+    if not np.all(np.diagonal(factor, axis1=-2, axis2=-1) ** 2 > ROUNDING * np.finfo(np.float64).eps):
+        raise indefinite
     inverse = _inverse(factor)
     doubt = np.finfo(np.float64).eps * np.abs(inverse).max(axis=(-2, -1)) ** 2
     return Whitener(inverse / scale[..., np.newaxis, :], doubt)

@@ -21,7 +21,7 @@ from radartrack._arrays.validation import (
     require_within,
     whole_number,
 )
-from radartrack._filtering.moved_beliefs import carried
+from radartrack._filtering.moved_beliefs import carried, with_covariance
 from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
@@ -106,7 +106,7 @@ class Frame:
             covariance: of their errors, shape (..., n, n) or (n, n).
 
         Returns:
-            The mean in the other frame; with a covariance given a `Belief` of both.
+            The mean in the other frame; with a covariance given a `Belief` of both, a mean for each covariance.
 
         Raises:
             TypeError: an argument is not made of real numbers.
@@ -135,7 +135,7 @@ class Frame:
         require_covariance("covariance", errors)
         require_within("covariance", errors, COVARIANCE)
         broadcast_shape({"mean": moved[..., 0], "covariance": errors[..., 0, 0]})
-        return Belief(moved, carried(self.jacobian(other, size), errors, dtype))
+        return with_covariance(moved, carried(self.jacobian(other, size), errors, dtype))
 
     @overload
     def to_ecef(self, mean: ArrayLike, covariance: None = ...) -> RealArray: ...

@@ -19,7 +19,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
     require_within,
 )
-from radartrack._filtering.moved_beliefs import carried
+from radartrack._filtering.moved_beliefs import carried, with_covariance
 from radartrack.frames.exact_sines import angle_of
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
@@ -105,7 +105,7 @@ def ecef_from_geodetic(
         return position.astype(dtype, copy=False)
     errors = _read_covariance(covariance, position)
     jacobian = _formula("ecef_from_geodetic_jacobian", where, ellipsoid)
-    return Belief(position.astype(dtype, copy=False), carried(jacobian, errors, dtype))
+    return with_covariance(position.astype(dtype, copy=False), carried(jacobian, errors, dtype))
 
 
 @overload
@@ -155,7 +155,9 @@ def geodetic_from_ecef(
     require_within("position's distance from the axis", np.hypot(values[..., 0], values[..., 1]), FROM_AXIS)
     require_within("position's height", where.height, ABOVE_CURVATURE)
     jacobian = _formula("geodetic_from_ecef_jacobian", where, ellipsoid)
-    return GeodeticBelief(*typed, covariance=carried(jacobian, errors, dtype))
+    place = with_covariance(np.stack(typed, axis=-1), carried(jacobian, errors, dtype))
+    latitude, longitude, height = np.moveaxis(place.mean, -1, 0)
+    return GeodeticBelief(latitude, longitude, height, place.covariance)
 
 
 def ecef_jacobian(

@@ -50,9 +50,7 @@ class Reversible(Exact):
         geometry = Geometry.of(self)
         rows = np.asarray(detection.state_vector, dtype=np.float64)
         plot = dict(zip(geometry.outputs, rows, strict=True))
-        turned = np.linalg.inv(geometry.rotation)
-        if not np.allclose(turned, geometry.rotation.T):
-            raise ValueError("rotation_offset must be about the z axis alone in the plane; got a tilt")
+        turned = geometry.back
         sensor = SENSORS[WITHOUT_RATE.get(geometry.sight, geometry.sight)]  # type: ignore[index]
         measured = np.stack([plot[name] for name in sensor.coordinates], axis=-1)
         states = np.zeros((self.ndim_state, rows.shape[1]))

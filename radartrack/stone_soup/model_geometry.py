@@ -25,6 +25,7 @@ KINDS: Mapping[type, tuple[SightName, tuple[str, ...]]] = {
         ("elevation", "azimuth", "r", "range_rate"),
     ),
 }
+TILTED = "rotation_offset must be about the z axis alone in the plane; got a tilt"
 WITHOUT_RATE = {"polar_doppler": "polar", "spherical_doppler": "spherical"}
 
 
@@ -65,7 +66,7 @@ class Geometry:
         rotation = np.asarray(model.rotation_matrix, dtype=np.float64)[:size, :size]
         if len(SIGHTS[sight].state) > size:
             if size < 3 and _tilted(model):
-                raise ValueError("rotation_offset must be about the z axis alone in the plane; got a tilt")
+                raise ValueError(TILTED)
             places, origin = [*places, *model.velocity_mapping], np.concatenate([origin, _flat(model.velocity)])
         return cls(sight, outputs, places, rotation, origin)
 
@@ -79,6 +80,19 @@ class Geometry:
         """The conversion that takes all that is measured; None where it takes more."""
         sensor = next((one for name, one in SENSORS.items() if name == self.sight), None)
         return sensor if sensor is not None and set(sensor.coordinates) == set(self.outputs) else None
+
+    @property
+    def back(self) -> RealArray:
+        """From positions in the axes of the sensor to those of the state, about the sensor.
+
+        Raises:
+            ValueError: a sensor in the plane is tilted out of it, which leaves no inverse.
+
+        """
+        inverse = np.asarray(self.rotation.T)
+        if not np.allclose(inverse @ self.rotation, np.eye(self.axes)):
+            raise ValueError(TILTED)
+        return inverse
 
     @cached_property
     def turn(self) -> RealArray:

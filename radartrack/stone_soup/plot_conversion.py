@@ -134,13 +134,18 @@ def without_rate(plots: Plots) -> Plots:
 
 
 def converted(plots: Plots, method: str, predicted: Prediction | None = None) -> convert.Converted:
-    """Means and covariances in the axes of the state: positions, and the product of range and range rate last."""
+    """Means and covariances in the axes of the state: positions, and the product of range and range rate last.
+
+    Raises:
+        ValueError: a plot is out of place for the conversion, or a sensor in the plane is tilted out of it.
+
+    """
     function: Callable[..., convert.Converted] = getattr(convert, plots.sensor.module)
     more = {} if predicted is None else {"predicted": predicted}
     mean, covariance = function(**plots.measured, method=method, azimuth_from="x", **more)
     axes = plots.geometries[0].axes
     back = np.broadcast_to(np.eye(mean.shape[-1]), covariance.shape).copy()
-    back[:, :axes, :axes] = np.stack([geometry.rotation.T for geometry in plots.geometries])
+    back[:, :axes, :axes] = np.stack([geometry.back for geometry in plots.geometries])
     turned = (back @ mean[..., np.newaxis])[..., 0]
     turned[:, :axes] += np.stack([geometry.origin[:axes] for geometry in plots.geometries])
     spread = back @ covariance @ np.swapaxes(back, -1, -2)

@@ -53,7 +53,7 @@ class SecondOrderUpdater(ExtendedKalmanUpdater):
         prediction, expected = hypothesis.prediction, hypothesis.measurement_prediction
         model = self._check_measurement_model(hypothesis.measurement.measurement_model)
         jacobian = moments(model, prediction.mean, prediction.covar).jacobian
-        gain = expected.cross_covar @ np.linalg.pinv(expected.covar)
+        gain = np.linalg.solve(expected.covar, expected.cross_covar.T).T
         left = np.eye(prediction.ndim) - gain @ jacobian
         noise = expected.covar - jacobian @ expected.cross_covar
         return (left @ prediction.covar @ left.T + gain @ noise @ gain.T).view(CovarianceMatrix), gain

@@ -150,3 +150,22 @@ def test_many_baselines_are_projected_each_as_alone(name: str) -> None:
     alone = function(**arguments | {"baseline": baselines[1, 0]})
     np.testing.assert_array_equal(found.mean[1, 0], alone.mean)
     np.testing.assert_array_equal(found.covariance[1, 0], alone.covariance)
+
+
+@pytest.mark.parametrize("bad", ["x", None, True, [], 1.0, np.zeros(2), object()])
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        ("a plot", lambda bad: initiate.one_plot("polar", bad, 10.0)),
+        ("a plot", lambda bad: initiate.two_plots("polar", PLOT, bad, 1.0)),
+        ("plot", lambda bad: consistency.experiment("polar", bad)),
+        ("noise", lambda bad: simulate.Radar("polar", 1.0, bad)),
+        ("noise", lambda bad: simulate.noise_covariance("polar", bad)),
+        ("bias", lambda bad: simulate.Radar("polar", 1.0, {"range_std": 1.0, "azimuth_std": 0.1}, bias=bad)),
+        ("known", lambda bad: simulate.Radar("polar", 1.0, {"range_std": 1.0, "azimuth_std": 0.1}, known=bad)),
+    ],
+    ids=["one plot", "two plots", "experiment", "radar", "noise", "bias", "known"],
+)
+def test_what_has_no_names_is_refused_by_its_own(name: str, call: Function, bad: Any) -> None:
+    with pytest.raises(TypeError, match=f"^{name} must be arguments by name, such as a dict; got "):
+        call(bad)

@@ -146,6 +146,20 @@ def test_two_plots_however_near_determine_what_they_determine(gap: float, rate_s
             f.estimate(*arguments, times=times)
 
 
+@pytest.mark.parametrize("missed", [1.0, 1e3, 1e9])
+@pytest.mark.parametrize("gap", [10.0**-n for n in (0, 3, 6, 9, 10, 11, 12, 13, 16, 40)])
+@pytest.mark.parametrize(("degree", "lag"), [(1, 0.0), (2, 0.0), (3, -2.5)])
+def test_scans_near_each_other_keep_their_digits_beside_a_newest_one_that_is_missed(
+    degree: int, lag: float, gap: float, missed: float
+) -> None:
+    """Counted from the newest scan, the times of what is seen would be rounded to its digits."""
+    f = FiniteSampleFilter(10.0, 250.0, degree=degree, lag=lag)
+    times = np.array([*gap * np.array([0.3, 1.3, 1.9, 2.4])[: degree + 1], missed + 3 * gap])
+    ranges = np.append(1e4 + 20.0 * np.arange(degree + 1), np.nan)
+    fit = fit_of(f, times, ranges, np.full(degree + 2, np.nan))
+    assert_fits(f.estimate(ranges, times=times), fit, ranges, np.zeros(degree + 2), 250.0, BEST)
+
+
 @pytest.mark.parametrize("ratio", [1e-50, 1e-20, 1e-9, 1e9, 1e12])
 @pytest.mark.parametrize("count", [2, 3])
 def test_the_worth_of_the_rates_does_not_change_what_is_determined(ratio: float, count: int) -> None:

@@ -1,5 +1,6 @@
 """The filter: against exact least squares, for any pattern of what is missing, and one track like many."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -275,6 +276,12 @@ def test_too_few_scans_are_refused_with_what_they_support(rate_std: float | None
 def test_ranges_that_are_no_numbers_are_named(call: Any, given: Any) -> None:
     with pytest.raises(TypeError, match="ranges must be real numbers"):
         call(FiniteSampleFilter(10.0, 250.0), given)
+
+
+@pytest.mark.parametrize("intensity", [1e308, 1e-320])
+def test_an_intensity_whose_matrices_no_float_holds_is_refused_where_it_is_given(intensity: float) -> None:
+    with pytest.raises(ValueError, match=re.escape(f"the process noise of intensity {intensity} over 10.0 s")):
+        FiniteSampleFilter(10.0, 250.0, degree=2).kalman(3, intensity)
 
 
 def test_bad_observations_are_refused() -> None:

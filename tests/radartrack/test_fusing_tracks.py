@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+from collections.abc import Callable
 from typing import Any, cast
 
 import mpmath
@@ -364,3 +365,28 @@ def test_filters_that_do_not_settle_have_no_steady_cross_covariance() -> None:
     blind = fusion.Filtered(np.eye(2), np.zeros((1, 2)), [[1.0]])
     with pytest.raises(ValueError, match="do not die away"):
         fusion.steady_cross_covariance(moves, blind, blind)
+
+
+@pytest.mark.parametrize(
+    "way", ["fuse", "fuse_plots", "fuse_correlated", "covariance_intersection", "cross_covariances"]
+)
+@given(powers=st.tuples(st.floats(-3, 3), st.floats(-3, 3)), sign=st.sampled_from([-1.0, 1.0]), both=st.booleans())
+@share(0.3)
+def test_errors_that_are_one_are_refused_whichever_way_they_are_rounded(
+    way: str, powers: tuple[float, float], sign: float, *, both: bool
+):
+    """What is to be inverted has an inverse by more than rounding: of a correlation of 1 it is rounding."""
+    deviations = 10.0 ** np.array(powers)
+    one = np.outer(deviations, deviations) * [[1.0, sign], [sign, 1.0]]
+    P = np.stack([one, one if both else np.diag(deviations**2)])
+    moves = kalman.constant_velocity(1.0, 1.0)
+    track = fusion.Filtered(P, np.eye(2), one)
+    calls: dict[str, Callable[[], object]] = {
+        "fuse": lambda: fusion.fuse(np.zeros((2, 2)), P),
+        "fuse_plots": lambda: fusion.fuse_plots([0.0, 1.0], np.zeros((2, 2)), P),
+        "fuse_correlated": lambda: fusion.fuse_correlated(np.zeros((2, 2)), P, np.zeros((2, 2))),
+        "covariance_intersection": lambda: fusion.covariance_intersection(np.zeros((2, 2)), P),
+        "cross_covariances": lambda: fusion.cross_covariances(moves, track, track),
+    }
+    with pytest.raises(ValueError, match="must be positive definite, by more than rounding"):
+        calls[way]()

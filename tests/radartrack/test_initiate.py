@@ -285,3 +285,14 @@ def test_the_type_is_that_of_all_that_is_given(sensor: str) -> None:
     rounded = two_plots(sensor, single, single, np.float32(2.0))
     np.testing.assert_array_equal(rounded.mean, exact.mean.astype(np.float32))
     np.testing.assert_array_equal(rounded.covariance, exact.covariance.astype(np.float32))
+
+
+@pytest.mark.parametrize("sensor", ["spherical", "spherical_doppler"])
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+def test_a_right_angle_in_single_precision_is_none_beyond_the_vertical(sensor: str, sign: float) -> None:
+    """As the conversion takes it: pi and its half are rounded up there."""
+    at_the_end = {"elevation": sign * np.pi / 2, "azimuth_std": np.pi, "elevation_std": np.pi}
+    single = {name: np.full(3, value, np.float32) for name, value in (PLOTS[sensor] | at_the_end).items()}
+    for found in (one_plot(sensor, single), two_plots(sensor, single, single, 2.0)):
+        assert np.isfinite(found.mean).all()
+        assert found.mean.dtype == np.float32

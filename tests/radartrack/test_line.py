@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.stats
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -134,6 +135,24 @@ def test_a_plot_on_the_line_does_not_divide_by_zero() -> None:
     assert fitted.converged
     assert np.all(np.isfinite(fitted.weights))
     assert fitted.at([0.0]) == pytest.approx([0.0], abs=1e-12)
+
+
+@pytest.mark.parametrize("tracks", [(), (0,), (3,)])
+def test_an_iteration_ends_when_all_tracks_have_met_their_rule(
+    tracks: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """However many steps are allowed."""
+    solved, solutions = line._solved, []
+
+    def counted(*given: Any) -> line.Fit:
+        solutions.append(given)
+        return solved(*given)
+
+    monkeypatch.setattr(line, "_solved", counted)
+    t, x = np.arange(5.0), np.random.default_rng(4).standard_normal((*tracks, 5))
+    found = line.fit(t, x, method="reweighted", max_iterations=1000)
+    assert found.converged.all()
+    assert len(solutions) <= 1 + max(1, found.iterations.max(initial=0))
 
 
 @pytest.mark.parametrize("method", ["perpendicular", "reweighted"])
@@ -327,6 +346,15 @@ def test_without_elevation_a_high_target_appears_too_far_out() -> None:
 def test_bad_arguments_are_named(call: Callable[[], object], error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
         call()
+
+
+@pytest.mark.parametrize("confidence", [1e-9, 0.5, 0.95, 1 - 1e-9, 1 - 1e-13, float(np.nextafter(1, 0))])
+def test_intervals_are_those_of_chi_square_however_sure(confidence: float) -> None:
+    """One half plus a confidence of nearly 1 would be 1."""
+    found = line.MeasurementStd(np.array(2.0), np.array(3.0), 58, np.array([True])).interval(confidence)
+    ends = scipy.stats.chi2.isf((1 - confidence) / 2, 58), scipy.stats.chi2.ppf((1 - confidence) / 2, 58)
+    for got, end in zip(found, ends, strict=True):
+        np.testing.assert_allclose(got, np.array([2.0, 3.0]) * np.sqrt(58 / end), rtol=1e-8)
 
 
 def test_intervals_need_the_consistent_method_and_a_confidence() -> None:

@@ -276,6 +276,28 @@ def test_what_is_no_target_and_no_number_of_scans_is_refused(build: Any, message
         build()
 
 
+class Told:
+    """A target of one's own, with the states that it was made of, whatever the times."""
+
+    def __init__(self, states: Any) -> None:
+        self.told = states
+
+    def states(self, _: Any) -> Any:
+        return self.told
+
+
+@pytest.mark.parametrize("shape", [(), (6,), (1, 6), (4, 6), (3, 4), (3, 7), (2, 3, 6)])
+def test_a_target_of_ones_own_has_one_state_a_time(shape: tuple[int, ...]) -> None:
+    radar = Radar("polar", 1.0, NOISE["polar"])
+    with pytest.raises(ValueError, match=r"states of the target must have shape \(3, 6\); got"):
+        simulate.plots(Told(np.ones(shape)), radar, scans=3)
+    with pytest.raises(TypeError, match="states of the target must be real numbers"):
+        simulate.plots(Told("x"), radar, scans=3)
+    seen = simulate.plots(Told([[1000, 0, 0, 0, 0, 0]] * 3), radar, scans=3)
+    assert seen.states.shape == (3, 6)
+    assert seen.states.dtype == np.float64
+
+
 @pytest.mark.parametrize("sensor", SENSORS)
 def test_a_noise_without_a_correlation_has_none_and_one_with_other_names_is_refused(sensor: Any) -> None:
     noise = {name: 0.25 for name in SENSORS[sensor].noise if name != "correlation"}

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -101,6 +102,27 @@ def test_what_cannot_be_compared_is_refused_by_name(case: str) -> None:
     call, words = REFUSED[case]
     with pytest.raises(ValueError, match=words):
         call()
+
+
+@pytest.mark.parametrize("correlation", [-1.0, -0.3, 0.0, 0.6, 1.0])
+def test_deviations_age_and_a_correlation_does_not(correlation: float) -> None:
+    station = Station(replace(RADAR, noise={**RADAR.noise, "correlation": correlation}), ageing=3.0)
+    older = station.as_it_is()
+    np.testing.assert_allclose(older.noise_covariance(), 9.0 * station.radar.noise_covariance(), rtol=1e-14)
+    assert older.noise["correlation"] == correlation
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda word: Station(RADAR, ageing=word), "ageing"),
+        (lambda word: compare(runs=2, confidence=word), "confidence"),
+    ],
+)
+@pytest.mark.parametrize("word", ["3", None, True, [2.0]])
+def test_what_is_no_number_is_refused_by_name(call: Any, name: str, word: Any) -> None:
+    with pytest.raises(TypeError, match=f"{name} must be a real number"):
+        call(word)
 
 
 def test_one_radar_of_three_plots_has_all_the_weight_whatever_the_source() -> None:

@@ -326,8 +326,23 @@ PLOTS: tuple[Any, ...] = ([0.0, 1.0, 2.0], [1e3, 2e3, 3e3], [0.1, 0.1, 0.1])
         (lambda t: t.lookup(-1.0, 0.0, FALLBACK), ValueError, "r must be"),
         (lambda t: t.lookup(1.0, 0.0, np.eye(3)), ValueError, "fallback must have shape"),
         (lambda t: t.lookup(1.0, 0.0, FALLBACK, minimum_degrees=0.0), ValueError, "minimum_degrees"),
+        (lambda t: t.lookup(1.0, 0.0, FALLBACK, minimum_degrees=math.nan), ValueError, "minimum_degrees must be from"),
     ],
 )  # fmt: skip
 def test_bad_arguments_are_named(call: Callable[[VarianceTable], object], error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
         call(VarianceTable.empty(EDGES, SECTORS))
+
+
+@pytest.mark.parametrize("bad", ["x", None, True, [3.0]])
+def test_what_is_no_number_of_degrees_is_refused_by_name(bad: Any) -> None:
+    with pytest.raises(TypeError, match="minimum_degrees must be a real number"):
+        VarianceTable.empty([0.0, 1e5], 4).lookup(1.0, 0.0, FALLBACK, minimum_degrees=bad)
+
+
+@pytest.mark.parametrize("bad", [3, None, [], b""])
+def test_what_is_no_label_has_no_cells_of_its_own(bad: Any) -> None:
+    table = VarianceTable.empty([0.0, 1e5], 4)
+    for read in (lambda: table.lookup(1.0, 0.0, FALLBACK, label=bad), lambda: table.covariance(bad)):
+        with pytest.raises(TypeError, match="label must be text"):
+            read()

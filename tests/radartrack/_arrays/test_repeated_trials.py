@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.stats
 
 from radartrack._arrays import repeated_trials
 
@@ -25,6 +26,14 @@ def test_intervals_of_root_mean_squares_hold_the_truth_as_often_as_they_say() ->
     squares = 9.0 * np.random.default_rng(2).standard_normal((400, 4000)) ** 2
     found = repeated_trials.root_mean(squares, 0.9)
     assert np.mean((found.lower < 3.0) & (found.upper > 3.0)) == pytest.approx(0.9, abs=0.02)
+
+
+def test_an_interval_is_as_wide_as_it_is_sure() -> None:
+    """One half plus a confidence of nearly 1 would be 1."""
+    values = np.array([-1.0, 1.0])
+    for confidence in (1e-9, 0.5, 0.95, 1 - 1e-13, float(np.nextafter(1, 0))):
+        found = repeated_trials.mean(values, confidence)
+        assert found.upper == pytest.approx(scipy.stats.norm.isf((1 - confidence) / 2), rel=1e-9)
 
 
 def test_root_excess_is_the_ratio_of_root_mean_squares_less_one() -> None:

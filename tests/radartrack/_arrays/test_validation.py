@@ -1,6 +1,7 @@
 """What is refused, and in which words; what is taken, and as what."""
 
 import math
+import re
 from collections import UserList, deque
 from typing import Any
 
@@ -10,6 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
+from radartrack import consistency, fixed_gain, frames
+from radartrack._arrays import validation
 from radartrack._arrays.validation import (
     ANGLE,
     ANGLE_STD,
@@ -239,8 +242,21 @@ def test_a_scalar_has_no_index() -> None:
 
 
 def test_a_large_angle_std_is_told_that_it_means_nothing() -> None:
-    with pytest.raises(ValueError, match=r"from 0 to 3.141593 rad .*larger deviation says nothing about direction"):
+    with pytest.raises(
+        ValueError, match=r"from 0 to 3.141592653589793 rad .*larger deviation says nothing about direction"
+    ):
         require_within("azimuth_std", np.array(3.2), ANGLE_STD)
+
+
+MODULES = (validation, consistency, fixed_gain.known_gains, frames.cartesian, frames.geodetic)
+
+
+@pytest.mark.parametrize(
+    "domain", dict.fromkeys(part for each in MODULES for part in vars(each).values() if isinstance(part, Domain))
+)
+def test_the_numbers_that_a_message_allows_are_allowed(domain: Domain) -> None:
+    low, high = re.findall(r"[-+.e\d]+", domain.describe(np.dtype(np.float64)))[:2]
+    require_within("the ends", np.array([float(low), float(high)]), domain)
 
 
 def test_nothing_is_wrong_with_no_values() -> None:

@@ -131,8 +131,10 @@ def test_what_is_known_to_lie_on_a_line_is_updated_however_far_along_it(
 def test_a_noise_that_is_none_is_refused_in_whatever_track(order: int) -> None:
     belief, measured, noise = scene("polar", 4, (5,))
     errors = np.tile(noise, (5, 1, 1))
-    errors[3] = [[1.0, 1.0], [1.0, 1.0]]
-    with pytest.raises(ValueError, match="noise must be symmetric and positive definite"):
+    errors[3] = [[1.0, 1.1], [1.1, 1.0]]
+    with pytest.raises(
+        ValueError, match=r"noise must be positive semidefinite; got .* at \[3\], the first of 1 among 5"
+    ):
         update("polar", belief, measured, errors, order)
 
 

@@ -160,6 +160,31 @@ def test_frames_that_differ_in_their_velocities_alone_are_a_frame_each(size: int
             np.testing.assert_allclose(moved[..., number, :], alone, rtol=1e-13, atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("leading", "of_mean", "sites"),
+    [
+        ((), (), ()), ((5,), (), ()), ((1,), (), ()), ((0,), (), ()), ((3, 5), (), ()), ((3, 5), (5,), ()),
+        ((3, 1), (5,), ()), ((3, 1), (1, 5), ()), ((5,), (), (5,)), ((3, 1), (), (5,)), ((3, 1), (5,), (5,)),
+        ((), (), (5,)),
+    ],
+)  # fmt: skip
+def test_one_mean_with_many_covariances_is_many_beliefs(
+    leading: tuple[int, ...], of_mean: tuple[int, ...], sites: tuple[int, ...]
+):
+    """Which a filter takes as they are: each has a mean of its own."""
+    mean, covariance = np.full((*of_mean, 3), 5e3), np.broadcast_to(np.eye(3), (*leading, 3, 3))
+    here, there = frames.enu(np.full(sites, 0.5), 0.3), frames.enu(0.51, 0.3)
+    tracks = np.broadcast_shapes(leading, of_mean, sites)
+    fixed = here.to_ecef(mean, covariance)
+    places = [np.full(of_mean, part) for part in (0.5, 0.3, 10.0)]
+    for found in (here.to(there, mean, covariance), fixed, here.from_ecef(*fixed)):
+        assert found.mean.shape == (*tracks, 3)
+        assert kalman.update(found, [0.0], [[1.0, 0.0, 0.0]], [[1.0]]).mean.shape == (*tracks, 3)
+    assert {part.shape for part in frames.geodetic_from_ecef(*fixed)[:3]} == {tracks}
+    found = frames.ecef_from_geodetic(places[0], places[1], places[2], covariance)
+    assert found.mean.shape == (*np.broadcast_shapes(leading, of_mean), 3)
+
+
 @given(latitude=TILTS, azimuth=ANGLES, tilt=TILTS, seed=st.integers(0, 10**6), rank=st.integers(0, 6))
 @example(latitude=1e-213, azimuth=1e-213, tilt=1e-213, seed=1, rank=1)  # a variance underflows, its covariances do not
 @share(0.5)

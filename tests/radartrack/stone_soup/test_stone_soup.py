@@ -13,7 +13,7 @@ from stonesoup.feeder.base import DetectionFeeder
 from stonesoup.initiator.simple import SimpleMeasurementInitiator
 from stonesoup.models.measurement import nonlinear
 from stonesoup.models.measurement.linear import LinearGaussian
-from stonesoup.types.array import StateVector, StateVectors
+from stonesoup.types.array import CovarianceMatrix, StateVector, StateVectors
 from stonesoup.types.detection import Clutter, Detection, GaussianDetection, TrueDetection
 from stonesoup.types.groundtruth import GroundTruthPath
 from stonesoup.types.hypothesis import SingleHypothesis
@@ -129,6 +129,21 @@ def test_the_inverse_of_many_plots_at_once_leads_back_to_them(name: str) -> None
     if hasattr(theirs, "inverse_function"):
         inverse = np.asarray(theirs.inverse_function(one), dtype=float)
         np.testing.assert_allclose(ours.inverse_function(one), inverse, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("model", made("plane", rotation_offset=StateVector(TILTED), noise_covar=noise(0.01, 10.0)))
+def test_plots_of_a_tilted_sensor_in_the_plane_are_not_converted(model: Any) -> None:
+    truth, prediction = predicted(model, 1, 100.0, 10.0)
+    [plot] = detections(model, [truth], 1)
+    hypothesis = SingleHypothesis(prediction, plot)
+    for convert in (
+        lambda: stone_soup.OnePlotInitiator(prior(model)).initiate({plot}, TIME),
+        lambda: [*stone_soup.DebiasingFeeder([(TIME, {plot})])],
+        lambda: stone_soup.DecorrelatedUpdater().update(hypothesis),
+    ):
+        with pytest.raises(ValueError, match="rotation_offset must be about the z axis alone"):
+            convert()
+    assert stone_soup.SecondOrderUpdater().update(hypothesis).mean.shape == prediction.mean.shape
 
 
 def test_a_sensor_in_the_plane_that_is_tilted_is_refused_where_it_has_no_inverse() -> None:
@@ -364,15 +379,29 @@ def test_the_second_order_expects_what_sigma_points_expect_of_a_gentle_curvature
     assert shift < 0.2 * np.abs(np.asarray(first.state_vector - sigma.state_vector, dtype=float) / scale).max()
 
 
-def test_josephs_form_is_the_same_covariance() -> None:
-    _, model = made("space, rate", noise_covar=FAR_NOISE["space, rate"])
-    truth, prediction = predicted(model, 1, 3000.0, 30.0)
+@pytest.mark.parametrize("updater", [stone_soup.SecondOrderUpdater, stone_soup.DecorrelatedUpdater])
+@pytest.mark.parametrize("along", [30.0, 3e3, 1e5])
+@pytest.mark.parametrize("angle", [1e-1, 1e-3, 1e-5, 1e-7])
+def test_josephs_form_is_the_same_update_however_unlike_metres_and_radians_are(
+    updater: Any, along: float, angle: float
+) -> None:
+    """A target that is known across the line of sight, and hardly along it: squared, 1e5 m beside 1e-7 rad is 1e24."""
+    _, model = made("space, rate", noise_covar=noise(angle, angle, 10.0, 1.0))
+    truth, prediction = predicted(model, 1, 3.0, 3.0)
+    sight = (truth[[0, 2, 4]] - SHIFT[:, 0]) / np.linalg.norm(truth[[0, 2, 4]] - SHIFT[:, 0])
+    spread = np.array(prediction.covar, dtype=float)
+    spread[np.ix_([0, 2, 4], [0, 2, 4])] += along**2 * np.outer(sight, sight)
+    believed = GaussianStatePrediction(prediction.state_vector, CovarianceMatrix(spread), timestamp=TIME)
     [plot] = detections(model, [truth], 1)
     plain, joseph = (
-        stone_soup.SecondOrderUpdater(use_joseph_cov=joseph).update(SingleHypothesis(prediction, plot)).covar
-        for joseph in (False, True)
+        updater(use_joseph_cov=joseph).update(SingleHypothesis(believed, plot)) for joseph in (False, True)
     )
-    np.testing.assert_allclose(plain, joseph, rtol=1e-6, atol=1e-6 * np.abs(plain).max())
+    deviations = np.sqrt(np.diag(np.asarray(plain.covar, dtype=float)))
+    np.testing.assert_allclose(
+        joseph.mean / deviations[:, np.newaxis], plain.mean / deviations[:, np.newaxis], rtol=1e-4
+    )
+    scale = np.outer(deviations, deviations)
+    np.testing.assert_allclose(joseph.covar / scale, plain.covar / scale, atol=1e-3)
 
 
 def test_models_without_known_curvature_are_refused_by_name() -> None:
