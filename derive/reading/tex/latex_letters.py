@@ -98,6 +98,12 @@ def full_name(letter: Letter) -> str:
     return next(iter(_decorated(letter) if letter.decorations else _plain(letter.base, letter.below)))
 
 
+def possible_names(letter: Letter) -> Iterator[str]:
+    """The names that a letter may have, with what decorates it and without."""
+    yield from _plain(letter.base, letter.below)
+    yield from _decorated(letter) if letter.decorations else ()
+
+
 def spelled(sign: str) -> str:
     """A sign of a subscript as part of a name: k|k-1 is k_km1."""
     return _SIGNS.get(sign, sign)

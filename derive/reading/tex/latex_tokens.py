@@ -19,7 +19,14 @@ from radartrack.derive.formula.latex_names import ACCENTS, GREEK
 from radartrack.derive.formula.limits import MAX_PRINTED, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.unknown_names import unknown_function, unknown_name
-from radartrack.derive.reading.tex.latex_letters import DECORATIONS, SAYS_NOTHING, Letter, Names, spelled
+from radartrack.derive.reading.tex.latex_letters import (
+    DECORATIONS,
+    SAYS_NOTHING,
+    Letter,
+    Names,
+    possible_names,
+    spelled,
+)
 from radartrack.derive.reading.tex.latex_phases import with_phases
 from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
 from radartrack.derive.reading.tex.latex_rewriting import partners, rewritten
@@ -198,7 +205,7 @@ class _Tokenizer:
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
         if len(run) > 1 and run in WORDS:
             raise FormulaError(f"{run} is a product of letters here: write \\{run} for the function", span=span)
-        if len(run) > 1 and run in self.names:
+        if len(run) > 1 and run in self.names and not (self._is_period(index) and run[0] == "d"):
             raise FormulaError(f"{run} is a product of letters here: write \\mathrm{{{run}}} for the symbol", span=span)
         if run == "e" and self._kind(index - 1) == "digit" and self._touches(index) and self._is_signed_digit(after):
             raise FormulaError(
@@ -223,7 +230,7 @@ class _Tokenizer:
         base, decorations, below, after = self._base(index)
         if index not in self.alone:
             joined = self._joined(index, after)
-            base = base if joined == after else f"{base}_{self._base(after)[0]}"
+            base = base if joined == after else f"{base}{'' if base == 'd' else '_'}{self._base(after)[0]}"
             after = joined
             after = self._primes(after, decorations)
             if not below:
@@ -249,12 +256,26 @@ class _Tokenizer:
         return letter, after
 
     def _joined(self, index: int, after: int) -> int:
-        r"""Where \Delta t ends, or \delta t, which is one symbol unless there is one called Delta."""
+        r"""Where \Delta t ends, \delta t or dt, which is one symbol unless there is one called Delta or d."""
         said = self.pieces[index].text
+        if said == "d" and self._is_period(index) and "d" not in self.names and self._d_is_of_time:
+            return after + 1
         is_time = self._kind(after) == "letter" and self.pieces[after].text in {"t", "T"}
         if said == "\\Delta" and "Delta" not in self.names and self._kind(after) in {"letter", "greek"}:
             return after + 1
         return after + 1 if said == "\\delta" and "delta" not in self.names and is_time else after
+
+    def _is_period(self, index: int) -> bool:
+        """Whether dt stands here, without a space."""
+        return (
+            self._kind(index + 1) == "letter" and self.pieces[index + 1].text in {"t", "T"} and self._touches(index + 1)
+        )
+
+    @cached_property
+    def _d_is_of_time(self) -> bool:
+        """Whether each d of the formula stands before a time, so that none is a letter of its own."""
+        ds = (at for at, piece in enumerate(self.pieces) if piece.kind == "letter" and piece.text == "d")
+        return all(map(self._is_period, ds))
 
     def _primes(self, index: int, decorations: list[str]) -> int:
         while self._kind(index) == "prime":
@@ -383,7 +404,9 @@ class _Tokenizer:
         """Whether a T that is raised is no symbol, judged by what it is raised behind."""
         before = self.pieces[index - 1] if index else self.pieces[index]
         letter = self.letters.get(len(self.tokens) - 1)
-        is_array = letter is not None and (letter.is_bold or letter.base in self.shapes)
+        is_array = letter is not None and (
+            letter.is_bold or not self.shapes.keys().isdisjoint({letter.base, *possible_names(letter)})
+        )
         if is_array or before.text == "]" or before.text.startswith("\\end"):
             return True
         if "T" in self.names:

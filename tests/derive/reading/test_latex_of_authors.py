@@ -263,3 +263,82 @@ def test_a_display_behind_a_brace_is_its_equations(display: str):
 @pytest.mark.parametrize("name", [r"\operatorname{arctan2}", r"\mathrm{atan2}"])
 def test_the_angle_of_two_coordinates_by_either_name(name: str):
     assert echo(rf"{name}\left(y, x\right)") == "atan2(y, x)"
+
+
+BARS = (
+    (r"\|", r"\|"),
+    (r"\lVert", r"\rVert"),
+    (r"\Vert", r"\Vert"),
+    (r"\left\|", r"\right\|"),
+    (r"\left\Vert", r"\right\Vert"),
+    (r"\bigl\|", r"\bigr\|"),
+    (r"\|", r"\|_2"),
+    (r"\lVert", r"\rVert_{2}"),
+    ("|", "|"),
+    (r"\left|", r"\right|"),
+    (r"\norm{", "}"),
+    (r"\abs{", "}"),
+)
+
+
+@pytest.mark.parametrize(("opening", "closing"), BARS)
+def test_bars_around_a_vector_are_its_length_and_around_a_number_its_magnitude(opening: str, closing: str):
+    def read(inside: str) -> str:
+        latex = rf"\frac{{x}}{{{opening} {inside} {closing}^2}}"
+        return to_text(read_latex(latex, (*KNOWN, "p"), {"p": (2,)}))
+
+    for vector in ("p", r"\mathbf{p}", r"\vec p"):
+        assert read(vector) == "x/norm(p)**2"
+    assert read(r"x - y") == "x/abs(x - y)**2"
+    assert read(r"[x, y]") == "x/norm([x, y])**2"
+
+
+def test_bars_of_both_kinds_are_told_apart():
+    assert to_text(read_latex(r"\| |x| p \|", (*KNOWN, "p"), {"p": (2,)})) == "norm(abs(x)*p)"
+
+
+@pytest.mark.parametrize("raised", ["^T", r"^{\top}", r"^{\mathsf T}"])
+@pytest.mark.parametrize("vector", ["e_r", r"e_{r}", r"\hat e_r", "p"])
+def test_a_t_behind_a_letter_that_is_an_array_is_a_transpose_whatever_its_subscript(vector: str, raised: str):
+    shapes = {"e_r": (2,), "p": (2,)}
+    name = "p" if vector == "p" else "e_r"
+    tree = read_latex(f"{vector} {vector}{raised}", (*KNOWN, *shapes), shapes)
+    assert to_text(tree) == f"{name}*{name}.T"
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"[1, T; 0, 1]", "[[1, T], [0, 1]]"),
+        (r"\left[ 1,\, T;\; 0,\, 1 \right]", "[[1, T], [0, 1]]"),
+        (r"q[\frac{T^3}{3}, \frac{T^2}{2}; \frac{T^2}{2}, T]", "q*[[T**3/3, T**2/2], [T**2/2, T]]"),
+        (r"[x; y]", "[x, y]"),
+        (r"[1, T; 0, 1][x; y]", "[[1, T], [0, 1]]*[x, y]"),
+        (r"[1, T; 0, 1]^T", "[[1, T], [0, 1]].T"),
+    ],
+)
+def test_rows_of_a_matrix_may_be_parted_by_semicolons(latex: str, text: str):
+    assert echo(latex) == text
+
+
+@pytest.mark.parametrize("latex", ["r; 1", r"\cos(r; 1)", r"\{r; 1\}", "[x, (y; r)]"])
+def test_a_semicolon_elsewhere_is_refused(latex: str):
+    assert "rows are parted by it in [a, b; c, d] only" in refusal(latex) or "is not read" in refusal(latex)
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        ("dt", "dt"),
+        (r"\frac{dt^2}{2}", "dt**2/2"),
+        (r"e^{-Kdt}", "e**(-K*dt)"),
+        (r"\frac{\sin\omega dt}{\omega} + dT", "sin(omega*dt)/omega + dT"),
+        (r"d t + d", "d*t + d"),
+        (r"dt + d^2", "d*t + d**2"),
+        (r"\int_0^{dt} q\,ds", "integral(q, s, 0, dt)"),
+    ],
+)
+def test_dt_is_one_letter_unless_there_is_one_called_d(latex: str, text: str):
+    assert to_text(read_latex(latex, None)) == text
+    assert to_text(read_latex("dt", ("d", "t"))) == "d*t"
+    assert to_text(read_latex("dt", ("dt", "t"))) == "dt"
