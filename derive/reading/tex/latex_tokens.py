@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from functools import cached_property
 
 from lark import Token
@@ -58,6 +59,7 @@ _OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAM
 _INVISIBLE = frozenset({"{", "}"})
 _IN_SUBSCRIPTS = frozenset({"letter", "digit", "greek", "accent", "word"})
 _OF_INDICES = frozenset({"given", "plus", "minus", "slash"})  # k|k-1, k/k
+_COORDINATES = frozenset("xyz")
 MOST_ACCENTS = 4  # over one letter
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
 _SINGLE = frozenset({"digit", "letter", "greek", "word"})  # what may be an argument without braces
@@ -91,8 +93,18 @@ class LatexTokens:
 
     @property
     def only_letter(self) -> Letter | None:
-        """The letter that the formula is, if it is nothing else."""
-        return self._tokenizer.letters.get(0) if len(self._tokens) == 1 else None
+        r"""The letter that the formula is, if it is nothing else; R^{12} is R_{12}, and \sigma_x^2 is \sigma_{xx}."""
+        letter = self._tokenizer.letters.get(0)
+        kinds = [token.type for token in self._tokens]
+        if letter is None or kinds == ["NAME"]:
+            return letter if len(kinds) == 1 else None
+        if kinds != ["NAME", "RAISED", "LBRACE", "NUMBER", "RBRACE"]:
+            return None
+        raised = str(self._tokens[3])
+        if raised == "2" and letter.base == "sigma" and letter.below in _COORDINATES:
+            return replace(letter, below=2 * letter.below)
+        is_place = len(raised) == 2 and raised.isdigit()
+        return replace(letter, below=f"{letter.below}_{raised}".strip("_")) if is_place else None
 
     def named(self, names: Names, defined: Collection[str] = ()) -> list[Token]:
         """The tokens, with names for the letters.
@@ -222,9 +234,31 @@ class _Tokenizer:
     def _symbol(self, index: int) -> int:
         """A letter with all that is over, below and beside it."""
         letter, after = self._letter_at(index)
+        is_transposed = self._is_primed_array(letter, index)
+        if is_transposed:
+            letter = replace(letter, decorations=tuple(word for word in letter.decorations if word != "prime"))
+        elif letter.is_bold and "prime" in letter.decorations:
+            raise FormulaError(
+                "a prime at a matrix may mean its transpose or another matrix: write ^{\\top}, or another letter",
+                span=letter.span,
+            )
         self.letters[len(self.tokens)] = letter
         self._emit("NAME", letter.base, letter.span)
+        if is_transposed:
+            self._emit("TRANSPOSED", "T", letter.span)
         return after
+
+    def _is_primed_array(self, letter: Letter, index: int) -> bool:
+        """Whether a prime is the transpose of an array that is defined without one: F P F' beside F = [...]."""
+        if letter.decorations.count("prime") != 1:
+            return False
+        plain = replace(letter, decorations=tuple(word for word in letter.decorations if word != "prime"))
+        array = next((name for name in (letter.base, *possible_names(plain)) if name in self.shapes), None)
+        if array is None or not self.names.isdisjoint(set(possible_names(letter)) - set(possible_names(plain))):
+            return False
+        said = self.pieces[index].text
+        places = (at for at, piece in enumerate(self.pieces) if piece.text == said)
+        return bool(self.shapes[array]) or any(self._kind(at + 1) != "prime" for at in places)
 
     def _letter_at(self, index: int) -> tuple[Letter, int]:
         base, decorations, below, after = self._base(index)
@@ -248,11 +282,6 @@ class _Tokenizer:
             is_applied=self._kind(after) == "open",
             is_bold=piece.is_bold,
         )
-        if letter.is_bold and "prime" in decorations:
-            raise FormulaError(
-                "a prime at a matrix may mean its transpose or another matrix: write ^{\\top}, or another letter",
-                span=letter.span,
-            )
         return letter, after
 
     def _joined(self, index: int, after: int) -> int:

@@ -342,3 +342,49 @@ def test_dt_is_one_letter_unless_there_is_one_called_d(latex: str, text: str):
     assert to_text(read_latex(latex, None)) == text
     assert to_text(read_latex("dt", ("d", "t"))) == "d*t"
     assert to_text(read_latex("dt", ("dt", "t"))) == "dt"
+
+
+@pytest.mark.parametrize("matrix", [r"\Gamma", "F", r"\mathbf{F}", r"\tilde F", "F_c"])
+@pytest.mark.parametrize("prime", ["'", r"^{\prime}", r"^\prime"])
+def test_a_prime_behind_an_array_is_its_transpose(matrix: str, prime: str):
+    """So Bar-Shalom prints it."""
+    name = {r"\Gamma": "Gamma", "F_c": "F_c"}.get(matrix, "F")
+    shapes = {name: (2, 1)}
+    latex = f"{matrix} q {matrix}{prime}"
+    assert to_text(read_latex(latex, (*KNOWN, *shapes), shapes)) == f"{name}*q*{name}.T"
+    together = rf"{latex},\quad {matrix} = \begin{{bmatrix}} T & 1 \\ 0 & T \end{{bmatrix}}"
+    assert echo(together) == "[[T, 1], [0, T]]*q*[[T, 1], [0, T]].T"
+
+
+def test_a_prime_is_part_of_the_name_where_a_name_has_one():
+    shapes = {"F": (2, 2), "F_prime": (2, 2)}
+    assert to_text(read_latex("F F'", shapes, shapes)) == "F*F_prime"
+    assert to_text(read_latex(r"x + \lambda'", ("x", "lambda", "lambda_prime"))) == "x + lambda_prime"
+    assert to_text(read_latex("F x'", ("F", "x", "x_prime"), {"F": (2, 2)}, strangers=True)) == "F*x_prime"
+    assert "may mean its transpose or another matrix" in refusal(r"\mathbf{F}\mathbf{F}'")
+
+
+HALF = ("x", "q", "y")
+
+
+@pytest.mark.parametrize(
+    "left",
+    [
+        ("R_a^{11}", "R_a^{12}", "R_a^{22}"),
+        ("R^{11}_L", "R^{12}_L", "R^{22}_L"),
+        ("R^{11}", "R^{12}", "R^{22}"),
+        ("R_{xx}", "R_{xy}", "R_{yy}"),
+        ("R_{xx}", "R_{yx}", "R_{yy}"),
+        ("P_{xx}", "P_{xz}", "P_{zz}"),
+        (r"\sigma_x^2", r"\sigma_{xy}", r"\sigma_y^2"),
+        (r"\sigma_{x}^{2}", r"\sigma_{xy}", r"\sigma^2_y"),
+    ],
+)
+def test_entries_of_a_covariance_are_named_in_many_ways(left: tuple[str, ...]):
+    rows = r" \\ ".join(f"{name} &= {entry}" for name, entry in zip(left, HALF, strict=True))
+    assert echo(rf"\begin{{align}} {rows} \end{{align}}") == "[[x, q], [q, y]]"
+
+
+def test_names_that_are_no_entries_make_a_vector():
+    assert echo(r"d_{xx} = x, \quad d_{yy} = y") == "[x, y]"
+    assert echo(r"\sigma_x^2 = x, \quad \sigma_y^2 = y") == "[x, y]"
