@@ -146,12 +146,12 @@ class Piece:
 
 
 def pieces(source: str) -> list[Piece]:
-    """Everything in a formula that is printed, in order; bars are told apart into opening and closing ones.
+    """Everything in a formula that is printed, in order.
 
     Raises:
         FormulaError: for the first thing that formulas do not use.
     """
-    return list(_sided(_piece(found) for found in _PIECE.finditer(source) if found.lastgroup != "space"))
+    return [_piece(found) for found in _PIECE.finditer(source) if found.lastgroup != "space"]
 
 
 def _piece(found: re.Match[str]) -> Piece:
@@ -179,7 +179,7 @@ def _piece(found: re.Match[str]) -> Piece:
     return Piece(kind, text, found.span())
 
 
-def _sided(found: Iterable[Piece]) -> Iterator[Piece]:
+def sided(found: Iterable[Piece]) -> Iterator[Piece]:
     """Tell plain bars apart: one closes when the innermost open bracket is a plain bar, else it opens.
 
     In a subscript, as in k|k-1, a bar is neither.

@@ -29,8 +29,9 @@ from radartrack.derive.reading.tex.latex_letters import (
     spelled,
 )
 from radartrack.derive.reading.tex.latex_phases import with_phases
-from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces, sided
 from radartrack.derive.reading.tex.latex_rewriting import partners, rewritten
+from radartrack.derive.reading.tex.latex_times import with_times
 
 _BRACKET_TOKENS = {
     **dict.fromkeys(("(", "[", "\\{"), "LPAR"),
@@ -81,7 +82,8 @@ class LatexTokens:
     def __init__(
         self, source: str, known: frozenset[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
     ) -> None:
-        self._tokenizer = _Tokenizer(rewritten(pieces(source)), known, shapes, strangers=strangers)
+        found = list(sided(with_times(pieces(source), known)))
+        self._tokenizer = _Tokenizer(rewritten(found), known, shapes, strangers=strangers)
         self._tokens = self._tokenizer.run()
         self._strangers = strangers
         self._known = known
@@ -186,6 +188,7 @@ class _Tokenizer:
             "fraction": self._fraction,
             "root": self._root,
             "bigsum": self._sum,
+            "prime": self._prime,
         }
         return handlers.get(piece.kind, self._sign)
 
@@ -270,8 +273,9 @@ class _Tokenizer:
             if not below:
                 below, after = self._subscript_behind(after, decorations)
                 after = self._primes(after, decorations)
-            if _is_of_time(below):
-                decorations, below = [*decorations, _as_name(below)], ""
+            before, _, time = below.rpartition("_")
+            if _is_of_time(time):
+                decorations, below = [*decorations, _as_name(time)], before
         piece = self.pieces[index]
         letter = Letter(
             base,
@@ -414,6 +418,13 @@ class _Tokenizer:
         inside = [piece for piece in self.pieces[index + 1 : index + 4] if piece.text not in _INVISIBLE]
         is_braced = self._kind(index + 1) == "open"
         return bool(inside) and inside[0].text == "T" and (not is_braced or self._argument_end(index) == index + 4)
+
+    def _prime(self, index: int) -> int:
+        """A prime behind a bracket or a matrix, which are transposed by it; behind a letter it is part of its name."""
+        if not index or self.pieces[index - 1].kind != "close":
+            return self._sign(index)
+        self._emit("TRANSPOSED", "T", self.pieces[index].span)
+        return index + 1
 
     def _raised(self, index: int) -> int:
         if self._exponent_is_t(index) and self._is_of_matrix(index):

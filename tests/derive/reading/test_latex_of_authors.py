@@ -388,3 +388,39 @@ def test_entries_of_a_covariance_are_named_in_many_ways(left: tuple[str, ...]):
 def test_names_that_are_no_entries_make_a_vector():
     assert echo(r"d_{xx} = x, \quad d_{yy} = y") == "[x, y]"
     assert echo(r"\sigma_x^2 = x, \quad \sigma_y^2 = y") == "[x, y]"
+
+
+TIMES = ("k", "n", "t", "k+1", "k-1", "k|k", r"k\mid k-1", "k/k-1", "1", r"t \,")
+
+
+@pytest.mark.parametrize("time", TIMES)
+def test_one_time_in_brackets_behind_every_letter_says_nothing(time: str):
+    latex = rf"r^2({time})\cos\theta({time}) + \hat{{x}}_m({time})\mathbf{{y}}\left({time}\right) + \dot q({time})"
+    assert to_text(read_latex(latex, None)) == "r**2*cos(theta) + x_m*y + qdot"
+    assert to_text(read_latex(rf"r({time})\cos\theta({time})", ("r", "theta"))) == "r*cos(theta)"
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"\frac{z(1) - z(0)}{T}", "(z_1 - z_0)/T"),
+        (r"\frac{z(k) - z(k-1)}{T}", "(z_k - z_km1)/T"),
+        (r"\frac{z_{k} - z_{k-1}}{T}", "(z_k - z_km1)/T"),
+        (r"x_m(k+1) - x_m(k)", "x_kp1_m - x_m_k"),
+        (r"x_{m,k+1} - x_{m,k}", "x_kp1_m - x_m_k"),
+        (r"x^2_{m}(k+1) - x_m^2(k)", "x_kp1_m**2 - x_m_k**2"),
+        (r"x(k) + \dot{x}(k) T(k)", "x + xdot*T"),
+        (r"\frac{2(2k-1)}{k(k+1)}", "2*(2*k - 1)/(k*(k + 1))"),
+        (r"N(N+1) + r(k) + k", "N*(N + 1) + r*k + k"),
+        (r"\sum_{j=1}^{k} (j+1)", "sum(j + 1, j, 1, k)"),
+        (r"\frac{a}{b}(k)", "a/b*k"),
+        (r"\cos(k)", "cos(k)"),
+        (r"(x + y)(k)", "(x + y)*k"),
+    ],
+)
+def test_several_times_in_brackets_tell_letters_apart_and_factors_stay_factors(latex: str, text: str):
+    assert to_text(read_latex(latex, None)) == text
+
+
+def test_a_bracket_with_a_symbol_is_a_factor():
+    assert to_text(read_latex("r(k)", ("r", "k"))) == "r*k"
