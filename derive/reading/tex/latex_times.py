@@ -14,6 +14,7 @@ from radartrack.derive.reading.tex.latex_pieces import Piece
 _INDEX = r"[kntij](?:[+-]\d+)?"
 _TIME = re.compile(rf"{_INDEX}(?:[|/]{_INDEX})?|\d")
 _LETTERS = frozenset("kntij")
+_COUNTS = _LETTERS - {"t"}  # which a bracket behind multiplies: k(k+1)
 _BARS = frozenset({"\\mid", "\\vert", "|"})
 _SUBSCRIBED = frozenset({"letter", "greek", "word", "close", "prime"})
 
@@ -73,7 +74,7 @@ def _letter_before(found: Sequence[Piece], index: int) -> int:
     if taking == "lowered":
         base = _before_power(found, start - 2)
         return at if base >= 0 and found[base].kind in _SUBSCRIBED else -1
-    is_factor = found[at].kind == "close" or found[at].text in _LETTERS
+    is_factor = found[at].kind == "close" or found[at].text in _COUNTS
     return -1 if is_factor and taking not in {"accent", "font"} else at
 
 
