@@ -44,6 +44,7 @@ def find(
     Exit 0 when it is one, 1 when one is only near or none is, 2 when it cannot be read.
     """
     from radartrack.derive.checking.papers.deadline import Decider
+    from radartrack.derive.checking.question.letters.elapsed_time import elapsed
     from radartrack.derive.formula.error import FormulaError
     from radartrack.derive.reading.any_letters import read_loosely
     from radartrack.derive.reading.notation import LATEX, TEXT
@@ -60,8 +61,9 @@ def find(
         decider.start()
         search = search_over(rows_until_found(own_quantities(model).values(), tree))
         judged = list(_judged(search.candidates(tree), decider, declared(model)))
-        if not judged:  # what is a quantity but for a slip is hardly another with letters for functions
-            judged = _in_usual_letters(search, tree, decider)
+        is_found = any(found for *_, found in judged)
+        if not judged or (elapsed([tree]) and not is_found):  # what has a slip is hardly another in other letters
+            judged = _in_usual_letters(search, tree, decider) or judged
     found = any(is_found for *_, is_found in judged)
     for candidate, words, is_found in judged:
         if is_found or not found:

@@ -7,11 +7,13 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.tree import Name, Negation, Sum, Tree, walk
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.units import SECOND
 
 _TIME = re.compile(r"t(?:_?(?P<number>\d+)|_?(?P<index>[kntij])(?:(?P<sign>[mp])(?P<shift>\d+))?)?")
+PERIOD = "T"  # as the catalogue calls it
 ORIGIN = Variable("origin", "from which times are counted", SECOND, -1e12, 1e12)
 
 
@@ -35,6 +37,21 @@ def elapsed(formulas: Iterable[Tree]) -> Elapsed | None:
     occurring = sum(isinstance(node, Name) and node.name in times for node in nodes)
     together = sum(2 for node in nodes if isinstance(node, Sum) and _is_difference(node, times))
     return Elapsed(later, earlier) if occurring == together else None
+
+
+def with_period(tree: Tree, times: Elapsed, period: Name) -> Tree:
+    """The formula with a period for the difference of these times."""
+
+    def changed(node: Tree) -> Tree:
+        if not isinstance(node, Sum) or not _is_difference(node, {times.later, times.earlier}):
+            return node
+        is_later_taken = any(term == Negation(Name(times.later)) for term in node.terms)
+        elapsed_time = Negation(period) if is_later_taken else period
+        own = [Name(times.later), Name(times.earlier)]
+        rest = tuple(one for one in node.terms if (one.operand if isinstance(one, Negation) else one) not in own)
+        return Sum((elapsed_time, *rest)) if rest else elapsed_time
+
+    return rebuild(tree, changed)
 
 
 def _is_difference(node: Sum, times: set[str]) -> bool:
