@@ -1,4 +1,4 @@
-"""What print takes for granted about vectors: a·b is a number, and so is what has one entry, x' P x or H P H' + R."""
+"""What print takes for granted about arrays: a·b and x' P x are numbers, and e^{FT} is a matrix."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from radartrack.derive.formula.shape import Shape, product_shape, shapes
 from radartrack.derive.formula.tree import (
     Array,
     Call,
+    Constant,
     Entries,
     Name,
     Power,
@@ -31,7 +32,7 @@ ShapeOf = Callable[[Tree], Shape | None]
 
 
 def with_numbers(tree: Tree, names: Mapping[str, Shape]) -> Tree:
-    """The formula with products of vectors as numbers, and bars around a number as its magnitude.
+    """The formula with products of vectors as numbers, bars around a number as its magnitude, powers of e as matrices.
 
     Args:
         tree: the formula.
@@ -65,6 +66,8 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
             return _with_picked(node, children(node), shape_of)
         case Quotient(_, denominator):
             return _with_picked(node, (denominator,), shape_of)
+        case Power(Constant("e"), exponent) if len(shape_of(exponent) or ()) == len(("rows", "columns")):
+            return Call("expm", (exponent,), span=node.span)
         case Power(base, _) if shape_of(base) != (1, 1):  # whose power is one of a matrix as well
             return _with_picked(node, children(node), shape_of)
         case Call(function) if function not in VERBS:
