@@ -246,7 +246,7 @@ def constant_velocity_process_noise_continuous(*, T: npt.ArrayLike, q: npt.Array
 
 
 def constant_velocity_process_noise_piecewise(*, T: npt.ArrayLike, sigma_w: npt.ArrayLike) -> Floats:
-    """Covariance of the process noise of position and velocity of one axis from scan to scan, with a acceleration that is noise, constant over a period.
+    """Covariance of the process noise of position and velocity of one axis from scan to scan, with an acceleration that is noise, constant over a period.
 
     Name: motion.constant_velocity.process_noise.piecewise.
     Definition: Q = sigma_w^2 g g', g = int_0^T e^(As) G ds.

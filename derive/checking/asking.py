@@ -20,7 +20,10 @@ from radartrack.derive.checking.question.compared_quantity import (
     refer_to,
 )
 from radartrack.derive.checking.question.conditions import under
-from radartrack.derive.checking.question.definitions.loose_definitions import without_arguments
+from radartrack.derive.checking.question.definitions.loose_definitions import (
+    without_arguments,
+    without_function_arguments,
+)
 from radartrack.derive.checking.question.letters.letter_readings import (
     AS_TYPED,
     Letters,
@@ -148,7 +151,9 @@ class Paper:
         reference, typed = self._typed(quantity)
         readings = (typed.readings() if typed else []) or [AS_TYPED]
         best = _likeliest([self._question(reference, reading) for reading in readings])
-        return self._with_undeclared(quantity, reference, typed, best) or best
+        if best.is_equal:
+            return best
+        return self._with_undeclared(quantity, reference, typed, best) or self._with_functions(quantity, best) or best
 
     def _with_undeclared(
         self, quantity: str | Quantity, reference: Reference, typed: Typed | None, best: Question
@@ -159,11 +164,20 @@ class Paper:
         """
         own = {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
         letters = {name for name in self.world.letters if typed and name in typed.used and name not in own}
-        if not letters or best.is_equal or any(self.world.declares(part.quantity) for part in reference.parts):
+        if not letters or any(self.world.declares(part.quantity) for part in reference.parts):
             return None
         kept = {name: one for name, one in self.world.letters.items() if name not in letters}
+        return replace(self, world=replace(self.world, letters=kept)).likelier(quantity, best)
+
+    def _with_functions(self, quantity: str | Quantity, best: Question) -> Question | None:
+        r"""The question with N(\phi) as a function and no product, where so there is less to explain."""
+        plain = without_function_arguments(self.formula) if self.notation == LATEX else self.formula
+        return replace(self, formula=plain).likelier(quantity, best) if plain != self.formula else None
+
+    def likelier(self, quantity: str | Quantity, best: Question) -> Question | None:
+        """The question, where it leaves less to explain than another one."""
         try:
-            other = replace(self, world=replace(self.world, letters=kept)).ask(quantity)
+            other = self.ask(quantity)
         except (FormulaError, NoClosedForm):
             return None
         return other if other.to_explain < best.to_explain else None

@@ -345,8 +345,16 @@ def is_of_letters_alone(tree: Tree) -> bool:
     there = [*parts(tree)]
     if any(isinstance(node, Quotient) and names(node.numerator) & names(node.denominator) for node in there):
         return False
-    bare = rebuild(tree, lambda node: node.base if isinstance(node, Power) and isinstance(node.base, Name) else node)
+    bare = rebuild(tree, _bare)
     return all(isinstance(node, Name | Sum | Product | Quotient | Negation) for node in parts(bare))
+
+
+def _bare(node: Tree) -> Tree:
+    """A letter without its power and its bars."""
+    match node:
+        case Power(Name() as letter, _) | Call("abs", (Name() as letter,)):
+            return letter
+    return node
 
 
 def letters_of(tree: Tree) -> int | None:

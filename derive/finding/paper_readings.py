@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from radartrack.derive.checking.question.letters.assignments import ANY
+from radartrack.derive.checking.question.letters.elapsed_time import PERIOD, elapsed, with_period
 from radartrack.derive.finding.formula_search import Candidate
 from radartrack.derive.finding.paper_equations import Equation
 from radartrack.derive.formula.error import FormulaError
@@ -99,6 +100,8 @@ def readings(
             yield tree, put_in
     if one.tree is not None:
         yield one.tree, {}
+        if (times := elapsed([one.tree])) and PERIOD not in {*known, *names(one.tree)}:
+            yield with_period(one.tree, times, Name(PERIOD)), {}
 
 
 def _is_sum_of_names(tree: Tree) -> bool:

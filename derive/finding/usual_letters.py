@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from radartrack.derive.catalogue import catalogue
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
+from radartrack.derive.checking.question.letters.elapsed_time import PERIOD, elapsed, with_period
 from radartrack.derive.checking.question.letters.letter_meanings import meanings, means
 from radartrack.derive.checking.reporting.derived_formula import as_printed
 from radartrack.derive.finding.formula_search import is_of_letters_alone
@@ -69,6 +70,9 @@ def usual_forms(tree: Tree) -> Iterator[Usual]:
         for one in (*plain, Usual(tree, "")):
             yield from _with_factors(one)
     yield from _of_a_unit_period(tree)
+    if (times := elapsed([tree])) and PERIOD not in names_of(tree):
+        words = f"{PERIOD} for {times.later} - {times.earlier}"
+        yield Usual(with_period(tree, times, Name(PERIOD)), words, own=frozenset({PERIOD}))
 
 
 def _of_a_unit_period(tree: Tree) -> Iterator[Usual]:

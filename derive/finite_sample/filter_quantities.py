@@ -75,7 +75,7 @@ class Family:
     @property
     def scans(self) -> Variable:
         """The number of scans that determine the state for every C, 0 among them."""
-        return scans(self.filter.size)
+        return scans(self.filter.size, fewest_scans(self.filter.degree, with_rate=self.filter.with_rate))
 
     @property
     def units(self) -> tuple[Unit, ...]:

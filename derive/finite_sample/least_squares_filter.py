@@ -33,9 +33,15 @@ C = Variable("C", "sigma_r^2/(T^2 sigma_v^2), the weight of the range rate", ONE
 tau = Variable("tau", "scans from the newest one to the time of the estimate, less than 0 to smooth", ONE, -1e6, 1e6)
 
 
-def scans(fewest: int) -> Variable:
-    """The number of scans k, from the fewest on; the symbol is the same for every domain."""
-    return Variable("k", "number of scans", ONE, float(fewest), MOST_SCANS, whole=True)
+def scans(fewest: int, least: int | None = None) -> Variable:
+    """The number of scans k, from the fewest on; the symbol is the same for every domain.
+
+    Args:
+        fewest: the lower end of the domain.
+        least: scans that determine something, where they are fewer: with range rates in some cases.
+    """
+    least = fewest if least is None else least
+    return Variable("k", "number of scans", ONE, float(fewest), MOST_SCANS, whole=True, least=least)
 
 
 k = scans(1)

@@ -45,6 +45,7 @@ VERBS = MappingProxyType(
         "inv": (1, 1),
         "jacobian": (2, 2),
         "limit": (3, 3),
+        "norm": (1, 1),
         "outer": (2, 2),
         "sum": (4, 4),
         "taylor": (3, 3),

@@ -170,6 +170,13 @@ def _number_of_matrix(tree: Call, shapes: Sequence[Shape]) -> Shape:
     return ()
 
 
+def _length(tree: Call, shapes: Sequence[Shape]) -> Shape:
+    """Of a vector, be it a column or a row; of a number it is the magnitude."""
+    if sum(size > 1 for size in shapes[0]) > 1:
+        raise FormulaError(f"the length of a vector is meant, this is {_spoken(shapes[0])}", span=tree.span)
+    return ()
+
+
 def _transposed(tree: Call, shapes: Sequence[Shape]) -> Shape:
     if len(shapes[0]) > 2 or not shapes[0]:
         raise FormulaError(f"a vector or a matrix is transposed, this is {_spoken(shapes[0])}", span=tree.span)
@@ -215,6 +222,7 @@ _VERBS: Mapping[str, Callable[[Call, Sequence[Shape]], Shape]] = MappingProxyTyp
         "eye": _unit,
         "hessian": _derivatives(2),
         "jacobian": _derivatives(1),
+        "norm": _length,
         "outer": _outer,
         "transpose": _transposed,
     }

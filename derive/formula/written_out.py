@@ -192,6 +192,14 @@ def _minor(rows: list[list[Tree]]) -> Tree:
     return _sum(terms)
 
 
+def _length_of(below: list[Tensor[Tree]]) -> Tensor[Tree]:
+    """The root of the squares of a vector; the magnitude of a number."""
+    entries = below[0].entries
+    if not below[0].shape:
+        return Tensor((), (Call("abs", entries),))
+    return Tensor((), (Call("sqrt", (_sum([product_of((entry, entry)) for entry in entries]),)),))
+
+
 def _trace(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     known = dict(below[0].items())
     return Tensor((), (_sum([known[i, i] for i in range(below[0].shape[0])]),))
@@ -203,6 +211,7 @@ _OPENED: Mapping[str, Callable[[list[Tensor[Tree]]], Tensor[Tree]]] = MappingPro
         "diag": _diagonal,
         "eye": _unit,
         "inv": _inverse,
+        "norm": _length_of,
         "outer": _outer,
         "trace": _trace,
         "transpose": _transposed,

@@ -19,6 +19,7 @@ class Variable(Symbol):
         low: lower end of the domain, in that unit.
         high: upper end of the domain, in that unit.
         whole: whether it is a whole number; the algebra takes it as real.
+        least: of a whole number, the least that it can be at all; the domain may begin above it.
         at_most: a symbol that it never exceeds.
         is_correlation: whether it is the correlation of two errors.
     """
@@ -28,6 +29,7 @@ class Variable(Symbol):
     low: float
     high: float
     whole: bool
+    least: int
     at_most: Variable | None
     is_correlation: bool
     _kind: str  # the unit as text, which SymPy asks for whenever it compares
@@ -41,6 +43,7 @@ class Variable(Symbol):
         high: float,
         *,
         whole: bool = False,
+        least: int = 1,
         at_most: Variable | None = None,
         is_correlation: bool = False,
     ) -> Self:
@@ -59,13 +62,18 @@ class Variable(Symbol):
         variable: Self = Symbol.__xnew__(cls, name, **{sign: True})
         variable.meaning, variable.unit, variable._kind = meaning, unit, str(unit)
         variable.low, variable.high = map(_plain_number, (low, high))
-        variable.whole, variable.at_most, variable.is_correlation = whole, at_most, is_correlation
+        variable.whole, variable.least, variable.at_most, variable.is_correlation = (
+            whole,
+            least,
+            at_most,
+            is_correlation,
+        )
         return variable
 
     def below(self, high: float) -> Self:
         """The same symbol with a domain that ends there at the latest, which is what bounds it then."""
-        end, whole, correlation = min(self.high, high), self.whole, self.is_correlation
-        return type(self)(self.name, self.meaning, self.unit, self.low, end, whole=whole, is_correlation=correlation)
+        kind: dict[str, Any] = {"whole": self.whole, "least": self.least, "is_correlation": self.is_correlation}
+        return type(self)(self.name, self.meaning, self.unit, self.low, min(self.high, high), **kind)
 
     def on(self, low: float, high: float) -> Variable:
         """The same symbol, to the algebra too, with another domain."""
@@ -95,7 +103,7 @@ class Variable(Symbol):
         return Symbol(self.name)
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        kind = {"whole": self.whole, "at_most": self.at_most, "is_correlation": self.is_correlation}
+        kind = {name: getattr(self, name) for name in ("whole", "least", "at_most", "is_correlation")}
         return (self.name, self.meaning, self.unit, self.low, self.high), kind
 
 

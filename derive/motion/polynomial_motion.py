@@ -84,7 +84,8 @@ def _quantities(size: int) -> Iterator[Quantity]:
     state, of = State(name, f"{text} of one axis", units(size), SOURCE), motion(size)
     q, steady, jump = noise_intensity(size), noise_deviation(size), jump_deviation(size)
     white = f"white noise in the {driven}"
-    constant = f"a {driven} that is noise, constant over a period"
+    article = "an" if driven[0] in "aeiou" else "a"
+    constant = f"{article} {driven} that is noise, constant over a period"
     jumping = f"jumps of the {last} at each scan, a Wiener sequence"
 
     def piecewise() -> Tensor[Expr]:

@@ -30,6 +30,7 @@ from radartrack.derive.formula.tree import (
     has_verbs,
     with_span,
 )
+from radartrack.derive.reading.vectors import with_numbers
 
 Part: TypeAlias = Token | Tree
 
@@ -52,8 +53,8 @@ class TreeBuilder(Transformer[Token, Tree]):
         return with_span(inner, place(parts))
 
     def absolute(self, parts: Sequence[Part]) -> Tree:
-        """Something between bars."""
-        return Call("abs", tuple(trees(parts)), span=place(parts))
+        """Something between bars: the length of a vector, the magnitude of a number."""
+        return Call("norm", tuple(trees(parts)), span=place(parts))
 
     def signed(self, parts: Sequence[Part]) -> Tree:
         """Something after a sign."""
@@ -214,7 +215,8 @@ def finished(
         FormulaError: when it is too large, or has no meaning.
     """
     check_size(tree)
-    return _check_meaning(shared(tree, resolved), magnitudes(), shapes, strangers=strangers)
+    plain = with_numbers(shared(tree, resolved), shapes)
+    return _check_meaning(plain, magnitudes(), shapes, strangers=strangers)
 
 
 def check_tree(

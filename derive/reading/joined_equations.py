@@ -13,6 +13,7 @@ from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.tree import Array, Name, Tree, names, with_span
 
 _ENTRY = re.compile(r"(?P<base>[A-Za-z]\w*?)_?(?P<row>\d)_?(?P<column>\d)")
+_COVARIANCE = re.compile(r"(?P<base>[A-Za-z]\w*?)_?(?P<row>[xyz])_?(?P<column>[xyz])")  # R_xx, R_xy
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,22 +133,34 @@ def _is_array(tree: Tree) -> bool:
 
 
 def _array(found: Sequence[Definition]) -> Tree:
+    """The entries of a matrix, where all are named so, else of a vector."""
     span = (found[0].tree.span or (0, 0))[0], (found[-1].tree.span or (0, 0))[1]
-    places = [_ENTRY.fullmatch(one.name) for one in found]
-    bases = {place["base"] for place in places if place}
-    if len(bases) != 1 or not all(places):
-        return Array(tuple(one.tree for one in found), span=span)
-    entries = {
-        (int(place["row"]), int(place["column"])): one.tree for place, one in zip(places, found, strict=True) if place
-    }
-    first, last = min(min(place) for place in entries), max(max(place) for place in entries)
-    rows = range(first, max(row for row, _ in entries) + 1)
-    columns = range(first, max(column for _, column in entries) + 1)
+    for pattern in (_ENTRY, _COVARIANCE):
+        base, entries = _entries(found, pattern)
+        rows, columns = (_lines(entries, axis) for axis in (0, 1))
+        missing = [(row, column) for row in rows for column in columns if (row, column) not in entries]
+        if missing and pattern is _ENTRY:
+            raise FormulaError(f"the entry {base}_{missing[0][0]}{missing[0][1]} is missing", span=span)
+        if entries and not missing:
+            made = (Array(tuple(entries[row, column] for column in columns), span=span) for row in rows)
+            return with_span(Array(tuple(made)), span)
+    return Array(tuple(one.tree for one in found), span=span)
+
+
+def _lines(entries: Collection[tuple[str, str]], axis: int) -> list[str]:
+    """The rows or columns: of numbered ones all between the first and the last, of coordinates those that occur."""
+    used = sorted({place[axis] for place in entries})
+    numbers = [number for number in "0123456789" if entries and min(map(min, entries)) <= number <= used[-1]]
+    return numbers if used and used[0].isdigit() else used
+
+
+def _entries(found: Sequence[Definition], pattern: re.Pattern[str]) -> tuple[str, dict[tuple[str, str], Tree]]:
+    """The one name of a matrix, and the formulas by their places in it; none where they are no entries of one."""
+    places = [place for one in found if (place := pattern.fullmatch(one.name))]
+    bases = {place["base"] for place in places}
+    if len(bases) != 1 or len(places) < len(found):
+        return "", {}
+    entries = {(place["row"], place["column"]): one.tree for place, one in zip(places, found, strict=True)}
     if all(row <= column for row, column in entries) or all(row >= column for row, column in entries):
         entries |= {place[::-1]: tree for place, tree in entries.items()}  # one half of a symmetric matrix is printed
-        rows = columns = range(first, last + 1)
-    missing = [(row, column) for row in rows for column in columns if (row, column) not in entries]
-    if missing:
-        raise FormulaError(f"the entry {bases.pop()}_{missing[0][0]}{missing[0][1]} is missing", span=span)
-    made = (Array(tuple(entries[row, column] for column in columns), span=span) for row in rows)
-    return with_span(Array(tuple(made)), span)
+    return bases.pop(), entries

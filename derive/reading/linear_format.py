@@ -1,12 +1,18 @@
-"""Matrices and invisible brackets in one line of text: ■(a&b@c&d) and 〖a+b〗 of Word's linear format, [a, b; c, d]."""
+"""Matrices and invisible brackets in one line of text: ■(a&b@c&d) and 〖a+b〗 of Word's linear format, [a, b; c, d].
+
+A page that is copied loses the commas: [a b; c d], or a row on each line.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from types import MappingProxyType
 
 from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.functions import SPELLINGS
 
 _PAIRS: Mapping[str, str] = MappingProxyType({"(": ")", "[": "]", "{": "}", "〖": "〗", "├": "┤"})
 MATRIX, ALIGNED, GROUP, OPERAND = "■", "█", "〖", "▒"
@@ -14,6 +20,7 @@ SILENT = OPERAND + "├┤"
 SIGNS = frozenset(MATRIX + ALIGNED + GROUP + "〗" + SILENT)
 APPLIED = "\N{FUNCTION APPLICATION}"
 _SUM, _INTEGRAL = "∑", "∫"
+_FUNCTIONS = "|".join(SPELLINGS)
 
 
 @dataclass(frozen=True)
@@ -64,6 +71,45 @@ def _array(text: str, at: int, opening: int, beside: str, below: str, of: str = 
         parts.append({beside: " & ", below: r" \\ "}.get(text[place], " ") if place < end - 1 else " ")
         start = place + 1
     return Structure((*parts, rf"\end{{{environment}}}"), end)
+
+
+def with_commas(text: str) -> str:
+    """The text with commas and semicolons for the spaces and the ends of lines that part entries of its matrices.
+
+    A space parts two entries unless it stands beside the sign of an operation or behind a function; before a sign that
+    touches what follows it, it does. Brackets in which commas part something stay as they are, and so do those whose
+    rows would differ in length.
+    """
+    result = list(text)
+    for opening in (at for at, sign in enumerate(text) if sign == "["):
+        try:
+            end = _closing(text, opening) - 1
+            if _top_level(text, opening, ",[&"):
+                continue
+            rows = [*_separators(text, opening, ";")] or [*_separators(text, opening, "\n")]
+            gaps = [
+                place
+                for place in _separators(text, opening, " \t")
+                if _parts(text[opening + 1 : end], place - opening - 1)
+            ]
+        except FormulaError:
+            return text
+        lengths = [sum(start < gap < stop for gap in gaps) for start, stop in pairwise([opening, *rows, end])]
+        if min(lengths) == max(lengths) > 0:
+            for places, sign in ((gaps, ","), (rows, ";")):
+                for place in places:
+                    result[place] = sign
+    return "".join(result)
+
+
+def _parts(inside: str, place: int) -> bool:
+    """Whether a space parts two entries; of several side by side the first one."""
+    before, after = inside[:place], inside[place:].lstrip()
+    if not before.strip() or before[-1:].isspace() or not after:
+        return False
+    is_signed = re.match(r"[-+−][^\s]", after) is not None
+    is_behind = re.search(rf"[-+−*/^=×·⋅;\n]$|(?<![A-Za-z])(?:{_FUNCTIONS})(?:\^?[\d²³]+)?$", before) is not None
+    return not is_behind and (is_signed or re.match(r"[-+−*/^=×·⋅;\n]", after) is None)
 
 
 def _root(text: str, at: int) -> Structure:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 
 from radartrack.derive.code_languages import LANGUAGES
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Tree, bound_names, names
 from radartrack.derive.reading.code.source_code import read_code
+from radartrack.derive.reading.linear_format import with_commas
 from radartrack.derive.reading.printed_text import is_printed, read_printed_text
 from radartrack.derive.reading.tex.latex import read_latex
 from radartrack.derive.reading.text import read_text
@@ -69,11 +72,23 @@ def read_formula(
         remarks = tuple(f"line {_line(text, one.span[0])}: {one.words}" for one in code.remarks)
     elif notation in {TEXT, LATEX, PRINTED}:
         read = {TEXT: read_text, LATEX: read_latex, PRINTED: read_printed_text}[notation]
-        tree = read(text, known, shapes, strangers=strangers, wanted=wanted)
+        readable = partial(read, names=known, shapes=shapes, strangers=strangers, wanted=wanted)
+        tree = readable(text) if notation == LATEX else _without_commas(readable, text)
     else:
         raise ValueError(f"notation: {notation!r} is not read; it is one of {', '.join(NOTATIONS)}")
     unknown = names(tree) - frozenset(known or ()) - bound_names(tree)
     return Reading(tree, unknown, notation, remarks)
+
+
+def _without_commas(read: Callable[[str], Tree], text: str) -> Tree:
+    """The formula as it stands, or with what parts the entries of its matrices where only so it can be read."""
+    try:
+        return read(text)
+    except FormulaError:
+        if (parted := with_commas(text)) != text:
+            with suppress(FormulaError):
+                return read(parted)
+        raise
 
 
 def _line(text: str, at: int) -> int:

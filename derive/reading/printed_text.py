@@ -38,6 +38,7 @@ _SIGNS = MappingProxyType(
         **dict.fromkeys("   \u2009\u200a\u202f\u00a0\u2002\u2003\u2061\u2062", " "),
         **dict.fromkeys("′ʹ’", "'"),
         "∣": "|",
+        **dict.fromkeys("‖∥", r"\|"),
         "≈": r"\approx ",
         "≡": r"\equiv ",
         "≜": r"\triangleq ",
@@ -177,7 +178,7 @@ def _typed(said: str, place: str, text: str, at: int, names: frozenset[str]) -> 
         return f"**({inside})" if place == "^" else f"_{inside}".replace("\\", "")
     if fraction:
         return f"({fraction[1]}/{fraction[2]})"
-    known = {r"\cdot ": "*", r"\Delta ": "Delta", r"^{\circ}": "*pi/180"}
+    known = {r"\cdot ": "*", r"\Delta ": "Delta", r"^{\circ}": "*pi/180", r"\|": "|"}
     typed = known.get(_SIGNS[said], _SIGNS[said]) if said in _SIGNS else _greek(said).removeprefix("\\")
     typed = "sqrt" if said == "√" else typed
     if not typed or typed.startswith(("\\", "^")):

@@ -84,6 +84,15 @@ def _diag(arguments: Sequence[Expression]) -> Expression:
     return diagonal(_vector(first) if isinstance(first, tuple) else _vector(tuple(arguments)))
 
 
+def _norm(arguments: Sequence[Expression]) -> Expression:
+    first = arguments[0]
+    return sp.sqrt(sp.Add(*(entry**2 for entry in _flat(first)))) if isinstance(first, tuple) else sp.Abs(first)
+
+
+def _flat(array: Expression) -> list[Expr]:
+    return [entry for part in array for entry in _flat(part)] if isinstance(array, tuple) else [array]
+
+
 def _eye(arguments: Sequence[Expression]) -> Expression:
     return identity(int(cast("Expr", arguments[0])))
 
@@ -121,6 +130,7 @@ VERBS: Mapping[str, Verb] = MappingProxyType(
         "inv": lambda arguments: inverse(_matrix(arguments[0])),
         "jacobian": _jacobian,
         "limit": entrywise(_limit),
+        "norm": _norm,
         "outer": lambda arguments: outer(*map(_vector, arguments)),
         "sum": entrywise(_sum),
         "taylor": entrywise(_taylor),

@@ -74,8 +74,13 @@ def find(
 def _looked_up(
     search: FormulaSearch, tree: Tree, decider: Decider, models: tuple[Mapping[str, Any], ...]
 ) -> list[Judged]:
-    """What a formula is, or near; what is a quantity but for a slip is hardly another with letters for functions."""
-    return list(_judged(search.candidates(tree), decider, models)) or _in_usual_letters(search, tree, decider)
+    """What a formula is, or near; what is a quantity but for a slip is hardly another in other letters."""
+    from radartrack.derive.checking.question.letters.elapsed_time import elapsed
+
+    judged = list(_judged(search.candidates(tree), decider, models))
+    if judged and not (elapsed([tree]) and not any(is_found for *_, is_found in judged)):
+        return judged
+    return _in_usual_letters(search, tree, decider) or judged
 
 
 def _tell_what_is_near(search: FormulaSearch, tree: Tree) -> None:

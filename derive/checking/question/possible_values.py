@@ -20,7 +20,6 @@ from radartrack.derive.symbolic import Expr
 from radartrack.derive.units import ONE
 
 TRIED = 20  # points
-FIRST = 1  # scans and plots are counted from one; where fewer determine nothing, a formula has no value
 
 
 def check_domain(values: Mapping[Variable, Expr], where: str) -> None:
@@ -66,7 +65,7 @@ def check_domain_somewhere(symbol: Variable, value: Expr, where: str) -> None:
 def domain(symbol: Variable) -> str:
     """The values that a symbol can have, in words."""
     if symbol.whole:
-        return f"whole numbers from {FIRST}"
+        return f"whole numbers from {symbol.least}"
     low, high = _limits(symbol)
     unit = "" if symbol.unit == ONE else f" {symbol.unit}"
     limits = (("at least", low), ("at most", high))
@@ -83,7 +82,7 @@ def _is_possible(symbol: Variable, value: Expr) -> bool:
 def _limits(symbol: Variable) -> tuple[Expr | None, Expr | None]:
     """Least and largest possible value; what is symmetric and at most one is a correlation or a cosine."""
     if symbol.whole:
-        return sp.Integer(FIRST), None
+        return sp.Integer(symbol.least), None
     if symbol.low >= 0:
         return sp.Integer(0), None
     if symbol.is_angle:

@@ -9,8 +9,9 @@ from collections.abc import Iterator, Sequence
 
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
-from radartrack.derive.formula.tree import Place
-from radartrack.derive.reading.code.code_functions import applied
+from radartrack.derive.formula.tree import Place, Tree
+from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.reading.code.code_functions import applied, of_blocks
 from radartrack.derive.reading.code.workspace import Remark, Value, Workspace
 
 _MODULES = frozenset(
@@ -196,11 +197,11 @@ class _PythonReader:
         return found
 
     def _is_unknown(self, node: ast.expr) -> bool:
-        """Whether this is an array, or a slice of one, that is neither defined here nor a symbol."""
+        """Whether this is an array, or a slice of one, of which nothing is known here; a symbol is a number."""
         while isinstance(node, ast.Subscript):
             node = node.value
         name = self._name(node) if isinstance(node, ast.Name | ast.Attribute) else ""
-        return bool(name) and not self._space.is_known(name)
+        return bool(name) and not (self._space.is_defined(name) or name in self._space.shapes)
 
     def _assign_value(self, target: ast.expr, value: Value) -> None:
         if isinstance(target, ast.Subscript):
@@ -356,7 +357,21 @@ class _PythonReader:
         function = _path(node.func)[-1]
         if function == "transpose" and len(node.args) == 1:
             return self._transposed(self.value(node.args[0]), span)
+        if function == "block" and len(node.args) == 1 and isinstance(node.args[0], ast.List):
+            return self._blocks(node.args[0], span)
         return applied(self._space, function, [self.value(one) for one in node.args], span)
+
+    def _blocks(self, node: ast.List, span: Span) -> Value:
+        """The matrix that rows of matrices and numbers make."""
+        rows = [[self.value(one) for one in row.elts] for row in node.elts if isinstance(row, ast.List)]
+        parts = [part for row in rows for part in row]
+        if len(rows) < len(node.elts) or any(len(self._space.sized(part).shape or ()) == 1 for part in parts):
+            raise FormulaError("block takes rows of matrices: [[A, B], [C, D]]", span=span)
+        return of_blocks(self._space, [[self._block_of(part, span) for part in row] for row in rows], parts, span)
+
+    def _block_of(self, value: Value, span: Span) -> Tensor[Tree]:
+        is_array = bool(self._space.sized(value).shape)
+        return self._space.opened(value, span) if is_array else Tensor((), (value.tree,))
 
     def _unread(self, node: ast.AST) -> str:
         said = _UNREAD.get(type(node))

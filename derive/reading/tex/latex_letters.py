@@ -6,6 +6,7 @@ letter occurs in two ways, or where a symbol has such a name, and dropped elsewh
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -29,6 +30,8 @@ DECORATIONS = MappingProxyType(
 SAYS_NOTHING = frozenset({"\\vec", "\\underline", "\\overrightarrow", "\\mathring"})  # arrows and lines of vectors
 _OF_TIME = frozenset({"k", "n", "i", "j", "t"})
 _SIGNS = MappingProxyType({"|": "_", "-": "m", "+": "p", "/": "_", "(": "", ")": "", ",": "_"})
+
+_SHIFTED = re.compile(r"[kntij][mp]\d+")  # as the index k-1 or k+1 is spelled in a name
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,18 +87,33 @@ class Names:
             yield from plain
         else:
             full = list(_decorated(letter))
-            is_alone = len(self._ways.get((letter.base, letter.below), ())) <= 1
+            is_alone = len(self._ways.get((letter.base, letter.below), ())) <= 1 and not self._is_of_another_time(
+                letter
+            )
             if is_alone and not any(name in self._known for name in full):
                 yield from plain
             else:
                 yield from full
+                yield from plain
         if not self._strangers and letter.below in _OF_TIME and len(self._indices.get(letter.base, ())) <= 1:
             yield letter.base
+
+    def _is_of_another_time(self, letter: Letter) -> bool:
+        """Whether a letter is one of k + 1 or k - 1, and the same letter of k stands beside it."""
+        beside = {f"{letter.below}_{index}".strip("_") for index in _OF_TIME}
+        is_shifted = any(_SHIFTED.fullmatch(word) for word in letter.decorations)
+        return is_shifted and not beside.isdisjoint(self._indices.get(letter.base, ()))
 
 
 def full_name(letter: Letter) -> str:
     """The name of a letter with all that decorates it."""
     return next(iter(_decorated(letter) if letter.decorations else _plain(letter.base, letter.below)))
+
+
+def possible_names(letter: Letter) -> Iterator[str]:
+    """The names that a letter may have, with what decorates it and without."""
+    yield from _plain(letter.base, letter.below)
+    yield from _decorated(letter) if letter.decorations else ()
 
 
 def spelled(sign: str) -> str:

@@ -39,7 +39,11 @@ FUNCTIONS = MappingProxyType(
     }
 )
 VERB_WORDS = MappingProxyType(
-    {name: name for name in ("det", "diag", "expm", "eye", "inv", "outer", "trace", "transpose") if name in VERBS}
+    {
+        name: name
+        for name in VERBS
+        if name in {"det", "diag", "expm", "eye", "inv", "norm", "outer", "trace", "transpose"}
+    }
     | {"tr": "trace", "Tr": "trace"}
 )
 BOLD = frozenset({"\\mathbf", "\\boldsymbol", "\\bm", "\\pmb", "\\bf"})
@@ -54,6 +58,7 @@ _SAME = MappingProxyType(
     {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\lbrack": "[", "\\rbrack": "]", "\\lparen": "(", "\\rparen": ")"}
 )
 _BEGIN = "\\begin"
+_DOUBLE = frozenset({"\\|", "\\Vert"})
 _BRACKETS = frozenset(CLOSERS) | frozenset(CLOSERS.values())
 
 _PIECE = re.compile(
@@ -63,11 +68,12 @@ _PIECE = re.compile(
             |limits|nolimits|hfill|strut|relax|mathop|mathrel|mathord|mathstrut)(?![A-Za-z])
         | \\(?:hspace|vspace|phantom|hphantom|vphantom|mspace)\*?\s*\{[^{}]*\}
         | \\(?:text|mbox|textrm)\s*\{\s*[.,;]?\s*\}
+        | (?:(?<=\\\|)|(?<=Vert))_(?:2(?!\d)|\{2\})
         | \\(?:left|right|[bB]igg?[lrm]?)(?![A-Za-z])
-          (?=\s*(?:[()\[\]]|\\[{}]|\\[lr](?:vert|brace|brack|paren)(?![A-Za-z]))) )
-    | (?P<left_bar> \\(?:left|[bB]igg?l)\s*(?:\||\\vert(?![A-Za-z])) )
-    | (?P<right_bar> \\(?:right|[bB]igg?r)\s*(?:\||\\vert(?![A-Za-z])) )
-    | (?P<bar> \||\\vert(?![A-Za-z]) )
+          (?=\s*(?:[()\[\]]|\\[{}]|\\[lr](?:[vV]ert|brace|brack|paren)(?![A-Za-z]))) )
+    | (?P<left_bar> \\lVert(?![A-Za-z]) | \\(?:left|[bB]igg?l)\s*(?:\\?\||\\[vV]ert(?![A-Za-z])) )
+    | (?P<right_bar> \\rVert(?![A-Za-z]) | \\(?:right|[bB]igg?r)\s*(?:\\?\||\\[vV]ert(?![A-Za-z])) )
+    | (?P<bar> \\?\||\\[vV]ert(?![A-Za-z]) )
     | (?P<environment> \\(?:begin|end)\s*\{\s*(?P<kind>[A-Za-z]+)\s*\}
         (?:(?<=array\})\s*\{(?:[lcr|@*\d\s]|\{[^{}]*\})*\})? )
     | (?P<newline> \\\\(?:\s*\[\s*-?[\d.]+\s*[a-z]{2}\s*\])? )
@@ -93,6 +99,7 @@ _COMMANDS = MappingProxyType(
     | {"\\sum": "bigsum", "\\int": "integral", "\\over": "over"}
     | dict.fromkeys(("\\mid", "\\vert"), "bar")
     | dict.fromkeys(("\\circ", "\\degree"), "degree")
+    | dict.fromkeys(("\\abs", "\\norm"), "bars")
 )
 _SIGNS = MappingProxyType(
     {
@@ -103,6 +110,7 @@ _SIGNS = MappingProxyType(
         "^": "raised",
         "_": "lowered",
         ",": "comma",
+        ";": "semicolon",
         "&": "column",
         "'": "prime",
         "=": "equals",
@@ -117,7 +125,6 @@ _UNREAD = MappingProxyType(
     | dict.fromkeys(("\\left", "\\right", "\\middle"), "a bracket follows it: ( ) [ ] \\{ \\} or |")
     | dict.fromkeys(("\\text", "\\textrm", "\\mbox"), "it holds one word of letters and digits")
     | dict.fromkeys(("\\tag", "\\label"), "leave it out")
-    | dict.fromkeys(("\\|", "\\Vert", "\\lVert", "\\rVert"), "norms are not read: write the root of a sum of squares")
     | {
         "\\lg": "write \\frac{\\ln x}{\\ln 10}",
         "\\div": "write \\frac{...}{...}",
@@ -139,12 +146,12 @@ class Piece:
 
 
 def pieces(source: str) -> list[Piece]:
-    """Everything in a formula that is printed, in order; bars are told apart into opening and closing ones.
+    """Everything in a formula that is printed, in order.
 
     Raises:
         FormulaError: for the first thing that formulas do not use.
     """
-    return list(_sided(_piece(found) for found in _PIECE.finditer(source) if found.lastgroup != "space"))
+    return [_piece(found) for found in _PIECE.finditer(source) if found.lastgroup != "space"]
 
 
 def _piece(found: re.Match[str]) -> Piece:
@@ -172,7 +179,7 @@ def _piece(found: re.Match[str]) -> Piece:
     return Piece(kind, text, found.span())
 
 
-def _sided(found: Iterable[Piece]) -> Iterator[Piece]:
+def sided(found: Iterable[Piece]) -> Iterator[Piece]:
     """Tell plain bars apart: one closes when the innermost open bracket is a plain bar, else it opens.
 
     In a subscript, as in k|k-1, a bar is neither.
@@ -181,13 +188,14 @@ def _sided(found: Iterable[Piece]) -> Iterator[Piece]:
     before = ""
     for piece in found:
         kind, text = piece.kind, piece.text
-        if kind == "bar" and ("subscript" in waiting or before == "lowered"):
+        if kind == "bar" and text not in _DOUBLE and ("subscript" in waiting or before == "lowered"):
             kind, text = "given", "|"
+        bar = "norm" if text in _DOUBLE else "bar"
         if kind == "bar":
-            closes = bool(waiting) and waiting[-1] == "bar"
+            closes = bool(waiting) and waiting[-1] == bar
             kind, text = ("close", "\\rvert") if closes else ("open", "\\lvert")
         if kind == "open":
-            waiting.append("subscript" if before == "lowered" else piece.kind)
+            waiting.append("subscript" if before == "lowered" else bar if piece.kind == "bar" else piece.kind)
         elif kind == "close" and waiting:
             waiting.pop()
         before = kind

@@ -30,6 +30,8 @@ def rewritten(found: list[Piece]) -> list[Piece]:
     """
     steps: tuple[Callable[[list[Piece]], list[Piece]], ...] = (
         _with_degrees,
+        _with_bars,
+        _with_rows,
         _without_fonts,
         _without_braces,
         _with_decorations,
@@ -81,6 +83,58 @@ def _with_degrees(found: list[Piece]) -> list[Piece]:
         result[start:] = [Piece("fraction", "\\frac", span), *_braced(above), *_braced(below)]
         index = end
     return result
+
+
+def _with_bars(found: list[Piece]) -> list[Piece]:
+    r"""\norm{...} and \abs{...} as |...|.
+
+    Raises:
+        FormulaError: where no brace follows.
+    """
+    if not any(piece.kind == "bars" for piece in found):
+        return found
+    pairs, result = partners(found), list(found)
+    for index, piece in enumerate(found):
+        if piece.kind == "bars":
+            if index + 1 not in pairs or found[index + 1].text != "{":
+                raise FormulaError(f"{piece.text} takes what follows in braces: {piece.text}{{r}}", span=piece.span)
+            for at, bar in ((index + 1, "\\lvert"), (pairs[index + 1], "\\rvert")):
+                result[at] = replace(found[at], text=bar)
+    return [piece for piece in result if piece.kind != "bars"]
+
+
+def _with_rows(found: list[Piece]) -> list[Piece]:
+    r"""[a, b; c, d] as a matrix.
+
+    Raises:
+        FormulaError: for a semicolon elsewhere.
+    """
+    pairs, result = partners(found), list(found)
+    for opener, marks in _parting(found).items():
+        first = next((mark for mark in marks if found[mark].kind == "semicolon"), None)
+        if first is None:
+            continue
+        if opener < 0 or found[opener].text != "[":
+            raise FormulaError("; is not read: rows are parted by it in [a, b; c, d] only", span=found[first].span)
+        for index, text in ((opener, "\\begin{bmatrix}"), (pairs[opener], "\\end{bmatrix}")):
+            result[index] = replace(found[index], text=text)
+        for mark in marks:
+            result[mark] = replace(found[mark], kind="newline" if found[mark].kind == "semicolon" else "column")
+    return result
+
+
+def _parting(found: Sequence[Piece]) -> dict[int, list[int]]:
+    """The commas and semicolons that stand directly in each bracket, by where that opens; -1 for those in none."""
+    opened = [-1]
+    marks: dict[int, list[int]] = {}
+    for index, piece in enumerate(found):
+        if piece.kind == "open":
+            opened.append(index)
+        elif piece.kind == "close":
+            opened.pop()
+        elif piece.kind in {"comma", "semicolon"}:
+            marks.setdefault(opened[-1], []).append(index)
+    return marks
 
 
 def _without_fonts(found: list[Piece]) -> list[Piece]:

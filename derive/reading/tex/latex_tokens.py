@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from functools import cached_property
 
 from lark import Token
@@ -20,10 +21,18 @@ from radartrack.derive.formula.limits import MAX_PRINTED, check_count
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.unknown_names import unknown_function, unknown_name
 from radartrack.derive.reading.tex.latex_arguments import before_deviations
-from radartrack.derive.reading.tex.latex_letters import DECORATIONS, SAYS_NOTHING, Letter, Names, spelled
+from radartrack.derive.reading.tex.latex_letters import (
+    DECORATIONS,
+    SAYS_NOTHING,
+    Letter,
+    Names,
+    possible_names,
+    spelled,
+)
 from radartrack.derive.reading.tex.latex_phases import with_phases
-from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces, sided
 from radartrack.derive.reading.tex.latex_rewriting import partners, rewritten
+from radartrack.derive.reading.tex.latex_times import with_times
 
 _BRACKET_TOKENS = {
     **dict.fromkeys(("(", "[", "\\{"), "LPAR"),
@@ -52,6 +61,7 @@ _OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAM
 _INVISIBLE = frozenset({"{", "}"})
 _IN_SUBSCRIPTS = frozenset({"letter", "digit", "greek", "accent", "word"})
 _OF_INDICES = frozenset({"given", "plus", "minus", "slash"})  # k|k-1, k/k
+_COORDINATES = frozenset("xyz")
 MOST_ACCENTS = 4  # over one letter
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
 _SINGLE = frozenset({"digit", "letter", "greek", "word"})  # what may be an argument without braces
@@ -73,7 +83,8 @@ class LatexTokens:
     def __init__(
         self, source: str, known: frozenset[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
     ) -> None:
-        self._tokenizer = _Tokenizer(rewritten(pieces(source)), known, shapes, strangers=strangers)
+        found = list(sided(with_times(pieces(source), known)))
+        self._tokenizer = _Tokenizer(rewritten(found), known, shapes, strangers=strangers)
         self._tokens = self._tokenizer.run()
         self._strangers = strangers
         self._known = known
@@ -85,8 +96,18 @@ class LatexTokens:
 
     @property
     def only_letter(self) -> Letter | None:
-        """The letter that the formula is, if it is nothing else."""
-        return self._tokenizer.letters.get(0) if len(self._tokens) == 1 else None
+        r"""The letter that the formula is, if it is nothing else; R^{12} is R_{12}, and \sigma_x^2 is \sigma_{xx}."""
+        letter = self._tokenizer.letters.get(0)
+        kinds = [token.type for token in self._tokens]
+        if letter is None or kinds == ["NAME"]:
+            return letter if len(kinds) == 1 else None
+        if kinds != ["NAME", "RAISED", "LBRACE", "NUMBER", "RBRACE"]:
+            return None
+        raised = str(self._tokens[3])
+        if raised == "2" and letter.base == "sigma" and letter.below in _COORDINATES:
+            return replace(letter, below=2 * letter.below)
+        is_place = len(raised) == 2 and raised.isdigit()
+        return replace(letter, below=f"{letter.below}_{raised}".strip("_")) if is_place else None
 
     def named(self, names: Names, defined: Collection[str] = ()) -> list[Token]:
         """The tokens, with names for the letters.
@@ -168,6 +189,7 @@ class _Tokenizer:
             "fraction": self._fraction,
             "root": self._root,
             "bigsum": self._sum,
+            "prime": self._prime,
         }
         return handlers.get(piece.kind, self._sign)
 
@@ -199,7 +221,7 @@ class _Tokenizer:
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
         if len(run) > 1 and run in WORDS:
             raise FormulaError(f"{run} is a product of letters here: write \\{run} for the function", span=span)
-        if len(run) > 1 and run in self.names:
+        if len(run) > 1 and run in self.names and not (self._is_period(index) and run[0] == "d"):
             raise FormulaError(f"{run} is a product of letters here: write \\mathrm{{{run}}} for the symbol", span=span)
         if run == "e" and self._kind(index - 1) == "digit" and self._touches(index) and self._is_signed_digit(after):
             raise FormulaError(
@@ -216,22 +238,45 @@ class _Tokenizer:
     def _symbol(self, index: int) -> int:
         """A letter with all that is over, below and beside it."""
         letter, after = self._letter_at(index)
+        is_transposed = self._is_primed_array(letter, index)
+        if is_transposed:
+            letter = replace(letter, decorations=tuple(word for word in letter.decorations if word != "prime"))
+        elif letter.is_bold and "prime" in letter.decorations:
+            raise FormulaError(
+                "a prime at a matrix may mean its transpose or another matrix: write ^{\\top}, or another letter",
+                span=letter.span,
+            )
         self.letters[len(self.tokens)] = letter
         self._emit("NAME", letter.base, letter.span)
+        if is_transposed:
+            self._emit("TRANSPOSED", "T", letter.span)
         return after
+
+    def _is_primed_array(self, letter: Letter, index: int) -> bool:
+        """Whether a prime is the transpose of an array that is defined without one: F P F' beside F = [...]."""
+        if letter.decorations.count("prime") != 1:
+            return False
+        plain = replace(letter, decorations=tuple(word for word in letter.decorations if word != "prime"))
+        array = next((name for name in (letter.base, *possible_names(plain)) if name in self.shapes), None)
+        if array is None or not self.names.isdisjoint(set(possible_names(letter)) - set(possible_names(plain))):
+            return False
+        said = self.pieces[index].text
+        places = (at for at, piece in enumerate(self.pieces) if piece.text == said)
+        return bool(self.shapes[array]) or any(self._kind(at + 1) != "prime" for at in places)
 
     def _letter_at(self, index: int) -> tuple[Letter, int]:
         base, decorations, below, after = self._base(index)
         if index not in self.alone:
             joined = self._joined(index, after)
-            base = base if joined == after else f"{base}_{self._base(after)[0]}"
+            base = base if joined == after else f"{base}{'' if base == 'd' else '_'}{self._base(after)[0]}"
             after = joined
             after = self._primes(after, decorations)
             if not below:
                 below, after = self._subscript_behind(after, decorations)
                 after = self._primes(after, decorations)
-            if _is_of_time(below):
-                decorations, below = [*decorations, _as_name(below)], ""
+            before, _, time = below.rpartition("_")
+            if _is_of_time(time):
+                decorations, below = [*decorations, _as_name(time)], before
         piece = self.pieces[index]
         letter = Letter(
             base,
@@ -242,20 +287,29 @@ class _Tokenizer:
             is_applied=self._kind(after) == "open",
             is_bold=piece.is_bold,
         )
-        if letter.is_bold and "prime" in decorations:
-            raise FormulaError(
-                "a prime at a matrix may mean its transpose or another matrix: write ^{\\top}, or another letter",
-                span=letter.span,
-            )
         return letter, after
 
     def _joined(self, index: int, after: int) -> int:
-        r"""Where \Delta t ends, or \delta t, which is one symbol unless there is one called Delta."""
+        r"""Where \Delta t ends, \delta t or dt, which is one symbol unless there is one called Delta or d."""
         said = self.pieces[index].text
+        if said == "d" and self._is_period(index) and "d" not in self.names and self._d_is_of_time:
+            return after + 1
         is_time = self._kind(after) == "letter" and self.pieces[after].text in {"t", "T"}
         if said == "\\Delta" and "Delta" not in self.names and self._kind(after) in {"letter", "greek"}:
             return after + 1
         return after + 1 if said == "\\delta" and "delta" not in self.names and is_time else after
+
+    def _is_period(self, index: int) -> bool:
+        """Whether dt stands here, without a space."""
+        return (
+            self._kind(index + 1) == "letter" and self.pieces[index + 1].text in {"t", "T"} and self._touches(index + 1)
+        )
+
+    @cached_property
+    def _d_is_of_time(self) -> bool:
+        """Whether each d of the formula stands before a time, so that none is a letter of its own."""
+        ds = (at for at, piece in enumerate(self.pieces) if piece.kind == "letter" and piece.text == "d")
+        return all(map(self._is_period, ds))
 
     def _primes(self, index: int, decorations: list[str]) -> int:
         while self._kind(index) == "prime":
@@ -366,6 +420,13 @@ class _Tokenizer:
         is_braced = self._kind(index + 1) == "open"
         return bool(inside) and inside[0].text == "T" and (not is_braced or self._argument_end(index) == index + 4)
 
+    def _prime(self, index: int) -> int:
+        """A prime behind a bracket or a matrix, which are transposed by it; behind a letter it is part of its name."""
+        if not index or self.pieces[index - 1].kind != "close":
+            return self._sign(index)
+        self._emit("TRANSPOSED", "T", self.pieces[index].span)
+        return index + 1
+
     def _raised(self, index: int) -> int:
         if self._exponent_is_t(index) and self._is_of_matrix(index):
             end = self._argument_end(index)
@@ -384,7 +445,9 @@ class _Tokenizer:
         """Whether a T that is raised is no symbol, judged by what it is raised behind."""
         before = self.pieces[index - 1] if index else self.pieces[index]
         letter = self.letters.get(len(self.tokens) - 1)
-        is_array = letter is not None and (letter.is_bold or letter.base in self.shapes)
+        is_array = letter is not None and (
+            letter.is_bold or not self.shapes.keys().isdisjoint({letter.base, *possible_names(letter)})
+        )
         if is_array or before.text == "]" or before.text.startswith("\\end"):
             return True
         if "T" in self.names:

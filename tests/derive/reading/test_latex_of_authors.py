@@ -263,3 +263,164 @@ def test_a_display_behind_a_brace_is_its_equations(display: str):
 @pytest.mark.parametrize("name", [r"\operatorname{arctan2}", r"\mathrm{atan2}"])
 def test_the_angle_of_two_coordinates_by_either_name(name: str):
     assert echo(rf"{name}\left(y, x\right)") == "atan2(y, x)"
+
+
+BARS = (
+    (r"\|", r"\|"),
+    (r"\lVert", r"\rVert"),
+    (r"\Vert", r"\Vert"),
+    (r"\left\|", r"\right\|"),
+    (r"\left\Vert", r"\right\Vert"),
+    (r"\bigl\|", r"\bigr\|"),
+    (r"\|", r"\|_2"),
+    (r"\lVert", r"\rVert_{2}"),
+    ("|", "|"),
+    (r"\left|", r"\right|"),
+    (r"\norm{", "}"),
+    (r"\abs{", "}"),
+)
+
+
+@pytest.mark.parametrize(("opening", "closing"), BARS)
+def test_bars_around_a_vector_are_its_length_and_around_a_number_its_magnitude(opening: str, closing: str):
+    def read(inside: str) -> str:
+        latex = rf"\frac{{x}}{{{opening} {inside} {closing}^2}}"
+        return to_text(read_latex(latex, (*KNOWN, "p"), {"p": (2,)}))
+
+    for vector in ("p", r"\mathbf{p}", r"\vec p"):
+        assert read(vector) == "x/norm(p)**2"
+    assert read(r"x - y") == "x/abs(x - y)**2"
+    assert read(r"[x, y]") == "x/norm([x, y])**2"
+
+
+def test_bars_of_both_kinds_are_told_apart():
+    assert to_text(read_latex(r"\| |x| p \|", (*KNOWN, "p"), {"p": (2,)})) == "norm(abs(x)*p)"
+
+
+@pytest.mark.parametrize("raised", ["^T", r"^{\top}", r"^{\mathsf T}"])
+@pytest.mark.parametrize("vector", ["e_r", r"e_{r}", r"\hat e_r", "p"])
+def test_a_t_behind_a_letter_that_is_an_array_is_a_transpose_whatever_its_subscript(vector: str, raised: str):
+    shapes = {"e_r": (2,), "p": (2,)}
+    name = "p" if vector == "p" else "e_r"
+    tree = read_latex(f"{vector} {vector}{raised}", (*KNOWN, *shapes), shapes)
+    assert to_text(tree) == f"{name}*{name}.T"
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"[1, T; 0, 1]", "[[1, T], [0, 1]]"),
+        (r"\left[ 1,\, T;\; 0,\, 1 \right]", "[[1, T], [0, 1]]"),
+        (r"q[\frac{T^3}{3}, \frac{T^2}{2}; \frac{T^2}{2}, T]", "q*[[T**3/3, T**2/2], [T**2/2, T]]"),
+        (r"[x; y]", "[x, y]"),
+        (r"[1, T; 0, 1][x; y]", "[[1, T], [0, 1]]*[x, y]"),
+        (r"[1, T; 0, 1]^T", "[[1, T], [0, 1]].T"),
+    ],
+)
+def test_rows_of_a_matrix_may_be_parted_by_semicolons(latex: str, text: str):
+    assert echo(latex) == text
+
+
+@pytest.mark.parametrize("latex", ["r; 1", r"\cos(r; 1)", r"\{r; 1\}", "[x, (y; r)]"])
+def test_a_semicolon_elsewhere_is_refused(latex: str):
+    assert "rows are parted by it in [a, b; c, d] only" in refusal(latex) or "is not read" in refusal(latex)
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        ("dt", "dt"),
+        (r"\frac{dt^2}{2}", "dt**2/2"),
+        (r"e^{-Kdt}", "e**(-K*dt)"),
+        (r"\frac{\sin\omega dt}{\omega} + dT", "sin(omega*dt)/omega + dT"),
+        (r"d t + d", "d*t + d"),
+        (r"dt + d^2", "d*t + d**2"),
+        (r"\int_0^{dt} q\,ds", "integral(q, s, 0, dt)"),
+    ],
+)
+def test_dt_is_one_letter_unless_there_is_one_called_d(latex: str, text: str):
+    assert to_text(read_latex(latex, None)) == text
+    assert to_text(read_latex("dt", ("d", "t"))) == "d*t"
+    assert to_text(read_latex("dt", ("dt", "t"))) == "dt"
+
+
+@pytest.mark.parametrize("matrix", [r"\Gamma", "F", r"\mathbf{F}", r"\tilde F", "F_c"])
+@pytest.mark.parametrize("prime", ["'", r"^{\prime}", r"^\prime"])
+def test_a_prime_behind_an_array_is_its_transpose(matrix: str, prime: str):
+    """So Bar-Shalom prints it."""
+    name = {r"\Gamma": "Gamma", "F_c": "F_c"}.get(matrix, "F")
+    shapes = {name: (2, 1)}
+    latex = f"{matrix} q {matrix}{prime}"
+    assert to_text(read_latex(latex, (*KNOWN, *shapes), shapes)) == f"{name}*q*{name}.T"
+    together = rf"{latex},\quad {matrix} = \begin{{bmatrix}} T & 1 \\ 0 & T \end{{bmatrix}}"
+    assert echo(together) == "[[T, 1], [0, T]]*q*[[T, 1], [0, T]].T"
+
+
+def test_a_prime_is_part_of_the_name_where_a_name_has_one():
+    shapes = {"F": (2, 2), "F_prime": (2, 2)}
+    assert to_text(read_latex("F F'", shapes, shapes)) == "F*F_prime"
+    assert to_text(read_latex(r"x + \lambda'", ("x", "lambda", "lambda_prime"))) == "x + lambda_prime"
+    assert to_text(read_latex("F x'", ("F", "x", "x_prime"), {"F": (2, 2)}, strangers=True)) == "F*x_prime"
+    assert "may mean its transpose or another matrix" in refusal(r"\mathbf{F}\mathbf{F}'")
+
+
+HALF = ("x", "q", "y")
+
+
+@pytest.mark.parametrize(
+    "left",
+    [
+        ("R_a^{11}", "R_a^{12}", "R_a^{22}"),
+        ("R^{11}_L", "R^{12}_L", "R^{22}_L"),
+        ("R^{11}", "R^{12}", "R^{22}"),
+        ("R_{xx}", "R_{xy}", "R_{yy}"),
+        ("R_{xx}", "R_{yx}", "R_{yy}"),
+        ("P_{xx}", "P_{xz}", "P_{zz}"),
+        (r"\sigma_x^2", r"\sigma_{xy}", r"\sigma_y^2"),
+        (r"\sigma_{x}^{2}", r"\sigma_{xy}", r"\sigma^2_y"),
+    ],
+)
+def test_entries_of_a_covariance_are_named_in_many_ways(left: tuple[str, ...]):
+    rows = r" \\ ".join(f"{name} &= {entry}" for name, entry in zip(left, HALF, strict=True))
+    assert echo(rf"\begin{{align}} {rows} \end{{align}}") == "[[x, q], [q, y]]"
+
+
+def test_names_that_are_no_entries_make_a_vector():
+    assert echo(r"d_{xx} = x, \quad d_{yy} = y") == "[x, y]"
+    assert echo(r"\sigma_x^2 = x, \quad \sigma_y^2 = y") == "[x, y]"
+
+
+TIMES = ("k", "n", "t", "k+1", "k-1", "k|k", r"k\mid k-1", "k/k-1", "1", r"t \,")
+
+
+@pytest.mark.parametrize("time", TIMES)
+def test_one_time_in_brackets_behind_every_letter_says_nothing(time: str):
+    latex = rf"r^2({time})\cos\theta({time}) + \hat{{x}}_m({time})\mathbf{{y}}\left({time}\right) + \dot q({time})"
+    assert to_text(read_latex(latex, None)) == "r**2*cos(theta) + x_m*y + qdot"
+    assert to_text(read_latex(rf"r({time})\cos\theta({time})", ("r", "theta"))) == "r*cos(theta)"
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"\frac{z(1) - z(0)}{T}", "(z_1 - z_0)/T"),
+        (r"\frac{z(k) - z(k-1)}{T}", "(z_k - z_km1)/T"),
+        (r"\frac{z_{k} - z_{k-1}}{T}", "(z_k - z_km1)/T"),
+        (r"x_m(k+1) - x_m(k)", "x_kp1_m - x_m_k"),
+        (r"x_{m,k+1} - x_{m,k}", "x_kp1_m - x_m_k"),
+        (r"x^2_{m}(k+1) - x_m^2(k)", "x_kp1_m**2 - x_m_k**2"),
+        (r"x(k) + \dot{x}(k) T(k)", "x + xdot*T"),
+        (r"\frac{2(2k-1)}{k(k+1)}", "2*(2*k - 1)/(k*(k + 1))"),
+        (r"N(N+1) + r(k) + k", "N*(N + 1) + r*k + k"),
+        (r"\sum_{j=1}^{k} (j+1)", "sum(j + 1, j, 1, k)"),
+        (r"\frac{a}{b}(k)", "a/b*k"),
+        (r"\cos(k)", "cos(k)"),
+        (r"(x + y)(k)", "(x + y)*k"),
+    ],
+)
+def test_several_times_in_brackets_tell_letters_apart_and_factors_stay_factors(latex: str, text: str):
+    assert to_text(read_latex(latex, None)) == text
+
+
+def test_a_bracket_with_a_symbol_is_a_factor():
+    assert to_text(read_latex("r(k)", ("r", "k"))) == "r*k"

@@ -204,9 +204,9 @@ def test_every_node_knows_where_it_stood():
         ("[[[[r]]]]", "arrays are nested at most 3 deep", "[[[[r]]]]"),
         ("1 + [r, k]", "a scalar and an array of shape (2,) cannot be added", "1 + [r, k]"),
         (
-            "[r, k]*[r, k]",
-            "an array of shape (2,) and an array of shape (2,) cannot be multiplied: the columns",
-            "[r, k]*[r, k]",
+            "[r, k]*[r, k, 1]",
+            "an array of shape (2,) and an array of shape (3,) cannot be multiplied: the columns",
+            "[r, k]*[r, k, 1]",
         ),
         ("1/[r, k]", "a vector or matrix cannot stand in a denominator, a power or a function", "1/[r, k]"),
         ("[r, k]**2", "a power of a matrix needs as many rows as columns, this is an array of shape (2,)", "[r, k]**2"),

@@ -14,6 +14,9 @@ from radartrack.cli import app
         (["(d*s_az*cos(az))^2 + (s_d*sin(az))^2"], 0, "polar.covariance.linear[1,1] when rho = 0: proved"),
         (["-R*cos(theta)*s_theta^2/1.9"], 1, "near: at most"),
         (["a*b + c*d + f*g"], 1, "No quantity"),
+        (["|c|"], 1, "No quantity"),
+        (["[1, t2 - t1; 0, 1]"], 0, "motion.constant_velocity.transition with T for t2 - t1: proved"),
+        (["--latex", r"e^{-\alpha(t_k-t_{k-1})}"], 0, "motion.singer.transition[2,2] with T for t_k - t_km1: proved"),
         (["r*cos("], 2, "( is never closed"),
     ],
 )

@@ -13,12 +13,17 @@ from radartrack.derive.formula.tree import names as names_of
 from radartrack.derive.formula.written_out import written_out
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.reading.any_letters import read_loosely
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS
 from radartrack.derive.reading.unit_text import measured
 
 WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 _APPLIED = re.compile(
     r"(?<![\w.\\])(?:\\[a-z]+\{)?\\?(?P<name>[A-Za-z_]\w*)\}?(?P<applied>\s*\(\s*\\?(?P<argument>[A-Za-z_]\w*)\s*\))"
+)
+_FUNCTION = re.compile(
+    r"(?<![\w.\\])\\?(?!left|right|[bB]ig)(?P<name>[A-Za-z]\w*)\}?"
+    r"(?P<applied>\s*(?:\\left\s*)?\(\s*\{?\s*\\?(?P<argument>[A-Za-z]\w*)\s*\}?\s*(?:\\right\s*)?\))"
 )
 
 
@@ -31,6 +36,19 @@ def without_arguments(text: str, let: Mapping[str, str]) -> str:
         return found.group().removesuffix(found["applied"]) + " " * len(found["applied"])
 
     return _APPLIED.sub(replaced, text) if let else text
+
+
+def without_function_arguments(text: str) -> str:
+    r"""LaTeX where N(\phi) is N, if N stands nowhere else; each place stays as it was."""
+    applied = [found for found in _FUNCTION.finditer(text) if found["name"] not in FUNCTIONS]
+    for name in {found["name"] for found in applied}:
+        own = [found for found in applied if found["name"] == name]
+        is_alone = len(re.findall(rf"(?<![A-Za-z]){name}(?![A-Za-z])", text)) == len(own)
+        if is_alone and len({found["argument"] for found in own}) == 1:
+            for found in own:
+                start, end = found.span("applied")
+                text = text[:start] + " " * (end - start) + text[end:]
+    return text
 
 
 class LooseDefinitions:

@@ -1,9 +1,9 @@
 """Which symbols the letters of a formula may stand for, one to one, the likeliest first.
 
 A name that carries a meaning binds; only letters without one are free. Numbered letters keep their order: P1 and P2 are
-never the deviations of the second and the first. A letter may stand for the square of a
-deviation, where it is a variance, for the root of a variance, where it is a deviation, or for the inverse of a rate,
-where it is a time constant.
+never the deviations of the second and the first, nor z_k and z_{k-1} the first and the second plot. A letter may stand
+for the square of a deviation, where it is a variance, for the root of a variance, where it is a deviation, or for the
+inverse of a rate, where it is a time constant.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ PER_SECOND = "1/s"
 TIME_CONSTANT = "tau"  # which a period is called as well
 HALF = Fraction(1, 2)
 _NUMBERED = re.compile(r"(?P<stem>\D*)(?P<number>\d{1,9})")
+_OF_TIME = re.compile(r"(?P<stem>\w*_[kntij])(?:(?P<sign>[mp])(?P<shift>\d{1,9}))?")  # z_k, z_km1
 _ORDINALS = {"first": 1, "second": 2, "third": 3}
 
 Symbol = TypeVar("Symbol", bound=Known)
@@ -126,6 +127,9 @@ def keeps_numbers(assigned: Mapping[str, Choice[Symbol]]) -> bool:
 
 def _numbered(name: str) -> tuple[str, int] | None:
     """What a name numbers, and the number: of sigma_2 and of second_covariance."""
+    if found := _OF_TIME.fullmatch(name):
+        shift = int(found["shift"] or 0)
+        return found["stem"], -shift if found["sign"] == "m" else shift
     if found := _NUMBERED.fullmatch(name):
         return found["stem"], int(found["number"])
     ordinal, _, rest = name.partition("_")

@@ -101,7 +101,8 @@ _STRONG = {
     "vy": "vy v_y ydot y_dot doty vel_y vely Vy",
     "vz": "vz v_z zdot z_dot dotz vel_z velz Vz",
     "period": "T dt Dt DT Ts T_s tau delta_t deltat Delta_t Deltat period scan_period dT Delta_T DeltaT",
-    "intensity": "q q_c qc psd q_tilde qtilde",
+    "intensity": "q q_c qc psd q_tilde qtilde spectral_density spectral_intensity noise_density noise_intensity "
+    "noise_diff_coeff noise_diff",
     "count": "k",
     "index": "j",
     "turn_rate": "omega Omega turn_rate turnrate yaw_rate yawrate yawd yaw_dot yawdot psi_dot psidot psid dpsi "
@@ -161,7 +162,10 @@ _DECORATION = re.compile(r"_?(?:hat|tilde|bar|meas|measured|prime|true|0|m|k)$")
 _DEVIATION = re.compile(
     r"(?:sigma|sig|stdev|std|sd|s)_?(?P<of>\w*)$|(?P<before>\w+?)_(?:sigma|std|stdev|sd|dev)$|(?P<joined>\w+)std$"
 )
-_VARIANCE = re.compile(r"(?:var|Var|sigma2|s2|V|D)_(?P<of>\w+)$|(?P<before>\w+?)_(?:var|variance)$|var(?P<joined>\w+)$")
+_VARIANCE = re.compile(
+    r"[vV]ar(?:iance)?$"
+    r"|(?:var|Var|sigma2|s2|V|D)_(?P<of>\w+)$|(?P<before>\w+?)_(?:var|variance)$|var(?P<joined>\w+)$"
+)
 _CORRELATION = re.compile(r"(?:rho|corr|correlation)_(?P<of>\w+)$|corr$|correlation$")
 _SPELT_OUT = re.compile(r"sigma|(?:sig|stdev|std|sd|s|var|Var|s2|V|D)_|\w+_(?:sigma|stdev|std|sd|dev|var|variance)$")
 _PREDICTED = re.compile(r"pred(?:icted)?_(?P<after>\w+)$|(?P<before>\w+)_(?:p|pred|predicted)$")

@@ -30,7 +30,8 @@ from radartrack.derive.checking.question.letters.assignments import (
     stem,
 )
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
-from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, means, says_degrees
+from radartrack.derive.checking.question.letters.elapsed_time import ORIGIN, Elapsed, elapsed
+from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, meaning_of, means, says_degrees
 from radartrack.derive.checking.question.printed_shape import reshaped, spoken, trimmed
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
@@ -47,6 +48,7 @@ from radartrack.derive.symbolic import Expr, Symbol
 POINTS = 2  # at which assignments are tried; those that fit by chance are told by proof
 LONGEST = 40  # characters of a letter; what is longer is a word
 MOST = 5040  # assignments that are tried: all of seven letters
+PERIOD = "period"  # as meanings call it
 KEPT = 5  # assignments of a wrong formula that are looked at closely
 
 
@@ -249,6 +251,8 @@ class Typed:
 
     def _choices(self, name: str, symbols: Sequence[Variable]) -> list[Choice[Variable]]:
         """What a letter may stand for: what it means, a function that it is usual for, or anything."""
+        if self._elapsed and name == self._elapsed.later:
+            return [Choice(one) for one in symbols if meaning_of(one).of == PERIOD]
         usual = [] if means(name, symbols) else [one for one in self._dependents if one.is_called(name)]
         found = [Choice(one.variable, rank=one.rank) for one in usual]
         binds = any(one.rank == STRONG for one in found)
@@ -259,7 +263,16 @@ class Typed:
 
     @cached_property
     def _dependents(self) -> list[Dependent]:
-        return dependents(part.quantity for part in self.reference.parts)
+        earlier = [Dependent(ORIGIN, sp.Integer(0), frozenset({self._elapsed.earlier}))] if self._elapsed else []
+        return [*earlier, *dependents(part.quantity for part in self.reference.parts)]
+
+    @cached_property
+    def _elapsed(self) -> Elapsed | None:
+        """The two times whose difference is the period, where the quantity has one that stands nowhere itself."""
+        periods = {symbol.name for symbol in self.reference.symbols if meaning_of(symbol).of == PERIOD}
+        found = elapsed([*self.entries, *(self.definitions[name] for name in self._needed)])
+        is_free = found is not None and not {found.later, found.earlier} & (self._own.keys() | self.definitions.keys())
+        return found if is_free and periods and periods.isdisjoint(self.used) else None
 
     @cached_property
     def _functions(self) -> dict[Variable, Expr]:

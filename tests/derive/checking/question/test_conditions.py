@@ -71,7 +71,6 @@ def test_a_condition_that_sets_nothing_or_what_cannot_be_is_refused_with_a_word(
         (COVARIANCE, PRINTED + "*rho/sigma_beta", {"sigma_beta": "0"}),
         (COVARIANCE, "log(rho)", {"rho": "0"}),
         (COVARIANCE, "sqrt(rho)", {"rho": "-1"}),
-        ("finite_sample.degree2.range.covariance[1,1]", "sigma_r**2/T**2", {"k": "2"}),
     ],
 )
 def test_under_conditions_in_which_a_formula_has_no_value_nothing_is_decided(
@@ -221,3 +220,27 @@ def test_definitions_may_be_latex() -> None:
     formula = r"\left(\lambda^{-2}-2\right) r^2\cos^2\theta+\frac{1}{2}(r^2+\sigma_r^2)(1+\lambda'\cos 2\theta)"
     let = {r"\lambda": r"e^{-\sigma_\theta^2/2}", r"\lambda'": r"\lambda^{4}"}
     assert check("polar.unbiased.covariance[0,0]", formula, latex=True, let=let, given={"rho": "0"}).is_equal
+
+
+def _of_scans() -> list[tuple[str, int]]:
+    """Quantities of the finite-sample filter, with the fewest scans that determine them."""
+    kinds = ("range.covariance", "range.correlation", "range.range_weights", "range.at_lag.covariance", "gain")
+    found = [(f"finite_sample.degree{degree}.{kind}", degree + 1) for degree in range(4) for kind in kinds]
+    found += [(f"finite_sample.degree{degree}.range_rate.covariance", degree // 2 + 1) for degree in range(4)]
+    return found + [(f"finite_sample.degree{degree}.range.information", 1) for degree in range(4)]
+
+
+@pytest.mark.parametrize(("quantity", "least"), _of_scans())
+def test_fewer_scans_than_determine_a_quantity_are_no_condition(quantity: str, least: int) -> None:
+    entry = f"{quantity}[0]" if "weights" in quantity or "gain" in quantity else f"{quantity}[0,0]"
+    for count in range(-1, least):
+        with pytest.raises(
+            UnreadableClaim, match=f"k = {count} is outside the domain of k: whole numbers from {least}"
+        ):
+            _decided({"k": str(count)}, quantity=entry, formula="1")
+    assert _decided({"k": str(least)}, quantity=entry, formula="1") in {
+        "differs",
+        "wrong_dimensions",
+        "equal",
+        "undecided",
+    }

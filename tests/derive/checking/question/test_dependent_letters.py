@@ -75,3 +75,22 @@ def test_a_slip_in_units_leaves_a_time_constant_what_it_is(formula: str, right: 
     verdict = check("motion.singer.transition", formula)
     assert verdict.reading == ("tau for 1/alpha",)
     assert right in {one.formula for one in verdict.suggestions}
+
+
+@pytest.mark.parametrize("argument", [r"\phi", r"\varphi", r"{\phi}"])
+@pytest.mark.parametrize("opening", ["(", r"\left("])
+def test_a_letter_of_a_letter_in_brackets_is_a_function_where_no_product_is_right(argument: str, opening: str) -> None:
+    closing = opening.replace("(", ")").replace("left", "right")
+    radius = f"N{opening}{argument}{closing}"
+    latex = rf"\left({radius} + h\right)\cos\phi\cos\lambda"
+    assert check(f"{GEODETIC}[0]", latex, latex=True).is_equal
+    wrong = check(f"{GEODETIC}[0]", latex.replace(r"\cos\lambda", r"\sin\lambda"), latex=True)
+    assert not wrong.is_equal
+    assert "phi" not in wrong.suggestions[0].formula.split("cos")[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "latex"), [("motion.singer.transition[2,2]", r"e^{-\alpha(T)}"), ("ruv.map[0]", "r(u)")]
+)
+def test_a_product_that_is_right_stays_one(name: str, latex: str) -> None:
+    assert check(name, latex, latex=True).is_equal

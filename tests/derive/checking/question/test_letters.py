@@ -221,6 +221,9 @@ def test_a_word_that_means_nothing_here_is_asked_for_and_never_taken_for_what_fi
         ("motion.singer.transition[1,2]", "tau_m*(1 - exp(-dt/tau_m))", "tau_m for 1/alpha"),
         ("fusion.variance.two", "P1*P2/(P1 + P2)", "P1 for sigma_1**2"),
         ("motion.turn.known_rate.transition[0,1]", "sin(turn_rate*dt)/turn_rate", "turn_rate for omega"),
+        ("motion.constant_velocity.process_noise.continuous[1,1]", "spectral_density*dt", "spectral_density for q"),
+        ("motion.constant_velocity.process_noise.piecewise[1,1]", "var*dt^2", "var for sigma_w**2"),
+        ("finite_sample.degree0.range.covariance[0,0]", "variance/k", "variance for sigma_r**2"),
     ],
 )
 def test_words_time_constants_and_variances_are_read_as_what_they_are(name: str, formula: str, reading: str) -> None:

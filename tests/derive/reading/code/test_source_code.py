@@ -182,6 +182,9 @@ def test_what_code_does_and_formulas_do_not_is_refused(language: str, code: str,
         ("matlab", "kron(eye(2), [1 dt; 0 1])", BLOCKS),
         ("python", "F = np.array([[1, dt], [0, 1]])\nblock_diag(F, F)", BLOCKS),
         ("python", "np.kron(np.eye(2), [[1, dt], [0, 1]])", BLOCKS),
+        ("python", "F = np.array([[1, dt], [0, 1]])\nZ = np.zeros((2, 2))\nnp.block([[F, Z], [Z, F]])", BLOCKS),
+        ("python", "np.block([[np.array([[1, dt]])], [np.array([[0, 1]])]])", "[[1, dt], [0, 1]]"),
+        ("python", "np.block([[1, dt], [0, 1]])", "[[1, dt], [0, 1]]"),
     ],
     ids=str,
 )
@@ -460,3 +463,15 @@ def test_a_name_that_modules_have_too_is_a_name_where_it_is_assigned(name: str) 
 @pytest.mark.parametrize("code", ["double a, b; a = b = x*x; a + b", "Q[0] = Q[1] = x*x; Q[0] + Q[1]"])
 def test_an_assignment_has_a_value(code: str) -> None:
     assert to_text(read_code(code, "c", ["x"]).tree) == "x*x + x*x"
+
+
+@pytest.mark.parametrize("state", ["x", "state", "x[0:2]", "self.x"])
+@pytest.mark.parametrize("known", [("x", "y"), ("x", "px"), ()])
+def test_what_is_unpacked_is_an_array_though_a_symbol_is_called_so(state: str, known: tuple[str, ...]):
+    code = f"def h(x):\n    px, py = {state}\n    return np.hypot(px, py)"
+    assert to_text(read_code(code, "python", known, strangers=True).tree) == "hypot(px, py)"
+
+
+@pytest.mark.parametrize("code", ["a = 2\npx, py = a\npx", "np.block([x, y])", "np.block([[np.array([x, y]), 1]])"])
+def test_what_is_no_array_is_not_unpacked_and_vectors_are_no_blocks(code: str):
+    assert refusal(code, "python").message.startswith(("as many values as names", "block takes rows of matrices"))

@@ -1,0 +1,105 @@
+"""What print takes for granted about arrays: a·b and x' P x are numbers, and e^{FT} is a matrix."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from math import prod
+from operator import is_
+
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.fold import rebuild
+from radartrack.derive.formula.functions import VERBS
+from radartrack.derive.formula.shape import Shape, product_shape, shapes
+from radartrack.derive.formula.tree import (
+    Array,
+    Call,
+    Constant,
+    Entries,
+    Name,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Tree,
+    children,
+    parts,
+    with_children,
+)
+
+ShapeOf = Callable[[Tree], Shape | None]
+
+
+def with_numbers(tree: Tree, names: Mapping[str, Shape]) -> Tree:
+    """The formula with products of vectors as numbers, bars around a number as its magnitude, powers of e as matrices.
+
+    Args:
+        tree: the formula.
+        names: the shapes of names that stand for arrays.
+    """
+    if not any(_may_be_array(node, names) for node in parts(tree)):
+        return tree
+    known = shapes(defaultdict(tuple, names))
+
+    def shape_of(node: Tree) -> Shape | None:
+        try:
+            return known(node)
+        except FormulaError:  # is told when the whole formula is looked at
+            return None
+
+    return rebuild(tree, lambda node: _changed(node, shape_of))
+
+
+def _may_be_array(node: Tree, names: Mapping[str, Shape]) -> bool:
+    is_name = isinstance(node, Name) and node.name in names
+    return is_name or isinstance(node, Array | Entries) or (isinstance(node, Call) and node.function in VERBS)
+
+
+def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
+    match node:
+        case Call("norm", (argument,)) if shape_of(argument) == ():
+            return replace(node, function="abs")
+        case Product():
+            return _multiplied(node, shape_of)
+        case Sum() | Array() if any(shape_of(part) == () for part in children(node)):
+            return _with_picked(node, children(node), shape_of)
+        case Quotient(_, denominator):
+            return _with_picked(node, (denominator,), shape_of)
+        case Power(Constant("e"), exponent) if len(shape_of(exponent) or ()) == len(("rows", "columns")):
+            return Call("expm", (exponent,), span=node.span)
+        case Power(base, _) if shape_of(base) != (1, 1):  # whose power is one of a matrix as well
+            return _with_picked(node, children(node), shape_of)
+        case Call(function) if function not in VERBS:
+            return _with_picked(node, children(node), shape_of)
+    return node
+
+
+def _with_picked(node: Tree, chosen: Sequence[Tree], shape_of: ShapeOf) -> Tree:
+    """The node with numbers for those of its parts that are arrays of one entry."""
+    new = tuple(_number(part, shape_of(part)) if part in chosen else part for part in children(node))
+    return node if all(map(is_, new, children(node))) else with_children(node, new)
+
+
+def _number(tree: Tree, found: Shape | None) -> Tree:
+    """The entry of an array of one."""
+    return Entries(tree, (0,) * len(found), span=tree.span) if found and prod(found) == 1 else tree
+
+
+def _multiplied(node: Product, shape_of: ShapeOf) -> Tree:
+    """A product in which a vector before another one is a row, and an array of one entry a number before any array."""
+    before: list[Tree] = []
+    for factor in node.factors:
+        so_far, own = (shape_of(_product(before)) if before else ()), shape_of(factor)
+        if not so_far or not own or product_shape(so_far, own) is not None:
+            before.append(factor)
+        elif own == so_far and prod(own) == max(own):
+            before = [Call("transpose", (_product(before),), span=before[0].span), factor]
+        else:
+            before = [_number(_product(before), so_far), _number(factor, own)]
+    is_same = len(before) == len(node.factors) and all(map(is_, before, node.factors))
+    return node if is_same else replace(node, factors=tuple(before))
+
+
+def _product(factors: Sequence[Tree]) -> Tree:
+    return factors[0] if len(factors) == 1 else Product(tuple(factors), span=factors[0].span)
