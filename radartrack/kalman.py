@@ -319,7 +319,7 @@ def update_with(
     second = whole_number("order", order, 1, 2) == 2
     places = sight.order(azimuth_from)
     arrays = real_arrays({"mean": belief.mean, "measured": measured, "noise": noise, **site_of(sight, site)})
-    values, R = measured_values(arrays, len(sight.outputs))
+    values, R = measured_values(arrays["measured"], noise, len(sight.outputs))
     size = len(sight.state)
     if arrays["mean"].shape[-1:] < (size,):
         raise ValueError(f"mean must have at least {size} components, {sight.state}; got shape {arrays['mean'].shape}")
@@ -438,7 +438,7 @@ def run_with(
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     given = {"mean": start.mean, "covariance": start.covariance, "measured": measured, "noise": noise}
     arrays = real_arrays({**given, **site_of(sight, site)})
-    values, R = measured_values(arrays, len(sight.outputs))
+    values, R = measured_values(arrays["measured"], noise, len(sight.outputs))
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
     *leading, scans = common(values.shape[:-1], R.shape[:-2])
@@ -492,5 +492,5 @@ def _measurement(
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
     if mean.ndim and H.shape[1:] != mean.shape[-1:]:  # a single number is refused beside the covariance
         raise ValueError(f"matrix must have {mean.shape[-1]} columns, one a component; got {H.shape[1]}")
-    values, R = measured_values(arrays, len(H))
-    return values, H, R
+    values, R = measured_values(arrays["measured"], noise, len(H))
+    return values, H, R.astype(values.dtype, copy=False)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
@@ -140,8 +140,9 @@ def tracks_first(mean: RealArray, covariance: RealArray, tracks: tuple[int, ...]
     return Belief(first, covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
-def measured_values(arrays: dict[str, RealArray], size: int) -> tuple[RealArray, RealArray]:
-    values, R = arrays["measured"], arrays["noise"]
+def measured_values(values: RealArray, noise: ArrayLike, size: int) -> tuple[RealArray, RealArray]:
+    """Measurements, and R in the type that it was given in, for it is a covariance to the rounding of that."""
+    [R] = real_arrays({"noise": noise}).values()
     require_trailing_shape("noise", R, (size, size))
     require_trailing_shape("measured", values, (size,))
     if np.isinf(values).any():
