@@ -22,7 +22,7 @@ from radartrack._arrays.validation import (
     whole_number,
 )
 from radartrack._filtering.moved_beliefs import carried, with_covariance
-from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic
+from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic, read_geodetic
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
@@ -282,14 +282,13 @@ def _standing(
     attitude: Mapping[str, RealArray],
 ) -> Frame:
     """A frame at a place, its axes given in terms of those of the horizon there, by an attitude."""
-    arrays = {"latitude": latitude, "longitude": longitude, "height": height}
-    places = {name: np.asarray(value, np.float64) for name, value in real_arrays(arrays).items()}
+    places = read_geodetic(latitude, longitude, height)
     speeds = np.asarray(real_arrays({"velocity": velocity})["velocity"], np.float64)
     require_trailing_shape("velocity", speeds, (3,))
     require_within("velocity", speeds, RATE)
-    broadcast_shape({**places, **attitude, "velocity": speeds[..., 0]})
-    origin = ecef_from_geodetic(places["latitude"], places["longitude"], places["height"], ellipsoid=ellipsoid)
-    horizon = formulas.enu_from_ecef_jacobian(latitude=places["latitude"], longitude=places["longitude"])
+    broadcast_shape({**places._asdict(), **attitude, "velocity": speeds[..., 0]})
+    origin = ecef_from_geodetic(*places, ellipsoid=ellipsoid)
+    horizon = formulas.enu_from_ecef_jacobian(latitude=places.latitude, longitude=places.longitude)
     return Frame(origin, turned @ horizon, _rotated(np.swapaxes(horizon, -1, -2), speeds))
 
 
