@@ -261,11 +261,23 @@ def read_geodetic(latitude: ArrayLike, longitude: ArrayLike, height: ArrayLike) 
     return Geodetic(**doubled)
 
 
-def _read_covariance(covariance: ArrayLike, position: RealArray) -> RealArray:
-    errors = np.asarray(real_arrays({"covariance": covariance})["covariance"], np.float64)
-    require_trailing_shape("covariance", errors, (3, 3))
-    require_covariance("covariance", errors)
+def read_covariance(covariance: ArrayLike, size: int) -> RealArray:
+    """A covariance in float64, which it is to the rounding of the type that it was given in.
+
+    Raises:
+        TypeError, ValueError: it is none, or of another shape.
+
+    """
+    [given] = real_arrays({"covariance": covariance}).values()
+    require_trailing_shape("covariance", given, (size, size))
+    require_covariance("covariance", given)
+    errors = given.astype(np.float64, copy=False)
     require_within("covariance", errors, COVARIANCE)
+    return errors
+
+
+def _read_covariance(covariance: ArrayLike, position: RealArray) -> RealArray:
+    errors = read_covariance(covariance, 3)
     broadcast_shape({"position": position[..., 0], "covariance": errors[..., 0, 0]})
     return errors
 
