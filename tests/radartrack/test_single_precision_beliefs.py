@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radartrack import convert, frames, kalman
+from radartrack import convert, frames, kalman, observe
 from radartrack.kalman import Belief, Motion
 from tests.examples import share
 
@@ -51,6 +51,8 @@ def test_a_covariance_of_any_rank_is_turned_to_another_frame(rank: int, seed: in
     back = OTHER.to(PLACE, *found)
     np.testing.assert_allclose(back.covariance, P, atol=1e-3)
     frames.geodetic_from_ecef(*PLACE.to_ecef(mean, P))
+    seen = observe.project("spherical", mean, P, "second_order")
+    assert (np.diagonal(seen.covariance) >= 0).all()
 
 
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
