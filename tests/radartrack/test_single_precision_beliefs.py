@@ -15,6 +15,7 @@ from tests.examples import share
 MOVES = kalman.motion("constant_velocity", 2.0, axes=2, std=0.0, grouped="derivative")
 PLACE, OTHER = frames.enu(0.8, 0.1), frames.antenna(0.81, 0.1, azimuth=1.0, tilt=0.2)
 NOTHING = np.full(2, np.nan)
+SCANS = np.stack([NOTHING, [5e3, 0.9]])
 WAYS: dict[str, Callable[[Any, Any], Belief]] = {
     "predict": lambda mean, P: kalman.predict(Belief(mean, P), MOVES),
     "predict each": lambda mean, P: kalman.predict(Belief(np.stack([mean] * 3), np.stack([P] * 3)), MOVES),
@@ -23,7 +24,7 @@ WAYS: dict[str, Callable[[Any, Any], Belief]] = {
     "update_with": lambda mean, P: kalman.update_with("polar", Belief(mean, P), [5e3, 0.9], np.diag([1.0, 1e-4])),
     "update_with nothing": lambda mean, P: kalman.update_with("polar", Belief(mean, P), NOTHING, np.eye(2), 2),
     "run": lambda mean, P: kalman.run(Belief(mean, P), MOVES, np.ones((3, 1)), np.eye(1, 4), [[1.0]]),
-    "run_with": lambda mean, P: kalman.run_with("polar", Belief(mean, P), MOVES, [NOTHING, [5e3, 0.9]], np.eye(2)),
+    "run_with": lambda mean, P: kalman.run_with("polar", Belief(mean, P), MOVES, SCANS, np.eye(2)),
 }
 
 
@@ -61,8 +62,8 @@ def test_a_covariance_of_any_rank_is_turned_to_another_frame(rank: int, seed: in
 def test_a_plot_of_fully_correlated_errors_starts_a_track(
     sign: float, azimuth: float, range_std: float, azimuth_std: float
 ):
-    given = [np.float32(value) for value in (2e4, azimuth, range_std, azimuth_std, sign)]
-    plot = convert.polar(*(np.full(2, value) for value in given), method="linear")
+    r, *others = (np.full(2, value, np.float32) for value in (2e4, azimuth, range_std, azimuth_std, sign))
+    plot = convert.polar(r, others[0], others[1], others[2], others[3], method="linear")
     assert plot.covariance.dtype == np.float32
     still = kalman.motion("constant_position", 1.0, axes=2, std=0.0)
     assert kalman.predict(Belief(*plot), still).mean.shape == (2, 2)
