@@ -35,7 +35,7 @@ from radartrack._filtering.beliefs import (
 )
 from radartrack._filtering.elimination import checked_covariances
 from radartrack._filtering.extended import Look
-from radartrack._filtering.factors import updated
+from radartrack._filtering.factors import updated, widened
 from radartrack._filtering.moved_beliefs import predicted
 from radartrack._filtering.nonlinear_motion import GROUPINGS, Grouping, NonlinearMotion, known_motion
 from radartrack._filtering.refinement import refined
@@ -231,7 +231,7 @@ def predict(belief: Belief, motion: Motion | NonlinearMotion, order: Order = 1) 
 
     if not isinstance(checked, NonlinearMotion):
         dtype = np.result_type(mean, *checked)
-        mean, covariance = mean.astype(dtype, copy=False), covariance.astype(dtype, copy=False)
+        mean = mean.astype(dtype, copy=False)
         if len(covariance) > 1:
             means, covariances = in_blocks(mean, covariance, step)
             return Belief(
@@ -239,7 +239,7 @@ def predict(belief: Belief, motion: Motion | NonlinearMotion, order: Order = 1) 
             )
     last = np.ascontiguousarray(np.moveaxis(covariance, 0, -1))
     with np.errstate(over="ignore", invalid="ignore"):
-        moved = step(np.ascontiguousarray(mean.T), checked_covariances("covariance", last))
+        moved = step(np.ascontiguousarray(mean.T), widened(checked_covariances("covariance", last), mean.dtype))
     return tracks_first(*moved, tracks)
 
 
@@ -319,7 +319,7 @@ def update_with(
     second = whole_number("order", order, 1, 2) == 2
     places = sight.order(azimuth_from)
     arrays = real_arrays({"mean": belief.mean, "measured": measured, "noise": noise, **site_of(sight, site)})
-    values, R = measured_values(arrays, len(sight.outputs))
+    values, R = measured_values(arrays["measured"], noise, len(sight.outputs))
     size = len(sight.state)
     if arrays["mean"].shape[-1:] < (size,):
         raise ValueError(f"mean must have at least {size} components, {sight.state}; got shape {arrays['mean'].shape}")
@@ -335,7 +335,7 @@ def update_with(
     seen = np.broadcast_to(values, (*tracks, len(sight.outputs))).reshape(-1, len(sight.outputs))
     errors = R if R.ndim == 2 else np.broadcast_to(R, (*tracks, *R.shape[-2:])).reshape(-1, *R.shape[-2:])
     dtype = np.result_type(mean, covariance, seen, errors)
-    mean, covariance, seen, errors = (array.astype(dtype, copy=False) for array in (mean, covariance, seen, errors))
+    mean, seen, errors = (array.astype(dtype, copy=False) for array in (mean, seen, errors))
     look = Look(sight, places, second, spread, errors)
 
     def step(at: RealArray, believed: RealArray, own: slice) -> tuple[RealArray, RealArray]:
@@ -438,7 +438,7 @@ def run_with(
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     given = {"mean": start.mean, "covariance": start.covariance, "measured": measured, "noise": noise}
     arrays = real_arrays({**given, **site_of(sight, site)})
-    values, R = measured_values(arrays, len(sight.outputs))
+    values, R = measured_values(arrays["measured"], noise, len(sight.outputs))
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
     *leading, scans = common(values.shape[:-1], R.shape[:-2])
@@ -451,7 +451,7 @@ def run_with(
     checked = _checked(motion, size)
     dtype = np.result_type(values, *(() if isinstance(checked, NonlinearMotion) else checked))
     spread = np.broadcast_to(covariance, (len(mean), size, size)).reshape(*tracks, size, size)
-    belief = Belief(mean.reshape(*tracks, size).astype(dtype), spread.astype(dtype))
+    belief = Belief(mean.reshape(*tracks, size).astype(dtype), spread)
     means, covariances = np.empty((*tracks, scans, size), dtype), np.empty((*tracks, scans, size, size), dtype)
     if not scans:  # what is out of place is refused all the same
         nothing, errors = np.full(len(sight.outputs), np.nan), R if R.ndim == 2 else np.eye(len(sight.outputs))
@@ -492,5 +492,5 @@ def _measurement(
         raise ValueError(f"matrix must be finite, of shape (m, n), neither of them 0; got {H.tolist()}")
     if mean.ndim and H.shape[1:] != mean.shape[-1:]:  # a single number is refused beside the covariance
         raise ValueError(f"matrix must have {mean.shape[-1]} columns, one a component; got {H.shape[1]}")
-    values, R = measured_values(arrays, len(H))
-    return values, H, R
+    values, R = measured_values(arrays["measured"], noise, len(H))
+    return values, H, R.astype(values.dtype, copy=False)

@@ -336,7 +336,9 @@ def project(
     arrays = real_arrays({"mean": mean, "covariance": covariance, **site_of(sight, site)})
     size = len(sight.state)
     require_trailing_shape("covariance", arrays["covariance"], (size, size))
-    require_covariance("covariance", arrays["covariance"])
+    require_covariance(
+        "covariance", real_arrays({"covariance": covariance})["covariance"]
+    )  # to the rounding of its type
     places = sight.order(azimuth_from)
     sight.read_state("mean", arrays["mean"])
     there = sight.read_site(arrays)

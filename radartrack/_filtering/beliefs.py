@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from radartrack._arrays.batches import fill
 from radartrack._arrays.validation import (
@@ -17,6 +17,7 @@ from radartrack._arrays.validation import (
     require_trailing_shape,
 )
 from radartrack._filtering.elimination import checked_covariances
+from radartrack._filtering.factors import widened
 
 Step: TypeAlias = Callable[[RealArray, RealArray, slice], tuple[RealArray, RealArray]]
 BLOCK = 2048  # tracks; their covariances stay in the cache, and calls of NumPy are few beside the numbers
@@ -50,13 +51,16 @@ def tracks_last(
     """The shape of the tracks, means (n, tracks), and covariances (n, n, tracks), or (n, n, 1) if shared, in a type."""
     tracks, mean, covariance = flat_tracks(belief, others)
     last = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(covariance, 0, -1)))
-    return tracks, np.ascontiguousarray(mean.T, dtype), last.astype(dtype, copy=False)
+    return tracks, np.ascontiguousarray(mean.T, dtype), widened(last, dtype)
 
 
 def flat_tracks(belief: Belief, others: tuple[int, ...]) -> tuple[tuple[int, ...], RealArray, RealArray]:
-    """The shape of the tracks, means (tracks, n), and matrices (tracks, n, n), or (1, n, n) if shared, not checked."""
-    arrays = real_arrays({"mean": belief.mean, "covariance": belief.covariance})
-    mean, covariance = arrays["mean"], arrays["covariance"]
+    """The shape of the tracks, means (tracks, n), and matrices (tracks, n, n), or (1, n, n) if shared, not checked.
+
+    The matrices are in the type that they were given in, for they are covariances to the rounding of that.
+    """
+    mean = real_arrays({"mean": belief.mean, "covariance": belief.covariance})["mean"]
+    [covariance] = real_arrays({"covariance": belief.covariance}).values()
     if mean.ndim == 0:
         raise ValueError("mean must have shape (..., n); got a single number")
     require_finite("mean", mean)
@@ -99,6 +103,7 @@ def in_blocks(mean: RealArray, covariance: RealArray, step: Step) -> tuple[RealA
         few = covariance if len(covariance) == 1 else covariance[own]
         at = np.ascontiguousarray(mean[own].T)
         spread = checked_covariances("covariance", np.ascontiguousarray(np.moveaxis(few, 0, -1)))
+        spread = widened(spread, mean.dtype)
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             found, reduced = step(at, spread, own)
         new_means[...], new_covariances[...] = found.T, np.moveaxis(reduced, -1, 0)
@@ -140,8 +145,9 @@ def tracks_first(mean: RealArray, covariance: RealArray, tracks: tuple[int, ...]
     return Belief(first, covariances.reshape(*tracks, *covariances.shape[1:]))
 
 
-def measured_values(arrays: dict[str, RealArray], size: int) -> tuple[RealArray, RealArray]:
-    values, R = arrays["measured"], arrays["noise"]
+def measured_values(values: RealArray, noise: ArrayLike, size: int) -> tuple[RealArray, RealArray]:
+    """Measurements, and R in the type that it was given in, for it is a covariance to the rounding of that."""
+    [R] = real_arrays({"noise": noise}).values()
     require_trailing_shape("noise", R, (size, size))
     require_trailing_shape("measured", values, (size,))
     if np.isinf(values).any():

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from radartrack._arrays.validation import RealArray
 from radartrack._conversion.semidefinite import roots
+from radartrack._filtering.elimination import eliminate, pivots
 
 
 class Observation(NamedTuple):
@@ -103,6 +104,18 @@ def product_of(columns: RealArray, variances: RealArray) -> RealArray:
     """Columns times variances times the columns transposed: a sum of squares, symmetric to the last bit."""
     roots = np.moveaxis(columns * np.sqrt(variances), 1, 0)
     return combination(roots[:, np.newaxis], roots[:, :, np.newaxis])
+
+
+def widened(covariance: RealArray, dtype: np.dtype[np.floating[Any]]) -> RealArray:
+    """Covariances (n, n, tracks) in a type: what is one to the rounding of float32 becomes one to that of float64."""
+    wide = covariance.astype(dtype, copy=False)
+    if covariance.dtype == dtype:
+        return wide
+    table = wide.copy()
+    with np.errstate(invalid="ignore", divide="ignore"):
+        eliminate(table)
+        definite = (pivots(table) > 0).all(axis=0)
+    return wide if definite.all() else np.where(definite, wide, product_of(*factored(wide)))
 
 
 def combination(coefficients: RealArray, parts: RealArray) -> RealArray:

@@ -9,20 +9,18 @@ from numpy.typing import ArrayLike
 
 from radartrack._arrays.validation import (
     ANGLE,
-    COVARIANCE,
     RANGE_RATE,
     SINGLE,
     Domain,
     RealArray,
     broadcast_shape,
     real_arrays,
-    require_covariance,
     require_trailing_shape,
     require_within,
     whole_number,
 )
 from radartrack._filtering.moved_beliefs import carried, with_covariance
-from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic
+from radartrack.frames.geodetic import COORDINATE, LATITUDE, ecef_from_geodetic, read_covariance, read_geodetic
 from radartrack.frames.reference_ellipsoid import WGS84, Ellipsoid
 from radartrack.generated import frames as formulas
 from radartrack.kalman import Belief
@@ -129,11 +127,8 @@ class Frame:
         moved = np.concatenate(spread, axis=-1).astype(dtype, copy=False)
         if covariance is None:
             return moved
-        errors = np.asarray(arrays["covariance"], np.float64)
         size = values.shape[-1]
-        require_trailing_shape("covariance", errors, (size, size))
-        require_covariance("covariance", errors)
-        require_within("covariance", errors, COVARIANCE)
+        errors = read_covariance(covariance, size)
         broadcast_shape({"mean": moved[..., 0], "covariance": errors[..., 0, 0]})
         return with_covariance(moved, carried(self.jacobian(other, size), errors, dtype))
 
@@ -282,14 +277,13 @@ def _standing(
     attitude: Mapping[str, RealArray],
 ) -> Frame:
     """A frame at a place, its axes given in terms of those of the horizon there, by an attitude."""
-    arrays = {"latitude": latitude, "longitude": longitude, "height": height}
-    places = {name: np.asarray(value, np.float64) for name, value in real_arrays(arrays).items()}
+    places = read_geodetic(latitude, longitude, height)
     speeds = np.asarray(real_arrays({"velocity": velocity})["velocity"], np.float64)
     require_trailing_shape("velocity", speeds, (3,))
     require_within("velocity", speeds, RATE)
-    broadcast_shape({**places, **attitude, "velocity": speeds[..., 0]})
-    origin = ecef_from_geodetic(places["latitude"], places["longitude"], places["height"], ellipsoid=ellipsoid)
-    horizon = formulas.enu_from_ecef_jacobian(latitude=places["latitude"], longitude=places["longitude"])
+    broadcast_shape({**places._asdict(), **attitude, "velocity": speeds[..., 0]})
+    origin = ecef_from_geodetic(*places, ellipsoid=ellipsoid)
+    horizon = formulas.enu_from_ecef_jacobian(latitude=places.latitude, longitude=places.longitude)
     return Frame(origin, turned @ horizon, _rotated(np.swapaxes(horizon, -1, -2), speeds))
 
 

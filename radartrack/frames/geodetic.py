@@ -98,7 +98,7 @@ def ecef_from_geodetic(
     Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
 
     """
-    where = _read_geodetic(latitude, longitude, height)
+    where = read_geodetic(latitude, longitude, height)
     position = _position(where, ellipsoid)
     dtype = _type(latitude=latitude, longitude=longitude, height=height, covariance=covariance)
     if covariance is None:
@@ -181,7 +181,7 @@ def ecef_jacobian(
     Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
 
     """
-    where = _read_geodetic(latitude, longitude, height)
+    where = read_geodetic(latitude, longitude, height)
     dtype = _type(latitude=latitude, longitude=longitude, height=height)
     return _formula("ecef_from_geodetic_jacobian", where, ellipsoid).astype(dtype, copy=False)
 
@@ -209,7 +209,7 @@ def geodetic_jacobian(
     Source: Hofmann-Wellenhof & Moritz 2006, 5.6.1, doi:10.1007/978-3-211-33545-1.
 
     """
-    where = _read_geodetic(latitude, longitude, height)
+    where = read_geodetic(latitude, longitude, height)
     dtype = _type(latitude=latitude, longitude=longitude, height=height)
     return _formula("geodetic_from_ecef_jacobian", where, ellipsoid).astype(dtype, copy=False)
 
@@ -243,8 +243,15 @@ def _formula(name: str, where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:
     return found
 
 
-def _read_geodetic(latitude: ArrayLike, longitude: ArrayLike, height: ArrayLike) -> Geodetic:
-    arrays = real_arrays({"latitude": latitude, "longitude": longitude, "height": height})
+def read_geodetic(latitude: ArrayLike, longitude: ArrayLike, height: ArrayLike) -> Geodetic:
+    """Geodetic coordinates in float64.
+
+    Raises:
+        TypeError, ValueError: one is no real number or out of place, or the shapes do not broadcast.
+
+    """
+    given = {"latitude": latitude, "longitude": longitude, "height": height}
+    arrays = {name: real_arrays({name: value})[name] for name, value in given.items()}  # each in its own type
     for (name, values), domain in zip(arrays.items(), (LATITUDE, ANGLE, COORDINATE), strict=True):
         require_within(name, values, domain)
     broadcast_shape(arrays)
@@ -254,11 +261,23 @@ def _read_geodetic(latitude: ArrayLike, longitude: ArrayLike, height: ArrayLike)
     return Geodetic(**doubled)
 
 
-def _read_covariance(covariance: ArrayLike, position: RealArray) -> RealArray:
-    errors = np.asarray(real_arrays({"covariance": covariance})["covariance"], np.float64)
-    require_trailing_shape("covariance", errors, (3, 3))
-    require_covariance("covariance", errors)
+def read_covariance(covariance: ArrayLike, size: int) -> RealArray:
+    """A covariance in float64, which it is to the rounding of the type that it was given in.
+
+    Raises:
+        TypeError, ValueError: it is none, or of another shape.
+
+    """
+    [given] = real_arrays({"covariance": covariance}).values()
+    require_trailing_shape("covariance", given, (size, size))
+    require_covariance("covariance", given)
+    errors = given.astype(np.float64, copy=False)
     require_within("covariance", errors, COVARIANCE)
+    return errors
+
+
+def _read_covariance(covariance: ArrayLike, position: RealArray) -> RealArray:
+    errors = read_covariance(covariance, 3)
     broadcast_shape({"position": position[..., 0], "covariance": errors[..., 0, 0]})
     return errors
 

@@ -78,9 +78,9 @@ def test_fully_correlated_errors_of_a_simulated_radar_are_taken_by_a_filter(
         belief = Belief(mean, np.eye(size, dtype=R.dtype) * 100)
         seen = cast("Any", getattr(observe, sensor))(mean).measurement + R.sum(axis=1) / np.sqrt(np.diagonal(R))
         updated = kalman.update_with(sensor, belief, seen, R, order)
-        rest = Motion(np.eye(size, dtype=R.dtype), np.zeros((size, size), R.dtype))
+        rest = Motion(np.eye(size), np.zeros((size, size)))  # in double precision, as all motions by name are
         track = kalman.run_with(sensor, belief, rest, seen[np.newaxis], R, order)
-        np.testing.assert_allclose(track.covariance[0], updated.covariance, atol=1e-3)
+        np.testing.assert_allclose(track.covariance[0], updated.covariance, atol=2e-2 if single else 1e-3)
         found.append(updated)
     np.testing.assert_allclose(found[0].mean, found[1].mean, atol=1e-3)
     np.testing.assert_allclose(found[0].covariance, found[1].covariance, atol=1e-2)

@@ -232,6 +232,21 @@ def test_float32_stays_float32():
     assert radar.to_ecef(points, np.eye(3)).covariance.dtype == np.float64
 
 
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+@pytest.mark.parametrize("of_others", [float, np.float32, np.float64])
+def test_a_right_angle_in_single_precision_is_none_beyond_the_pole(sign: float, of_others: Any):
+    """Where half of pi is rounded up."""
+    pole, others = np.float32(sign * np.pi / 2), [of_others(value) for value in (0.25, 64.0)]
+    exact = [sign * np.pi / 2, 0.25, 64.0]
+    np.testing.assert_allclose(frames.enu(pole, *others).origin, frames.enu(*exact).origin, atol=1e-6)
+    np.testing.assert_allclose(
+        frames.antenna(*exact, tilt=pole).axes, frames.antenna(*exact, tilt=exact[0]).axes, atol=1e-7
+    )
+    found = frames.ecef_from_geodetic(np.full(2, pole), *(np.full(2, value) for value in others))
+    np.testing.assert_allclose(found, [frames.ecef_from_geodetic(*exact)] * 2, rtol=1e-7, atol=1e-6)
+    assert frames.ecef_jacobian(pole, *others).shape == (3, 3)
+
+
 @pytest.mark.parametrize(
     ("call", "said"),
     [
