@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 from radartrack.derive.catalogue import UnknownQuantity
@@ -24,6 +24,7 @@ from radartrack.derive.checking.question.definitions.loose_definitions import (
     without_arguments,
     without_function_arguments,
 )
+from radartrack.derive.checking.question.letters.array_letters import array_letters
 from radartrack.derive.checking.question.letters.letter_readings import (
     AS_TYPED,
     Letters,
@@ -116,9 +117,42 @@ class Paper:
     let: Mapping[str, str]
     world: World
     sense: Sense
+    arrays: Mapping[str, str] = field(default_factory=dict)
 
     def ask(self, quantity: str | Quantity) -> Question:
-        """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
+        """The question whether it is this quantity, in the reading of its letters that leaves the least to explain.
+
+        Letters for arrays are taken for such only where without it nothing can be read, or the formula is wrong.
+        """
+        try:
+            best = self._asked(quantity)
+        except FormulaError:
+            found = self._with_arrays(quantity, None)
+            if found is None:
+                raise
+            return found
+        return best if best.is_equal else self._with_arrays(quantity, best) or best
+
+    def _with_arrays(self, quantity: str | Quantity, best: Question | None) -> Question | None:
+        """The question with letters for arrays of the quantity's symbols, where so there is less to explain."""
+        arrays = {} if self.arrays or self.notation in LANGUAGES else self._array_letters(quantity)
+        if not arrays:
+            return None
+        other = replace(self, let={**self.let, **arrays}, arrays=arrays)
+        if best is not None:
+            return other.likelier(quantity, best)
+        with suppress(FormulaError, NoClosedForm):
+            return other.ask(quantity)
+        return None
+
+    def _array_letters(self, quantity: str | Quantity) -> dict[str, str]:
+        with suppress(FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+            reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, self.let)
+            taken = {*self.let, *self.world.let, *self.world.letters}
+            return array_letters({symbol.name for symbol in reference.symbols}, self.formula, taken)
+        return {}
+
+    def _asked(self, quantity: str | Quantity) -> Question:
         reference, typed = self._typed(quantity)
         readings = (typed.readings() if typed else []) or [AS_TYPED]
         best = _likeliest([self._question(reference, reading) for reading in readings])
@@ -238,7 +272,9 @@ class Paper:
         texts = [self.formula if self.notation == TEXT else "", *self.given.values()]
         indices = indices_in(self.formula, {**self.world.let, **self.let}, self.notation, self.function)
         names = names_for(reference, self.let, self.world, texts, letters, indices)
-        return read_printed(self.formula, names, reference.shape, self.notation, self.function)
+        found = read_printed(self.formula, names, reference.shape, self.notation, self.function)
+        read = tuple(f"{name} is read as {array}" for name, array in self.arrays.items())
+        return replace(found, remarks=(*found.remarks, *read)) if read else found
 
 
 def _likeliest(questions: Sequence[Question]) -> Question:
