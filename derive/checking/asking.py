@@ -131,12 +131,12 @@ class Paper:
             if found is None:
                 raise
             return found
-        return best if best.is_equal else self._with_arrays(quantity, best) or best
+        return self._with_arrays(quantity, best) or best
 
     def _with_arrays(self, quantity: str | Quantity, best: Question | None) -> Question | None:
         """The question with letters for arrays of the quantity's symbols, where so there is less to explain."""
         arrays = {} if self.arrays or self.notation in LANGUAGES else self._array_letters(quantity)
-        if not arrays:
+        if not arrays or (best is not None and best.is_equal):
             return None
         other = replace(self, let={**self.let, **arrays}, arrays=arrays)
         if best is not None:
@@ -156,8 +156,6 @@ class Paper:
         reference, typed = self._typed(quantity)
         readings = (typed.readings() if typed else []) or [AS_TYPED]
         best = _likeliest([self._question(reference, reading) for reading in readings])
-        if best.is_equal:
-            return best
         return self._with_undeclared(quantity, reference, typed, best) or self._with_functions(quantity, best) or best
 
     def _with_undeclared(
@@ -169,7 +167,7 @@ class Paper:
         """
         own = {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
         letters = {name for name in self.world.letters if typed and name in typed.used and name not in own}
-        if not letters or any(self.world.declares(part.quantity) for part in reference.parts):
+        if not letters or best.is_equal or any(self.world.declares(part.quantity) for part in reference.parts):
             return None
         kept = {name: one for name, one in self.world.letters.items() if name not in letters}
         return replace(self, world=replace(self.world, letters=kept)).likelier(quantity, best)
@@ -177,7 +175,9 @@ class Paper:
     def _with_functions(self, quantity: str | Quantity, best: Question) -> Question | None:
         r"""The question with N(\phi) as a function and no product, where so there is less to explain."""
         plain = without_function_arguments(self.formula) if self.notation == LATEX else self.formula
-        return replace(self, formula=plain).likelier(quantity, best) if plain != self.formula else None
+        if plain == self.formula or best.is_equal:
+            return None
+        return replace(self, formula=plain).likelier(quantity, best)
 
     def likelier(self, quantity: str | Quantity, best: Question) -> Question | None:
         """The question, where it leaves less to explain than another one."""

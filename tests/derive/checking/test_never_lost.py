@@ -58,7 +58,6 @@ def test_whatever_sympy_makes_of_a_wrong_formula_it_is_told_and_explained(name: 
 UNDEFINED = [
     ("observe.polar.map[1]", {"x": "0", "y": "0"}),
     ("line.slope", {"S_xy": "0"}),
-    ("finite_sample.degree1.range.covariance[1,1]", {"k": "1"}),
     ("observe.spherical.jacobian[1,0]", {"x": "0", "y": "0"}),
     ("ruv.jacobian[2,1]", {"u": "1", "v": "0"}),
     ("fusion.weights.two[0]", {"sigma_1": "0", "sigma_2": "0"}),
