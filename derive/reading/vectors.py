@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from math import prod
 from operator import is_
 
@@ -18,6 +19,7 @@ from radartrack.derive.formula.tree import (
     Constant,
     Entries,
     Name,
+    Number,
     Power,
     Product,
     Quotient,
@@ -28,6 +30,7 @@ from radartrack.derive.formula.tree import (
     with_children,
 )
 
+ZERO = Number("0")
 ShapeOf = Callable[[Tree], Shape | None]
 
 
@@ -62,6 +65,13 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
             return replace(node, function="abs")
         case Product():
             return _multiplied(node, shape_of)
+        case Array(rows) if (blocks := _blocks(rows, shape_of)) is not None:
+            return replace(node, entries=blocks)
+        case Call("diag", matrices) if len(matrices) > 1 and any(shape_of(one) for one in matrices):
+            places = range(len(matrices))
+            rows = tuple(Array(tuple(matrices[at] if at == own else ZERO for at in places)) for own in places)
+            blocks = _blocks(rows, shape_of)
+            return node if blocks is None else Array(blocks, span=node.span)
         case Sum() | Array() if any(shape_of(part) == () for part in children(node)):
             return _with_picked(node, children(node), shape_of)
         case Quotient(_, denominator):
@@ -73,6 +83,37 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
         case Call(function) if function not in VERBS:
             return _with_picked(node, children(node), shape_of)
     return node
+
+
+def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
+    """The rows of the matrix that rows of matrices make, in which 0 stands for any number of zeros."""
+    cells = [row.entries for row in rows if isinstance(row, Array)]
+    shapes = [[shape_of(cell) for cell in row] for row in cells]
+    if len(cells) < len(rows) or len({len(row) for row in cells}) != 1 or not any(map(_is_matrix, chain(*shapes))):
+        return None
+    heights = [next((one[0] for one in row if one and _is_matrix(one)), 0) for row in shapes]
+    widths = [next((one[1] for one in column if one and _is_matrix(one)), 0) for column in zip(*shapes, strict=True)]
+    made = []
+    for row, found, height in zip(cells, shapes, heights, strict=True):
+        fits = all(one == (height, width) or cell == ZERO for cell, one, width in zip(row, found, widths, strict=True))
+        if not fits or not height or not all(widths):
+            return None
+        for at in range(height):
+            entries = (_entry(cell, at, j) for cell, width in zip(row, widths, strict=True) for j in range(width))
+            made.append(Array(tuple(entries)))
+    return tuple(made)
+
+
+def _is_matrix(found: Shape | None) -> bool:
+    return found is not None and len(found) == len(("rows", "columns"))
+
+
+def _entry(cell: Tree, row: int, column: int) -> Tree:
+    if cell == ZERO:
+        return cell
+    if isinstance(cell, Array) and isinstance(inner := cell.entries[row], Array):
+        return inner.entries[column]
+    return Entries(cell, (row, column), span=cell.span)
 
 
 def _with_picked(node: Tree, chosen: Sequence[Tree], shape_of: ShapeOf) -> Tree:
