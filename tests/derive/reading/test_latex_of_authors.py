@@ -424,3 +424,10 @@ def test_several_times_in_brackets_tell_letters_apart_and_factors_stay_factors(l
 
 def test_a_bracket_with_a_symbol_is_a_factor():
     assert to_text(read_latex("r(k)", ("r", "k"))) == "r*k"
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\arctan(y, x)", r"\tan^{-1}(y, x)", r"\arctan\left(y, x\right)", r"\operatorname{atan}(y,x)"]
+)
+def test_an_arc_tangent_of_two_numbers_is_that_of_a_point(latex: str):
+    assert echo(latex) == "atan2(y, x)"
