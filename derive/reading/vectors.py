@@ -91,6 +91,8 @@ def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
     shapes = [[shape_of(cell) for cell in row] for row in cells]
     if len(cells) < len(rows) or len({len(row) for row in cells}) != 1 or not any(map(_is_matrix, chain(*shapes))):
         return None
+    if len(cells) == len(cells[0]) == 1:
+        return None
     heights = [next((one[0] for one in row if one and _is_matrix(one)), 0) for row in shapes]
     widths = [next((one[1] for one in column if one and _is_matrix(one)), 0) for column in zip(*shapes, strict=True)]
     made = []
