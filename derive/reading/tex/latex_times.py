@@ -15,6 +15,7 @@ _INDEX = r"[kntij](?:[+-]\d+)?"
 _TIME = re.compile(rf"{_INDEX}(?:[|/]{_INDEX})?|\d")
 _LETTERS = frozenset("kntij")
 _COUNTS = _LETTERS - {"t"}  # which a bracket behind multiplies: k(k+1)
+_PERIODS = frozenset({"T", "t", "\\tau"})  # of which there are n - 1 in T(n-1)
 _BARS = frozenset({"\\mid", "\\vert", "|"})
 _SUBSCRIBED = frozenset({"letter", "greek", "word", "close", "prime"})
 
@@ -58,7 +59,8 @@ def _time(found: Sequence[Piece], index: int) -> _Time | None:
     last = next((at for at in range(index, len(found)) if found[at].text == ")"), index)
     said = "".join("|" if piece.text in _BARS else piece.text for piece in found[index + 1 : last])
     letter = _letter_before(found, index)
-    return _Time(index, last, letter, said) if letter >= 0 and _TIME.fullmatch(said) else None
+    is_duration = letter >= 0 and found[_start(found, letter)].text in _PERIODS and re.search("[+-]", said)
+    return _Time(index, last, letter, said) if letter >= 0 and _TIME.fullmatch(said) and not is_duration else None
 
 
 def _letter_before(found: Sequence[Piece], index: int) -> int:

@@ -206,7 +206,26 @@ def test_a_word_that_stands_for_nothing_is_refused_by_its_name(name: str) -> Non
 
 
 @pytest.mark.parametrize(
-    "name", ["sin", "tan", "sqrt", "arccos", "ln", "g(x)", "3b", r"\frac{x}{y}", "a b", "a.b", "", "é", "a-b", "a\n"]
+    "name",
+    [
+        "sin",
+        "tan",
+        "sqrt",
+        "arccos",
+        "ln",
+        "g(x)",
+        "3b",
+        r"\frac{x}{y}",
+        "a b",
+        "a.b",
+        "",
+        "é",
+        "a-b",
+        "a\n",
+        r"\sigma_x^2",
+        "R^{12}",
+        "x^2",
+    ],
 )
 def test_a_name_that_no_formula_can_use_is_refused(name: str) -> None:
     with pytest.raises(FormulaError, match="let "):

@@ -415,6 +415,9 @@ def test_one_time_in_brackets_behind_every_letter_says_nothing(time: str):
         (r"\sum_{j=1}^{k} (j+1)", "sum(j + 1, j, 1, k)"),
         (r"\frac{a}{b}(k)", "a/b*k"),
         (r"\cos(k)", "cos(k)"),
+        (r"\frac{\sigma}{T(n-1)}", "sigma/(T*(n - 1))"),
+        (r"\frac{\sigma}{\Delta t(n-1)}", "sigma/(Delta_t*(n - 1))"),
+        (r"\frac{\sigma^2}{T^2(n+1)(n+2)}", "sigma**2/(T**2*(n + 1)*(n + 2))"),
         (r"(x + y)(k)", "(x + y)*k"),
     ],
 )
