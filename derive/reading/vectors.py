@@ -12,7 +12,7 @@ from operator import is_
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.functions import VERBS
-from radartrack.derive.formula.shape import Shape, product_shape, shapes
+from radartrack.derive.formula.shape import MAX_ROWS, Shape, product_shape, shapes
 from radartrack.derive.formula.tree import (
     Array,
     Call,
@@ -31,6 +31,7 @@ from radartrack.derive.formula.tree import (
 )
 
 ZERO = Number("0")
+MOST_FACTORS = 30  # of a product of vectors: each number among them is one bracket more
 ShapeOf = Callable[[Tree], Shape | None]
 
 
@@ -95,6 +96,8 @@ def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
         return None
     heights = [next((one[0] for one in row if one and _is_matrix(one)), 0) for row in shapes]
     widths = [next((one[1] for one in column if one and _is_matrix(one)), 0) for column in zip(*shapes, strict=True)]
+    if max(sum(heights), sum(widths)) > MAX_ROWS:
+        return None
     made = []
     for row, found, height in zip(cells, shapes, heights, strict=True):
         fits = all(one == (height, width) or cell == ZERO for cell, one, width in zip(row, found, widths, strict=True))
@@ -132,6 +135,8 @@ def _number(tree: Tree, found: Shape | None) -> Tree:
 def _multiplied(node: Product, shape_of: ShapeOf) -> Tree:
     """A product in which a vector before another one is a row, and an array of one entry a number before any array."""
     before: list[Tree] = []
+    if len(node.factors) > MOST_FACTORS:
+        return node
     for factor in node.factors:
         so_far, own = (shape_of(_product(before)) if before else ()), shape_of(factor)
         if not so_far or not own or product_shape(so_far, own) is not None:

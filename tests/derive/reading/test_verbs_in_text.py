@@ -161,3 +161,17 @@ def test_the_grammar_knows_the_verbs_and_no_others():
 def test_a_name_that_begins_like_a_verb_or_stands_without_brackets_is_a_name():
     names = {"sum", "summand", "limit_1"}
     assert to_text(read_text("sum + summand*limit_1", names)) == "sum + summand*limit_1"
+
+
+@pytest.mark.parametrize("text", ["[{0}, 0; 0, {0}]", "diag({0}, {0})", "[{0}, {0}; {0}, {0}]"])
+def test_matrices_of_matrices_do_not_grow_beyond_what_is_printed(text: str):
+    grown = "A"
+    for _ in range(12):
+        grown = text.format(grown)
+    with pytest.raises(FormulaError):
+        read_text(grown, {"A"}, {"A": (2, 2)})
+
+
+def test_a_long_product_of_vectors_is_refused_with_a_word():
+    with pytest.raises(FormulaError, match=r"cannot be multiplied"):
+        read_text("*".join(["v"] * 300), {"v"}, {"v": (3,)})
