@@ -77,7 +77,7 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
             return _with_picked(node, children(node), shape_of)
         case Quotient(_, denominator):
             return _with_picked(node, (denominator,), shape_of)
-        case Power(Constant("e"), exponent) if len(shape_of(exponent) or ()) == len(("rows", "columns")):
+        case Power(Constant("e"), exponent) | Call("exp", (exponent,)) if _is_matrix(shape_of(exponent)):
             return Call("expm", (exponent,), span=node.span)
         case Power(base, _) if shape_of(base) != (1, 1):  # whose power is one of a matrix as well
             return _with_picked(node, children(node), shape_of)
@@ -89,13 +89,15 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
 def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
     """The rows of the matrix that rows of matrices make, in which 0 stands for any number of zeros."""
     cells = [row.entries for row in rows if isinstance(row, Array)]
-    shapes = [[shape_of(cell) for cell in row] for row in cells]
-    if len(cells) < len(rows) or len({len(row) for row in cells}) != 1 or not any(map(_is_matrix, chain(*shapes))):
+    if len(cells) < len(rows) or len({len(row) for row in cells}) != 1:
         return None
+    if not any(_is_matrix(shape_of(cell)) for cell in chain(*cells)):
+        return None
+    shapes = [[_as_block(shape_of(cell)) if cell != ZERO else None for cell in row] for row in cells]
     if len(cells) == len(cells[0]) == 1:
         return None
-    heights = [next((one[0] for one in row if one and _is_matrix(one)), 0) for row in shapes]
-    widths = [next((one[1] for one in column if one and _is_matrix(one)), 0) for column in zip(*shapes, strict=True)]
+    heights = [max((one[0] for one in row if one), default=0) for row in shapes]
+    widths = [max((one[1] for one in column if one), default=0) for column in zip(*shapes, strict=True)]
     if max(sum(heights), sum(widths)) > MAX_ROWS:
         return None
     made = []
@@ -104,7 +106,9 @@ def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
         if not fits or not height or not all(widths):
             return None
         for at in range(height):
-            entries = (_entry(cell, at, j) for cell, width in zip(row, widths, strict=True) for j in range(width))
+            entries = (
+                _entry(cell, shape_of, at, j) for cell, width in zip(row, widths, strict=True) for j in range(width)
+            )
             made.append(Array(tuple(entries)))
     return tuple(made)
 
@@ -113,12 +117,20 @@ def _is_matrix(found: Shape | None) -> bool:
     return found is not None and len(found) == len(("rows", "columns"))
 
 
-def _entry(cell: Tree, row: int, column: int) -> Tree:
-    if cell == ZERO:
+def _as_block(found: Shape | None) -> Shape | None:
+    """The rows and columns of a cell: a vector is a column, a number one entry."""
+    return found if found is None or len(found) > len(("rows", "columns")) else (*found, 1, 1)[:2]
+
+
+def _entry(cell: Tree, shape_of: ShapeOf, row: int, column: int) -> Tree:
+    rank = len(shape_of(cell) or ())
+    if not rank:
         return cell
+    if isinstance(cell, Array) and rank == 1:
+        return cell.entries[row]
     if isinstance(cell, Array) and isinstance(inner := cell.entries[row], Array):
         return inner.entries[column]
-    return Entries(cell, (row, column), span=cell.span)
+    return Entries(cell, (row, column)[:rank], span=cell.span)
 
 
 def _with_picked(node: Tree, chosen: Sequence[Tree], shape_of: ShapeOf) -> Tree:
