@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 from radartrack.derive.catalogue import UnknownQuantity
@@ -24,6 +24,7 @@ from radartrack.derive.checking.question.definitions.loose_definitions import (
     without_arguments,
     without_function_arguments,
 )
+from radartrack.derive.checking.question.letters.array_letters import array_letters
 from radartrack.derive.checking.question.letters.letter_readings import (
     AS_TYPED,
     Letters,
@@ -145,14 +146,45 @@ class Paper:
     let: Mapping[str, str]
     world: World
     sense: Sense
+    arrays: Mapping[str, str] = field(default_factory=dict)
 
     def ask(self, quantity: str | Quantity) -> Question:
-        """The question whether it is this quantity, in the reading of its letters that leaves the least to explain."""
+        """The question whether it is this quantity, in the reading of its letters that leaves the least to explain.
+
+        Letters for arrays are taken for such only where without it nothing can be read, or the formula is wrong.
+        """
+        try:
+            best = self._asked(quantity)
+        except FormulaError:
+            found = self._with_arrays(quantity, None)
+            if found is None:
+                raise
+            return found
+        return self._with_arrays(quantity, best) or best
+
+    def _with_arrays(self, quantity: str | Quantity, best: Question | None) -> Question | None:
+        """The question with letters for arrays of the quantity's symbols, where so there is less to explain."""
+        arrays = {} if self.arrays or self.notation in LANGUAGES else self._array_letters(quantity)
+        if not arrays or (best is not None and best.is_equal):
+            return None
+        other = replace(self, let={**self.let, **arrays}, arrays=arrays)
+        if best is not None:
+            return other.likelier(quantity, best)
+        with suppress(FormulaError, NoClosedForm):
+            return other.ask(quantity)
+        return None
+
+    def _array_letters(self, quantity: str | Quantity) -> dict[str, str]:
+        with suppress(FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+            reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, self.let)
+            taken = {*self.let, *self.world.let, *self.world.letters}
+            return array_letters({symbol.name for symbol in reference.symbols}, self.formula, taken)
+        return {}
+
+    def _asked(self, quantity: str | Quantity) -> Question:
         reference, typed = self._typed(quantity)
         readings = (typed.readings() if typed else []) or [AS_TYPED]
         best = _likeliest([self._question(reference, reading) for reading in readings])
-        if best.is_equal:
-            return best
         return self._with_undeclared(quantity, reference, typed, best) or self._with_functions(quantity, best) or best
 
     def _with_undeclared(
@@ -164,7 +196,7 @@ class Paper:
         """
         own = {symbol.name for part in reference.parts for symbol in part.quantity.symbols}
         letters = {name for name in self.world.letters if typed and name in typed.used and name not in own}
-        if not letters or any(self.world.declares(part.quantity) for part in reference.parts):
+        if not letters or best.is_equal or any(self.world.declares(part.quantity) for part in reference.parts):
             return None
         kept = {name: one for name, one in self.world.letters.items() if name not in letters}
         return replace(self, world=replace(self.world, letters=kept)).likelier(quantity, best)
@@ -172,7 +204,9 @@ class Paper:
     def _with_functions(self, quantity: str | Quantity, best: Question) -> Question | None:
         r"""The question with N(\phi) as a function and no product, where so there is less to explain."""
         plain = without_function_arguments(self.formula) if self.notation == LATEX else self.formula
-        return replace(self, formula=plain).likelier(quantity, best) if plain != self.formula else None
+        if plain == self.formula or best.is_equal:
+            return None
+        return replace(self, formula=plain).likelier(quantity, best)
 
     def likelier(self, quantity: str | Quantity, best: Question) -> Question | None:
         """The question, where it leaves less to explain than another one."""
@@ -267,7 +301,9 @@ class Paper:
         texts = [self.formula if self.notation == TEXT else "", *self.given.values()]
         indices = indices_in(self.formula, {**self.world.let, **self.let}, self.notation, self.function)
         names = names_for(reference, self.let, self.world, texts, letters, indices)
-        return read_printed(self.formula, names, reference.shape, self.notation, self.function)
+        found = read_printed(self.formula, names, reference.shape, self.notation, self.function)
+        read = tuple(f"{name} is read as {array}" for name, array in self.arrays.items())
+        return replace(found, remarks=(*found.remarks, *read)) if read else found
 
 
 def _likeliest(questions: Sequence[Question]) -> Question:

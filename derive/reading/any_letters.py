@@ -19,7 +19,7 @@ from radartrack.derive.reading.tex.latex_arguments import AmbiguousArgument
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _APPLIED = re.compile(r"(?P<name>[^()]+)\(\s*\\?(?P<argument>[A-Za-z_]\w*)\s*\)")
-_LATEX_NAME = re.compile(r"[\\{]")  # \lambda, R_{11}
+_LATEX_NAME = re.compile(r"(?!.*\^\s*\{?\s*\d).*[\\{]")  # \lambda, R_{11}; a square is no name
 _EULER = Constant("e")
 
 
@@ -78,7 +78,7 @@ def plain_formulas(printed: Mapping[str, str]) -> dict[str, str]:
     What cannot be read stays as it is.
     """
     bare = {name: _without_argument(name, text) for name, text in printed.items()}
-    names = {name: (latex_name(one) or one) if _LATEX_NAME.search(one) else _plain(one) for name, one in bare.items()}
+    names = {name: (latex_name(one) or one) if _LATEX_NAME.match(one) else _plain(one) for name, one in bare.items()}
     return {names[name]: _plain(text, names.values()) for name, text in printed.items()}
 
 

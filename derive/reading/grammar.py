@@ -134,12 +134,13 @@ class TreeBuilder(Transformer[Token, Tree]):
 
 
 def call(function: str, arguments: Iterable[Tree], span: Span) -> Tree:
-    """A function applied to as many arguments as it takes.
+    """A function applied to as many arguments as it takes; an arc tangent of two is atan2(y, x).
 
     Raises:
         FormulaError: for more or fewer.
     """
     given = tuple(arguments)
+    function = "atan2" if function == "atan" and len(given) == NUMBER_OF_ARGUMENTS["atan2"] else function
     needed = NUMBER_OF_ARGUMENTS[function]
     if len(given) != needed:
         plural = "" if needed == 1 else "s"

@@ -6,6 +6,7 @@ A page that is copied loses the commas: [a b; c d], or a row on each line.
 from __future__ import annotations
 
 import re
+from bisect import bisect
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -21,6 +22,8 @@ SIGNS = frozenset(MATRIX + ALIGNED + GROUP + "〗" + SILENT)
 APPLIED = "\N{FUNCTION APPLICATION}"
 _SUM, _INTEGRAL = "∑", "∫"
 _FUNCTIONS = "|".join(SPELLINGS)
+_INNERMOST = re.compile(r"\[[^\[\]]*\]")
+_NEAR = 12  # signs around a space
 
 
 @dataclass(frozen=True)
@@ -80,36 +83,31 @@ def with_commas(text: str) -> str:
     touches what follows it, it does. Brackets in which commas part something stay as they are, and so do those whose
     rows would differ in length.
     """
-    result = list(text)
-    for opening in (at for at, sign in enumerate(text) if sign == "["):
-        try:
-            end = _closing(text, opening) - 1
-            if _top_level(text, opening, ",[&"):
-                continue
-            rows = [*_separators(text, opening, ";")] or [*_separators(text, opening, "\n")]
-            gaps = [
-                place
-                for place in _separators(text, opening, " \t")
-                if _parts(text[opening + 1 : end], place - opening - 1)
-            ]
-        except FormulaError:
+    return _INNERMOST.sub(_parted, text)
+
+
+def _parted(found: re.Match[str]) -> str:
+    text = found.group()
+    try:
+        if _top_level(text, 0, ",&"):
             return text
-        lengths = [sum(start < gap < stop for gap in gaps) for start, stop in pairwise([opening, *rows, end])]
-        if min(lengths) == max(lengths) > 0:
-            for places, sign in ((gaps, ","), (rows, ";")):
-                for place in places:
-                    result[place] = sign
-    return "".join(result)
+        rows = [*_separators(text, 0, ";")] or [*_separators(text, 0, "\n")]
+        gaps = [place for place in _separators(text, 0, " \t") if _is_gap(text, place)]
+    except FormulaError:
+        return text
+    passed = [bisect(gaps, end) for end in (0, *rows, len(text))]
+    lengths = [after - before for before, after in pairwise(passed)]
+    if not lengths or min(lengths) != max(lengths) or not gaps:
+        return text
+    signs = dict.fromkeys(gaps, ",") | dict.fromkeys(rows, ";")
+    return "".join(signs.get(at, sign) for at, sign in enumerate(text))
 
 
-def _parts(inside: str, place: int) -> bool:
+def _is_gap(text: str, place: int) -> bool:
     """Whether a space parts two entries; of several side by side the first one."""
-    before, after = inside[:place], inside[place:].lstrip()
-    if not before.strip() or before[-1:].isspace() or not after:
-        return False
-    is_signed = re.match(r"[-+−][^\s]", after) is not None
-    is_behind = re.search(rf"[-+−*/^=×·⋅;\n]$|(?<![A-Za-z])(?:{_FUNCTIONS})(?:\^?[\d²³]+)?$", before) is not None
-    return not is_behind and (is_signed or re.match(r"[-+−*/^=×·⋅;\n]", after) is None)
+    before, after = text[max(place - _NEAR, 0) : place], text[place : place + _NEAR].lstrip()
+    is_behind = re.search(rf"[-+−*/^=×·⋅;\n\[\s]$|(?<![A-Za-z])(?:{_FUNCTIONS})(?:\^?[\d²³]+)?$", before)
+    return not is_behind and re.match(r"[-+−][^\s]|[^-+−*/^=×·⋅;\n\]]", after) is not None
 
 
 def _root(text: str, at: int) -> Structure:

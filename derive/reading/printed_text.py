@@ -57,7 +57,7 @@ _TOKEN = re.compile(
     r"""
     (?P<accented> [A-Za-z](?=[\u0302-\u0305\u0307\u0308]) )
     | (?P<name> [A-Za-z][A-Za-z0-9]*_[A-Za-z0-9_]+ )
-    | (?P<word> atan2 | expm1 | [A-Za-z]+\d* )
+    | (?P<word> atan2 | expm1 | (?:[A-Za-z](?![\u0302-\u0305\u0307\u0308]))+\d* )
     | (?P<decimal> (?:\d+\.\d+|\d+) )
     | (?P<power> \*\* | \^ )
     | (?P<lowered> _ )
@@ -66,7 +66,9 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-_MATHEMATICAL = re.compile(rf"(?P<letters>[{LATIN}]{{2,}})|[^{LATIN}]+|.", re.DOTALL)
+_MATHEMATICAL = re.compile(
+    rf"(?P<letters>[{LATIN}]{{2,}})|[\u00c0-\u024f\u1e00-\u1eff]|[^{LATIN}\u00c0-\u024f\u1e00-\u1eff]+|.", re.DOTALL
+)
 _WITH_ARGUMENT = MappingProxyType({"power": "^{", "lowered": "_{", "root": r"\sqrt{"})
 _FUNCTION_BEHIND = re.compile(rf"(?P<letter>[A-Za-z]?)(?P<function>{_FUNCTIONS})")
 _COMBINING = MappingProxyType(
@@ -79,6 +81,7 @@ _COMBINING = MappingProxyType(
         "\u0308": r"\ddot",
     }
 )
+_DOTS = MappingProxyType({"\u0307": "dot", "\u0308": "ddot"})
 _NOT_ASCII = re.compile(r"[^\x00-\x7f]")
 
 
@@ -130,16 +133,29 @@ def read_printed_text(
 
 
 def _with_plain_letters(text: str) -> tuple[str, list[int]]:
-    """The text with plain letters for mathematical ones, each of which is a symbol, and where each sign stood."""
+    """The text with plain letters for mathematical ones, each of which is a symbol, and where each sign stood.
+
+    What stands over a letter stands behind it then: ẋ is x and a dot.
+    """
     parts: list[str] = []
     places: list[int] = []
     for found in _MATHEMATICAL.finditer(text):
+        if accented := _taken_apart(found.group()):
+            parts.append(accented)
+            places += [found.start()] * len(accented)
+            continue
         said = without_alphabets(found.group())
         is_product = found["letters"] and not _FUNCTION_BEHIND.fullmatch(said)
         step = 2 if is_product else 1
         parts.append(" ".join(said) if is_product else said)
         places += [found.start() + at // step for at in range(len(parts[-1]))]
     return "".join(parts), [*places, len(text)]
+
+
+def _taken_apart(character: str) -> str:
+    """A letter and what stands over it, of a character that is both; nothing of others."""
+    apart = unicodedata.normalize("NFD", character) if len(character) == 1 and not character.isascii() else ""
+    return apart if len(apart) == 2 and apart[1] in _COMBINING and (apart[0].isascii() or _greek(apart[0])) else ""
 
 
 def _as_latex(text: str, known: _Known) -> tuple[str, list[int]]:
@@ -173,6 +189,8 @@ def _typed(said: str, place: str, text: str, at: int, names: frozenset[str]) -> 
     fraction = re.fullmatch(r"(\d+)\N{FRACTION SLASH}(\d+)", unicodedata.normalize("NFKC", said))
     if said.isascii():
         return said
+    if said in _COMBINING:  # ẋ is xdot, and a hat says nothing
+        return _DOTS.get(said, "")
     if place:
         inside = "".join(map(_plain, said)).strip()
         return f"**({inside})" if place == "^" else f"_{inside}".replace("\\", "")
@@ -342,7 +360,7 @@ def _known(character: str) -> bool:
         is_sign
         or is_mathematical(character)
         or unicodedata.decomposition(character).startswith("<fraction>")
-        or bool(_place(character) or _greek(character))
+        or bool(_place(character) or _greek(character) or _taken_apart(character))
     )
 
 

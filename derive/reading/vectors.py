@@ -5,19 +5,21 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from math import prod
 from operator import is_
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.fold import rebuild
 from radartrack.derive.formula.functions import VERBS
-from radartrack.derive.formula.shape import Shape, product_shape, shapes
+from radartrack.derive.formula.shape import MAX_ROWS, Shape, product_shape, shapes
 from radartrack.derive.formula.tree import (
     Array,
     Call,
     Constant,
     Entries,
     Name,
+    Number,
     Power,
     Product,
     Quotient,
@@ -28,6 +30,8 @@ from radartrack.derive.formula.tree import (
     with_children,
 )
 
+ZERO = Number("0")
+MOST_FACTORS = 30  # of a product of vectors: each number among them is one bracket more
 ShapeOf = Callable[[Tree], Shape | None]
 
 
@@ -62,17 +66,71 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
             return replace(node, function="abs")
         case Product():
             return _multiplied(node, shape_of)
+        case Array(rows) if (blocks := _blocks(rows, shape_of)) is not None:
+            return replace(node, entries=blocks)
+        case Call("diag", matrices) if len(matrices) > 1 and any(shape_of(one) for one in matrices):
+            places = range(len(matrices))
+            rows = tuple(Array(tuple(matrices[at] if at == own else ZERO for at in places)) for own in places)
+            blocks = _blocks(rows, shape_of)
+            return node if blocks is None else Array(blocks, span=node.span)
         case Sum() | Array() if any(shape_of(part) == () for part in children(node)):
             return _with_picked(node, children(node), shape_of)
         case Quotient(_, denominator):
             return _with_picked(node, (denominator,), shape_of)
-        case Power(Constant("e"), exponent) if len(shape_of(exponent) or ()) == len(("rows", "columns")):
+        case Power(Constant("e"), exponent) | Call("exp", (exponent,)) if _is_matrix(shape_of(exponent)):
             return Call("expm", (exponent,), span=node.span)
         case Power(base, _) if shape_of(base) != (1, 1):  # whose power is one of a matrix as well
             return _with_picked(node, children(node), shape_of)
         case Call(function) if function not in VERBS:
             return _with_picked(node, children(node), shape_of)
     return node
+
+
+def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
+    """The rows of the matrix that rows of matrices make, in which 0 stands for any number of zeros."""
+    cells = [row.entries for row in rows if isinstance(row, Array)]
+    if len(cells) < len(rows) or len({len(row) for row in cells}) != 1:
+        return None
+    if not any(_is_matrix(shape_of(cell)) for cell in chain(*cells)):
+        return None
+    shapes = [[_as_block(shape_of(cell)) if cell != ZERO else None for cell in row] for row in cells]
+    if len(cells) == len(cells[0]) == 1:
+        return None
+    heights = [max((one[0] for one in row if one), default=0) for row in shapes]
+    widths = [max((one[1] for one in column if one), default=0) for column in zip(*shapes, strict=True)]
+    if max(sum(heights), sum(widths)) > MAX_ROWS:
+        return None
+    made = []
+    for row, found, height in zip(cells, shapes, heights, strict=True):
+        fits = all(one == (height, width) or cell == ZERO for cell, one, width in zip(row, found, widths, strict=True))
+        if not fits or not height or not all(widths):
+            return None
+        for at in range(height):
+            entries = (
+                _entry(cell, shape_of, at, j) for cell, width in zip(row, widths, strict=True) for j in range(width)
+            )
+            made.append(Array(tuple(entries)))
+    return tuple(made)
+
+
+def _is_matrix(found: Shape | None) -> bool:
+    return found is not None and len(found) == len(("rows", "columns"))
+
+
+def _as_block(found: Shape | None) -> Shape | None:
+    """The rows and columns of a cell: a vector is a column, a number one entry."""
+    return found if found is None or len(found) > len(("rows", "columns")) else (*found, 1, 1)[:2]
+
+
+def _entry(cell: Tree, shape_of: ShapeOf, row: int, column: int) -> Tree:
+    rank = len(shape_of(cell) or ())
+    if not rank:
+        return cell
+    if isinstance(cell, Array) and rank == 1:
+        return cell.entries[row]
+    if isinstance(cell, Array) and isinstance(inner := cell.entries[row], Array):
+        return inner.entries[column]
+    return Entries(cell, (row, column)[:rank], span=cell.span)
 
 
 def _with_picked(node: Tree, chosen: Sequence[Tree], shape_of: ShapeOf) -> Tree:
@@ -89,6 +147,8 @@ def _number(tree: Tree, found: Shape | None) -> Tree:
 def _multiplied(node: Product, shape_of: ShapeOf) -> Tree:
     """A product in which a vector before another one is a row, and an array of one entry a number before any array."""
     before: list[Tree] = []
+    if len(node.factors) > MOST_FACTORS:
+        return node
     for factor in node.factors:
         so_far, own = (shape_of(_product(before)) if before else ()), shape_of(factor)
         if not so_far or not own or product_shape(so_far, own) is not None:

@@ -28,7 +28,7 @@ DECORATIONS = MappingProxyType(
     }
 )
 SAYS_NOTHING = frozenset({"\\vec", "\\underline", "\\overrightarrow", "\\mathring"})  # arrows and lines of vectors
-_OF_TIME = frozenset({"k", "n", "i", "j", "t"})
+OF_TIME = frozenset({"k", "n", "i", "j", "t"})
 _SIGNS = MappingProxyType({"|": "_", "-": "m", "+": "p", "/": "_", "(": "", ")": "", ",": "_"})
 
 _SHIFTED = re.compile(r"[kntij][mp]\d+")  # as the index k-1 or k+1 is spelled in a name
@@ -95,12 +95,12 @@ class Names:
             else:
                 yield from full
                 yield from plain
-        if not self._strangers and letter.below in _OF_TIME and len(self._indices.get(letter.base, ())) <= 1:
+        if not self._strangers and letter.below in OF_TIME and len(self._indices.get(letter.base, ())) <= 1:
             yield letter.base
 
     def _is_of_another_time(self, letter: Letter) -> bool:
         """Whether a letter is one of k + 1 or k - 1, and the same letter of k stands beside it."""
-        beside = {f"{letter.below}_{index}".strip("_") for index in _OF_TIME}
+        beside = {f"{letter.below}_{index}".strip("_") for index in OF_TIME}
         is_shifted = any(_SHIFTED.fullmatch(word) for word in letter.decorations)
         return is_shifted and not beside.isdisjoint(self._indices.get(letter.base, ()))
 

@@ -15,6 +15,7 @@ _INDEX = r"[kntij](?:[+-]\d+)?"
 _TIME = re.compile(rf"{_INDEX}(?:[|/]{_INDEX})?|\d")
 _LETTERS = frozenset("kntij")
 _COUNTS = _LETTERS - {"t"}  # which a bracket behind multiplies: k(k+1)
+_PERIODS = frozenset({"T", "t", "\\tau"})  # of which there are n - 1 in T(n-1)
 _BARS = frozenset({"\\mid", "\\vert", "|"})
 _SUBSCRIBED = frozenset({"letter", "greek", "word", "close", "prime"})
 
@@ -40,7 +41,8 @@ def with_times(found: list[Piece], names: Collection[str]) -> list[Piece]:
     if not times:
         return found
     inside = {at for time in times for at in range(time.first, time.last + 1)}
-    others = {piece.text for at, piece in enumerate(found) if at not in inside and not _is_below(found, at)}
+    inside |= _subscripts(found)
+    others = {piece.text for at, piece in enumerate(found) if at not in inside}
     times = [one for one in times if not _LETTERS & set(one.said) & (others | set(names))]
     is_one = len({time.said for time in times}) == 1
     result = list(found)
@@ -58,7 +60,8 @@ def _time(found: Sequence[Piece], index: int) -> _Time | None:
     last = next((at for at in range(index, len(found)) if found[at].text == ")"), index)
     said = "".join("|" if piece.text in _BARS else piece.text for piece in found[index + 1 : last])
     letter = _letter_before(found, index)
-    return _Time(index, last, letter, said) if letter >= 0 and _TIME.fullmatch(said) else None
+    is_duration = letter >= 0 and found[_start(found, letter)].text in _PERIODS and re.search("[+-]", said)
+    return _Time(index, last, letter, said) if letter >= 0 and _TIME.fullmatch(said) and not is_duration else None
 
 
 def _letter_before(found: Sequence[Piece], index: int) -> int:
@@ -95,14 +98,19 @@ def _start(found: Sequence[Piece], at: int) -> int:
     return at
 
 
-def _is_below(found: Sequence[Piece], at: int) -> bool:
-    """Whether a piece stands in a subscript."""
-    depth = 0
-    for before in range(at - 1, -1, -1):
-        depth += (found[before].text == "}") - (found[before].text == "{")
-        if found[before].kind == "lowered" and (depth < 0 or before == at - 1):
-            return True
-    return False
+def _subscripts(found: Sequence[Piece]) -> set[int]:
+    """Where pieces stand in subscripts."""
+    below: set[int] = set()
+    groups: list[bool] = []
+    for at, piece in enumerate(found):
+        is_first = at > 0 and found[at - 1].kind == "lowered"
+        if piece.text == "{":
+            groups.append(is_first or any(groups))
+        elif piece.text == "}" and groups:
+            groups.pop()
+        elif is_first or (groups and groups[-1]):
+            below.add(at)
+    return below
 
 
 def _lower(result: list[Piece], letter: int, time: Sequence[Piece]) -> None:

@@ -23,6 +23,7 @@ from radartrack.derive.formula.unknown_names import unknown_function, unknown_na
 from radartrack.derive.reading.tex.latex_arguments import before_deviations
 from radartrack.derive.reading.tex.latex_letters import (
     DECORATIONS,
+    OF_TIME,
     SAYS_NOTHING,
     Letter,
     Names,
@@ -163,7 +164,17 @@ class _Tokenizer:
         index = 0
         while index < len(self.pieces):
             index = self.taken[index] if index in self.taken else self._step(index)
+        self._drop_times_of_arrays()
         return self.tokens
+
+    def _drop_times_of_arrays(self) -> None:
+        """J_k is J where this is an array, and stands for one time only."""
+        for base in {letter.base for letter in self.letters.values()} & self.shapes.keys():
+            own = [place for place, letter in self.letters.items() if letter.base == base]
+            times = {self.letters[place].below for place in own}
+            if len(times) == 1 and times <= OF_TIME and f"{base}_{next(iter(times))}" not in self.names:
+                for place in own:
+                    self.letters[place] = replace(self.letters[place], below="")
 
     def _step(self, index: int) -> int:
         piece = self.pieces[index]

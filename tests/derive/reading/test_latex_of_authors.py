@@ -415,6 +415,9 @@ def test_one_time_in_brackets_behind_every_letter_says_nothing(time: str):
         (r"\sum_{j=1}^{k} (j+1)", "sum(j + 1, j, 1, k)"),
         (r"\frac{a}{b}(k)", "a/b*k"),
         (r"\cos(k)", "cos(k)"),
+        (r"\frac{\sigma}{T(n-1)}", "sigma/(T*(n - 1))"),
+        (r"\frac{\sigma}{\Delta t(n-1)}", "sigma/(Delta_t*(n - 1))"),
+        (r"\frac{\sigma^2}{T^2(n+1)(n+2)}", "sigma**2/(T**2*(n + 1)*(n + 2))"),
         (r"(x + y)(k)", "(x + y)*k"),
     ],
 )
@@ -424,3 +427,32 @@ def test_several_times_in_brackets_tell_letters_apart_and_factors_stay_factors(l
 
 def test_a_bracket_with_a_symbol_is_a_factor():
     assert to_text(read_latex("r(k)", ("r", "k"))) == "r*k"
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\arctan(y, x)", r"\tan^{-1}(y, x)", r"\arctan\left(y, x\right)", r"\operatorname{atan}(y,x)"]
+)
+def test_an_arc_tangent_of_two_numbers_is_that_of_a_point(latex: str):
+    assert echo(latex) == "atan2(y, x)"
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"J_k R_k J_k^T", "J*R*J.T"),
+        (r"J_{k} R_{k} J_{k}'", "J*R*J.T"),
+        (r"\mathbf{J}_n\mathbf{R}\mathbf{J}_n^{\top}", "J*R*J.T"),
+        (r"J(k) R(k) J(k)'", "J*R*J.T"),
+        (r"R(k|k-1) - R(k|k-1) J(k)'J(k) R(k|k-1)", "R - R*J.T*J*R"),
+    ],
+)
+@pytest.mark.parametrize("strangers", [False, True])
+def test_an_array_of_one_time_is_the_array(latex: str, text: str, *, strangers: bool):
+    shapes = {"J": (2, 2), "R": (2, 2)}
+    assert to_text(read_latex(latex, shapes, shapes, strangers=strangers)) == text
+
+
+def test_arrays_of_two_times_are_told_apart():
+    shapes = {"J": (2, 2), "J_k": (2, 2)}
+    assert to_text(read_latex("J_k J^T", shapes, shapes)) == "J_k*J.T"
+    assert to_text(read_latex("J_n J_k", {"J"}, {"J": (2, 2)}, strangers=True)) == "J_n*J_k"

@@ -1,5 +1,7 @@
 """Text that was copied from a page: signs and letters of print, and places in it."""
 
+import unicodedata
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -150,3 +152,18 @@ def test_letters_of_a_mathematical_alphabet_are_symbols_each_and_a_fault_is_told
     with pytest.raises(FormulaError) as caught:
         read_formula("𝑎𝑏𝑐 + 𝑟 ≠ 2", "text", None)
     assert (caught.value.source, caught.value.span) == ("𝑎𝑏𝑐 + 𝑟 ≠ 2", (8, 9))
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        ("ṙ = (xẋ + yẏ + zż)/r", "(x*xdot + y*ydot + z*zdot)/r"),
+        ("(x ẋ + y ẏ)/√(x² + y²)", "(x*xdot + y*ydot)/sqrt(x**2 + y**2)"),
+        ("(x*ẋ + y*ẏ)/sqrt(x^2 + y^2)", "(x*xdot + y*ydot)/sqrt(x**2 + y**2)"),
+        ("r̂*cos(θ̂) + ẍ*T", "r*cos(theta) + xddot*T"),
+        ("ẑ + x̄ + ŷ", "z + x + y"),
+    ],
+)
+def test_letters_with_dots_of_one_character_are_those_with_dots_behind_them(text: str, read: str):
+    for form in ("NFC", "NFD"):
+        assert to_text(read_formula(unicodedata.normalize(form, text), "text", None).tree) == read

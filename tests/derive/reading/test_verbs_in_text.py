@@ -33,6 +33,18 @@ SAME = {
     "e^([0, 1; 0, 0]*T)": "[1, T; 0, 1]",
     "e^([0, 1; 0, 0]*T)*[x, y]": "[x + T*y, y]",
     "e^-([-x].T*[y])": "exp(x*y)",
+    "[A, 0; 0, A]": "[x, y, 0, 0; omega, beta, 0, 0; 0, 0, x, y; 0, 0, omega, beta]",
+    "diag(A, A)": "[x, y, 0, 0; omega, beta, 0, 0; 0, 0, x, y; 0, 0, omega, beta]",
+    "diag(A, [r; T], eye(1))": "[x, y, 0, 0; omega, beta, 0, 0; 0, 0, r, 0; 0, 0, T, 0; 0, 0, 0, 1]",
+    "[eye(2), T*eye(2); 0, eye(2)]": "[1, 0, T, 0; 0, 1, 0, T; 0, 0, 1, 0; 0, 0, 0, 1]",
+    "[A, -A.T; 0, 2*A]": "[x, y, -x, -omega; omega, beta, -y, -beta; 0, 0, 2*x, 2*y; 0, 0, 2*omega, 2*beta]",
+    "[A, [r; T]; [[1, 2]], [[k]]]": "[x, y, r; omega, beta, T; 1, 2, k]",
+    "diag(A, k)": "[x, y, 0; omega, beta, 0; 0, 0, k]",
+    "[A, [r, T]; [[0, 0]], 1]": "[x, y, r; omega, beta, T; 0, 0, 1]",
+    "exp([0, 1; 0, 0]*T)": "[1, T; 0, 1]",
+    "A*A'": "A*A.T",
+    "[x; y]'*A'*[r; T]": "[[x, y]]*A.T*[r; T]",
+    "(A*A')'": "A*A.T",
     "norm([x, y])": "sqrt(x^2 + y^2)",
     "norm([x; y]) + norm(A[0, :].T)": "2*sqrt(x^2 + y^2)",
     "|[x, y]| + |-r|": "sqrt(x^2 + y^2) + r",
@@ -110,6 +122,9 @@ def test_the_shape_that_is_read_is_the_shape_that_comes_out(text: str):
         ("norm(A)", "the length of a vector is meant, this is an array of shape (2, 2)"),
         ("[x, y]*[x, y, r]", "cannot be multiplied"),
         ("[x, y] + [x, y].T*[x, y]", "cannot be added"),
+        ("[A, 1; 0, A]", "the rows of this array differ in length"),
+        ("[A, [x, y]; 0, A]", "the rows of this array differ in length"),
+        ("diag(A, 0)", "diag takes the entries of the diagonal"),
         ("1/A", "cannot stand in a denominator"),
         ("cos(A)", "cannot stand in a denominator, a power or a function"),
         ("A^(1/2)", "a matrix is raised to whole powers"),
@@ -152,3 +167,17 @@ def test_the_grammar_knows_the_verbs_and_no_others():
 def test_a_name_that_begins_like_a_verb_or_stands_without_brackets_is_a_name():
     names = {"sum", "summand", "limit_1"}
     assert to_text(read_text("sum + summand*limit_1", names)) == "sum + summand*limit_1"
+
+
+@pytest.mark.parametrize("text", ["[{0}, 0; 0, {0}]", "diag({0}, {0})", "[{0}, {0}; {0}, {0}]"])
+def test_matrices_of_matrices_do_not_grow_beyond_what_is_printed(text: str):
+    grown = "A"
+    for _ in range(12):
+        grown = text.format(grown)
+    with pytest.raises(FormulaError):
+        read_text(grown, {"A"}, {"A": (2, 2)})
+
+
+def test_a_long_product_of_vectors_is_refused_with_a_word():
+    with pytest.raises(FormulaError, match=r"cannot be multiplied"):
+        read_text("*".join(["v"] * 300), {"v"}, {"v": (3,)})
