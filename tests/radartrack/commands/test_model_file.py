@@ -1,6 +1,7 @@
 """`--model FILE`: every command treats a model of one's own as one that is built in."""
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -65,6 +66,17 @@ def test_check_decides_of_an_own_model(
 ):
     result = run("check", "rotor.jacobian[0,1]", formula, "--model", files[kind])
     assert result.exit_code == code, result.output
+
+
+@pytest.mark.parametrize("kind", ["toml", "py"])
+@pytest.mark.parametrize("name", ["polar.map", "no such"])
+def test_verify_says_of_what_there_is_no_quantity(
+    run: Callable[..., Result], files: dict[str, Path], kind: str, name: str
+):
+    result = run("verify", name, "--model", files[kind])
+    assert result.exit_code == 2
+    said = re.sub(r"[\s│]", "", result.output)
+    assert f"noquantityof{files[kind]}iscalled" in said
 
 
 def test_a_claim_that_is_another_quantity_of_the_model_is_said_to_be_that(files: dict[str, Path]):
