@@ -47,7 +47,9 @@ from radartrack.derive.checking.reporting.barrier import attempted
 from radartrack.derive.checking.reporting.derived_formula import shown
 from radartrack.derive.checking.reporting.verdict import GRAVITY, Counterexample, Outcome, Suggestion, Verdict
 from radartrack.derive.evaluation.points import Point
+from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.to_expression import is_real
+from radartrack.derive.formula.tree import Tree
 from radartrack.derive.language.tensor import Index
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.symbolic import Expr, Symbol
@@ -193,11 +195,22 @@ class Question:
         return Finding(entry, Outcome.DIFFERS, values, reason)
 
     def _wrong_dimensions(self, entry: Index) -> str:
-        """What does not fit in the dimensions of an entry; nothing where they do."""
+        """What does not fit in the dimensions of an entry; nothing where all does.
+
+        The map of a model may add a number alone to a length: dimensions say nothing of what is printed for it then.
+        """
+        wrong, part = self._misfit(self.printed.entries[entry], entry), self.reference.part
+        if not wrong or part is None or part.quantity.model is None:
+            return wrong
+        return (
+            ""
+            if attempted(lambda: self._misfit(to_tree(self.reference.entries[entry]), entry), lambda _: "")
+            else wrong
+        )
+
+    def _misfit(self, tree: Tree, entry: Index) -> str:
         try:
-            check_dimension(
-                self.printed.names.dimension_of(self.printed.entries[entry]), self.reference.dimension(entry)
-            )
+            check_dimension(self.printed.names.dimension_of(tree), self.reference.dimension(entry))
         except WrongDimensions as error:
             return str(error)
         return ""

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 from itertools import combinations_with_replacement
-from math import factorial, prod
+from math import factorial, pi, prod
 from operator import mul
 
 from radartrack.derive import symbolic as sp
@@ -20,6 +20,7 @@ from radartrack.derive.algebra.differential_ring import DifferentialRing
 from radartrack.derive.language.model import Model
 from radartrack.derive.language.stable_form import StableForm
 from radartrack.derive.language.tensor import Tensor
+from radartrack.derive.language.variable import Variable
 from radartrack.derive.moments.mean_square import MeanSquare, Powers
 from radartrack.derive.stable.rewriting import general_form
 from radartrack.derive.symbolic import Expr, PolyElement, Symbol
@@ -69,8 +70,15 @@ def validity_form(model: Model, formulas: str) -> StableForm:
 
 
 def _size(divisor: Expr) -> Expr:
-    """The divisor without its sign, which only a sum may turn: lengths are positive, and cosines of elevations."""
-    return sp.Mul(*(sp.Abs(factor) if isinstance(factor, sp.Add) else factor for factor in sp.Mul.make_args(divisor)))
+    """The divisor without its sign, which lengths and cosines of elevations do not have."""
+    return sp.Mul(*(part if _is_positive(part) else sp.Abs(part) for part in sp.Mul.make_args(divisor)))
+
+
+def _is_positive(factor: Expr) -> bool:
+    base, _ = factor.as_base_exp()
+    if isinstance(base, sp.cos) and isinstance(angle := base.args[0], Variable):
+        return -pi / 2 <= angle.low and angle.high <= pi / 2
+    return bool(base.is_nonnegative)
 
 
 def _name(model: Model, i: int, powers: Powers) -> Symbol:

@@ -102,7 +102,7 @@ def verify(  # noqa: PLR0913, PLR0917 - one argument an option
     where = chosen_engine(engine, scheduler, workers)
     _refuse_without_compiler(language)
     declared = _declared(model)
-    chosen = _chosen(names or [], declared.quantities or catalogue())
+    chosen = _chosen(names or [], declared.quantities or catalogue(), model)
     of_rounding = {"--prove": (prove, _prove), "--worst": (worst, _search), "--plot": (plot, _draw)}
     if _of_rounding_alone(of_rounding, chosen, {"--model": model, "--json": json_out}):
         return
@@ -293,8 +293,8 @@ def _written(declared: OwnModels, names: Sequence[str], engine: Engine) -> OwnMo
         raise typer.Exit(2) from None
 
 
-def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity]) -> list[str]:
-    """Names that are one of the patterns, or hold one."""
+def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity], model: Path | None) -> list[str]:
+    """Names that are one of the patterns, or hold one; of the models in a file, where there is one."""
     known = list(quantities)
     found: dict[str, None] = {}
     for pattern in patterns:
@@ -302,7 +302,8 @@ def _chosen(patterns: Sequence[str], quantities: Mapping[str, Quantity]) -> list
         if not fitting:
             close = get_close_matches(pattern, known, n=3, cutoff=0.5)
             hint = f"did you mean {' or '.join(close)}?" if close else "`radartrack list` shows all names"
-            raise typer.BadParameter(f"no quantity is called {pattern!r}; {hint}")
+            within = f" of {terminal.one_line(str(model))}" if model else ""
+            raise typer.BadParameter(f"no quantity{within} is called {pattern!r}; {hint}")
         found |= dict.fromkeys(fitting)
     return list(found) if patterns else known
 

@@ -37,7 +37,7 @@ class LostDigits:
         digits: how many of the sixteen (or seven) decimal digits are lost at worst.
         where: when, in words.
         why: what cancels, in words; empty where that is not known.
-        instead: what to call.
+        instead: what to call; empty for a model of one's own, whose code is the user's.
     """
 
     digits: int
@@ -47,7 +47,8 @@ class LostDigits:
 
     def __str__(self) -> str:
         because = f": {self.why}" if self.why else ""
-        return f"it loses {self.digits} digits {self.where}{because}; {self.instead} keeps them"
+        kept = f"; {self.instead} keeps them" if self.instead else ""
+        return f"it loses {self.digits} digits {self.where}{because}{kept}"
 
 
 @dataclass(frozen=True)

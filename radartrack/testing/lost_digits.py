@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from radartrack.derive import symbolic as sp
+from radartrack.derive.catalogue import catalogue
 from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.formula.from_expression import to_tree
 from radartrack.derive.formula.printing import to_text
@@ -101,7 +102,7 @@ def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits
         _where(expected, errors.max(axis=1), int(place)),
         _subtraction(expected.wanted.entries[int(entry)], expected, int(place))
         or next(filter(None, (_what_is_subtracted(expected, errors, one) for one in _worst_first(errors))), ""),
-        f"radartrack.generated.{quantity.module}.{quantity.function}",
+        f"radartrack.generated.{quantity.module}.{quantity.function}" if quantity.name in catalogue() else "",
     )
 
 
@@ -169,7 +170,7 @@ def _what_is_subtracted(expected: Expected, errors: Array, entry: int) -> str:
     """How large the numbers are whose rounding the error is, where the derived formula itself does not cancel."""
     wanted = expected.wanted
     unit, words = _natural_unit(wanted.quantity.unit(wanted.places[entry]), expected)
-    lost = errors[:, entry] > MANY_ULP
+    lost = (errors[:, entry] > MANY_ULP) & (expected.scales[:, entry] > 0)
     if unit is None or lost.sum() < FEWEST:
         return ""
     powers = np.log10(errors[lost, entry] * expected.scales[lost, entry] / unit[lost])

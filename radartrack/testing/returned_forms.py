@@ -94,7 +94,8 @@ def _of_a_covariance(wanted: Wanted) -> Iterator[ReturnedForm]:
     yield ReturnedForm("the upper Cholesky factor of the result", wanted, partial(_product, np.tril))
     yield ReturnedForm("the square root of the result as a matrix", wanted, _square)
     yield ReturnedForm("deviations on the diagonal and correlations beside it", wanted, _of_deviations)
-    yield ReturnedForm("the result as a correlation matrix", _correlations(wanted), _itself)
+    if all(wanted.quantity.expression[place, place] for place in range(size)):  # what has no error correlates with none
+        yield ReturnedForm("the result as a correlation matrix", _correlations(wanted), _itself)
 
 
 def _correlations(wanted: Wanted) -> Wanted:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,8 +25,8 @@ GENERATIONS = 5
 CORRELATED = 32
 ALLOWANCE = 2.0**10  # correlated errors may nearly cancel; the bound is for independent ones
 SURVIVORS = 0.02
-MOVED = 2.0**-26  # relative, of an argument, to see what its rounding does
-MOVED_SINGLE = 2.0**-12
+MOVED = 2.0**-45  # relative, of an argument, to see what its rounding does: next to a pole it must be small
+ROUNDING = 2.0**-53  # of an argument, relative
 
 
 @dataclass(frozen=True)
@@ -65,8 +67,8 @@ class Accuracy:
         found, strong = np.nan_to_num(found, posinf=np.inf), np.nan_to_num(strong, posinf=np.inf)
         bound = BOUNDS.get(quantity.module, BOUND_ELSEWHERE)
         if quantity.name not in catalogue():
-            found = found / self._conditions(function, quantity, tried, found > bound)
-            strong = strong / self._conditions(function, quantity, strong_points, strong > bound)
+            found = found / _conditions(quantity, tried, found > bound, exact)
+            strong = strong / _conditions(quantity, strong_points, strong > bound, exact)
         place = ", ".join(f"{name}={float(values[found.argmax()])!r}" for name, values in tried.items())
         counted = (
             f"{within} of {len(found)} points, where nothing leaves its range"
@@ -93,41 +95,41 @@ class Accuracy:
         within: Any = function
         return np.where(within.within_range(points), found / SINGLE, np.nan)
 
-    def _conditions(
-        self, function: Function, quantity: Quantity, points: Points, wanted: npt.NDArray[np.bool_]
-    ) -> npt.NDArray[np.float64]:
-        moved, rounding = (MOVED_SINGLE, 2.0**-24 / SINGLE) if self.single else (MOVED, 2.0**-53)
-        return _conditions(function, quantity, points, wanted, moved, rounding)
-
 
 def _conditions(
-    function: Function,
-    quantity: Quantity,
-    points: Points,
-    wanted: npt.NDArray[np.bool_],
-    step: float = MOVED,
-    rounding: float = 2.0**-53,
+    quantity: Quantity, points: Points, wanted: npt.NDArray[np.bool_], exact: Exact
 ) -> npt.NDArray[np.float64]:
     """How many times its own rounding an error is that comes of rounding the arguments, at wanted points; else 1.
 
     A model of one's own may have entries that vanish inside of its domain, or waves of many turns: no code computes
-    them to a few ulp there, and code that is as good as its arguments is as good as it can be.
+    them to a few ulp there, and code that is as good as its arguments is as good as it can be. In either precision the
+    rounding of an argument is as many ulp of an entry.
     """
     found = np.ones(wanted.shape)
     some = {name: values[wanted] for name, values in points.items()}
     if not wanted.any():
         return found
+    exactly = exact(quantity.expression, quantity.symbols)
     total = np.ones(int(wanted.sum()))
     for name, values in some.items():
-        moved = some | {name: values * (1 + step)}
+        moved = some | {name: values * (1 + MOVED)}
 
         def elsewhere(moved: Points = moved, **_: object) -> object:
-            return function(**moved)
+            columns = (moved[symbol.name].tolist() for symbol in quantity.symbols)
+            return [_rounded(exactly, row, len(quantity.expression.entries)) for row in zip(*columns, strict=True)]
 
-        change = errors(elsewhere, quantity, some) * (rounding / step)
+        change = errors(elsewhere, quantity, some, exact) * (ROUNDING / MOVED)
         total += np.where(np.isfinite(change), change, 0.0)
     found[wanted] = total
     return found
+
+
+def _rounded(exactly: Callable[[Sequence[float]], Iterable[Any]], row: Sequence[float], size: int) -> list[float]:
+    """The exact entries at a point; NaN where there are none, as a little beyond the domain."""
+    try:
+        return [float(value) for value in exactly(row)]
+    except (ArithmeticError, TypeError, ValueError):
+        return [math.nan] * size
 
 
 def bred(

@@ -1,6 +1,8 @@
 """`--model FILE`: every command treats a model of one's own as one that is built in."""
 
 import json
+import re
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,6 +14,7 @@ from radartrack.commands.model_file import NoModel, load_models
 from radartrack.derive.checking.check import check
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.moments.conversion_quantities import quantities_of
+from radartrack.derive.reading.model_table import read_models
 from radartrack.derive.reading.symbol_table import TableError
 from radartrack.derive.sensors import models
 from tests import own_models
@@ -65,6 +68,46 @@ def test_check_decides_of_an_own_model(
 ):
     result = run("check", "rotor.jacobian[0,1]", formula, "--model", files[kind])
     assert result.exit_code == code, result.output
+
+
+@pytest.mark.parametrize("kind", ["toml", "py"])
+@pytest.mark.parametrize("name", ["polar.map", "no such"])
+def test_verify_says_of_what_there_is_no_quantity(
+    run: Callable[..., Result], files: dict[str, Path], kind: str, name: str
+):
+    result = run("verify", name, "--model", files[kind])
+    assert result.exit_code == 2
+    said = re.sub(r"[\s│]", "", result.output)
+    assert f"noquantityof{files[kind]}iscalled" in said
+
+
+SHIFTED = """
+[symbols]
+p = { unit = "m", low = -1e5, high = 1e5 }
+q = { unit = "m", low = -1e5, high = 1e5 }
+[[model]]
+name = "shifted"
+measured = ["p", "q"]
+outputs = { x = "0.8*p - 0.6*q + 100", y = "p*q" }
+units = { x = "m", y = "m^2" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("entry", "formula", "outcome"),
+    [
+        ("map[0]", "0.8*p - 0.6*q + 100", Outcome.EQUAL),
+        ("map[0]", "0.8*p - 0.6*q + 10", Outcome.DIFFERS),
+        ("map[0]", "0.8*p - 0.6*q", Outcome.DIFFERS),
+        ("map[1]", "p*q + 100", Outcome.WRONG_DIMENSIONS),
+        ("map[1]", "p + q", Outcome.WRONG_DIMENSIONS),
+        ("jacobian[0,0]", "0.8*p", Outcome.WRONG_DIMENSIONS),
+    ],
+)
+def test_dimensions_decide_nothing_where_the_model_adds_a_number_to_a_length(
+    entry: str, formula: str, outcome: Outcome
+):
+    assert check(f"shifted.{entry}", formula, models=read_models(tomllib.loads(SHIFTED))).verdict is outcome
 
 
 def test_a_claim_that_is_another_quantity_of_the_model_is_said_to_be_that(files: dict[str, Path]):

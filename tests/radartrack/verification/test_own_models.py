@@ -136,6 +136,29 @@ def test_a_number_in_place_of_nothing_is_found():
     assert all(found[name][layer] == "failed" for name in names[1:] for layer in ("quadrature", "Monte Carlo"))
 
 
+GROWING = """
+[symbols]
+b = { unit = "rad" }
+w = { unit = "1", low = -0.9, high = 0.9 }
+s_b = { unit = "rad", low = 1e-6, high = 0.1 }
+s_w = { unit = "1", low = 1e-4, high = 0.05 }
+[[model]]
+name = "growing"
+measured = ["b", "w"]
+outputs = { p = "cos(b)*exp(w)", q = "sin(b)*exp(-w)" }
+units = { p = "1", q = "1" }
+deviations = { b = "s_b", w = "s_w" }
+"""
+
+
+def test_next_to_a_pole_an_error_is_no_more_than_the_arguments_have():
+    names = ["growing.validity.linear", "growing.validity.second_order"]
+    own = written(declared(GROWING), names, HERE, steps)
+    records = Campaign(names, replace(FEW, points=200, mutants=0), None, own).run(HERE, steps)
+    ulp = [layer for one in records for layer in one["layers"] if layer["layer"] == "ulp"]
+    assert [layer["verdict"] for layer in ulp] == ["passed", "passed"], ulp
+
+
 def spoilt(own: OwnModels, change: Callable[[str], str]) -> OwnModels:
     return replace(own, modules=tuple((name, change(text)) for name, text in own.modules))
 

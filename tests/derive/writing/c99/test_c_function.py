@@ -1,7 +1,7 @@
 """Functions in C: names that C can have, comments that end where they should, batches."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 import sympy
@@ -61,7 +61,9 @@ int main(void)
 @needs_compiler
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("wave", [sp.sin, sp.cos])
-def test_one_of_sine_and_cosine_alone_compiles_without_a_warning(language: str, wave: Any, tmp_path: Path):
+def test_one_of_sine_and_cosine_alone_compiles_without_a_warning(
+    language: str, wave: Callable[[sp.Expr], sp.Expr], tmp_path: Path
+):
     x = sympy.Symbol("x", real=True)
     vector = function("radartrack_v", ["x"], [Output("result", (1,))], Statements((), (wave(x),)))
     number = function("radartrack_s", ["x"], [], Statements((), (wave(x),)))

@@ -1,0 +1,69 @@
+"""Functions beside quantities of models of one's own, whose coordinates may have no error, or vanish inside."""
+
+import math
+import tomllib
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+from radartrack.derive.reading.model_table import read_models
+from radartrack.testing import CannotDiagnose, diagnose
+
+TOML = """
+[symbols]
+r = { unit = "m", low = 1e3, high = 1e5 }
+b = { unit = "rad" }
+H = { unit = "m", low = 10, high = 900 }
+p = { unit = "m", low = -10, high = 10 }
+f = { unit = "1/m", low = 10, high = 1000 }
+s_r = { unit = "m", low = 1, high = 100 }
+s_b = { unit = "rad", low = 1e-6, high = 0.1 }
+s_p = { unit = "m", low = 1e-6, high = 1e-3 }
+[[model]]
+name = "flat"
+measured = ["r", "b"]
+parameters = ["H"]
+outputs = { x = "r*cos(b)", y = "r*sin(b)", z = "H" }
+units = { x = "m", y = "m", z = "m" }
+deviations = { r = "s_r", b = "s_b" }
+[[model]]
+name = "wave"
+measured = ["p"]
+parameters = ["f"]
+outputs = { v = "sin(2*pi*f*p)" }
+units = { v = "1" }
+deviations = { p = "s_p" }
+"""
+MODELS = read_models(tomllib.loads(TOML))
+COVARIANCE = "flat.covariance.linear"
+
+
+def covariance(r: float, b: float, s_r: float, s_b: float) -> Any:
+    slopes = np.array([[math.cos(b), -r * math.sin(b)], [math.sin(b), r * math.cos(b)], [0.0, 0.0]])
+    return slopes @ np.diag([s_r**2, s_b**2]) @ slopes.T
+
+
+def test_of_a_coordinate_without_error_the_covariance_is_right_and_its_diagonal_alone_is_told() -> None:
+    assert diagnose(covariance, COVARIANCE, models=MODELS).agrees
+    found = diagnose(lambda r, b, s_r, s_b: np.diag(covariance(r, b, s_r, s_b)), COVARIANCE, models=MODELS)
+    assert "the diagonal of the result alone" in found.convention
+    wrong = diagnose(lambda r, b, s_r, s_b: covariance(r, b, 2 * s_r, s_b), COVARIANCE, models=MODELS)
+    assert wrong.verdict == "slip"
+
+
+@pytest.mark.parametrize("size", [1, 2, 4])
+def test_a_result_of_another_shape_is_refused_with_what_is_wanted(size: int) -> None:
+    with pytest.raises(CannotDiagnose, match=rf"returns an array of shape \({size}, {size}\).*\(3, 3\) is wanted"):
+        diagnose(lambda r, b, s_r, s_b: np.eye(size) * (r + b + s_r + s_b), COVARIANCE, models=MODELS)
+
+
+def test_digits_that_are_lost_where_a_wave_vanishes_are_told_without_a_warning_and_no_code_is_named() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = diagnose(lambda p, f: math.sin(2 * math.pi * f * p), "wave.map", models=MODELS)
+    assert found.agrees
+    assert found.lost_digits is not None
+    assert found.lost_digits.instead == ""
+    assert "keeps" not in str(found)
