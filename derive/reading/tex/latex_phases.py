@@ -1,4 +1,4 @@
-r"""An angular rate and a time behind a sine, \sin\omega T, are its argument: of a rate alone there is no sine."""
+r"""A rate and a time behind a sine, \sin\omega T or \sin\omega(t - t_0), are its argument: of a rate there is none."""
 
 from __future__ import annotations
 
@@ -46,10 +46,21 @@ def behind_power(tokens: Sequence[Token], at: int) -> int:
 def _phase_end(tokens: Sequence[Token], first: int) -> int:
     """Where a rate times a time ends, perhaps with a number before them; 0 where none begins there."""
     rate = first + 1 if first < len(tokens) and tokens[first].type == "NUMBER" else first
-    end = rate + 2
-    one, other = [*(token.value if token.type == "NAME" else "" for token in tokens[rate:end]), "", ""][:2]
-    is_phase = _RATE.fullmatch(one) and _TIME.fullmatch(other)
+    end = _time_end(tokens, rate + 1)
+    if not end or tokens[rate].type != "NAME" or not _RATE.fullmatch(tokens[rate].value):
+        return 0
     behind = [*(token.type for token in tokens[end : end + 2]), "", ""][:2]
-    divides = behind == ["SLASH", "NAME"] and tokens[end + 1].value == one  # sin ωT/ω
-    goes_on = behind[0] in {"RAISED", "SLASH", "NAME", "LPAR", "TRANSPOSED"} and not divides
-    return 0 if not is_phase or goes_on else end
+    divides = behind == ["SLASH", "NAME"] and tokens[end + 1].value == tokens[rate].value  # sin ωT/ω
+    is_open = tokens[end - 1].type != "RPAR" and not divides
+    goes_on = behind[0] in {"RAISED", "TRANSPOSED", *(("SLASH", "NAME", "LPAR") if is_open else ())}
+    return 0 if goes_on else end
+
+
+def _time_end(tokens: Sequence[Token], at: int) -> int:
+    """Where a time ends, or a sum of times in brackets; 0 where neither begins there."""
+    if at >= len(tokens) or tokens[at].type not in {"NAME", "LPAR"}:
+        return 0
+    closed = (n + 1 for n in range(at, len(tokens)) if tokens[n].type == "RPAR")
+    end = next(closed, 0) if tokens[at].type == "LPAR" else at + 1
+    inside = [token for token in tokens[at:end] if token.type not in {"LPAR", "RPAR", "PLUS", "MINUS"}]
+    return end if inside and all(token.type == "NAME" and _TIME.fullmatch(token.value) for token in inside) else 0

@@ -293,7 +293,18 @@ def test_a_subscript_may_be_part_of_the_letter_or_follow_it():
 @pytest.mark.parametrize("function", ["sin", "cos", "tan"])
 @pytest.mark.parametrize("power", ["", "^2 ", "^{2}"])
 @pytest.mark.parametrize(
-    "phase", [r"\omega T", r"\Omega T", r"\omega\,\Delta t", r"\omega_k T_k", r"2\omega t", r"\omega \tau"]
+    "phase",
+    [
+        r"\omega T",
+        r"\Omega T",
+        r"\omega\,\Delta t",
+        r"\omega_k T_k",
+        r"2\omega t",
+        r"\omega \tau",
+        r"\omega(t - t_0)",
+        r"\omega\left(t_{k+1} - t_k\right)",
+        r"2\Omega_k (t_2 - t_1 + \Delta t)",
+    ],
 )
 def test_a_rate_and_a_time_behind_a_sine_are_its_argument(function: str, power: str, phase: str) -> None:
     bare = read_latex(rf"a\{function}{power}{phase} + b", None)
@@ -303,12 +314,25 @@ def test_a_rate_and_a_time_behind_a_sine_are_its_argument(function: str, power: 
     )
 
 
+@pytest.mark.parametrize("behind", [r"\, v", "/2", r"(x + y)", r"\sigma_v"])
+def test_a_time_in_brackets_ends_the_argument(behind: str) -> None:
+    bare = read_latex(rf"a\sin\omega(t - t_0){behind} + b", None)
+    assert bare == read_latex(rf"a\sin(\omega(t - t_0)){behind} + b", None)
+
+
 def test_a_sine_of_a_rate_and_a_time_is_divided_by_the_rate() -> None:
     assert read_latex(r"\sin\omega T/\omega", None) == read_latex(r"\frac{\sin(\omega T)}{\omega}", None)
 
 
 @pytest.mark.parametrize(
-    "formula", [r"\sin\omega T^2", r"\sin\omega T/2", r"\sin\theta T", r"\sin\omega r", r"\sin\omega T r"]
+    "formula",
+    [
+        r"\sin\omega T^2",
+        r"\sin\omega T/2",
+        r"\sin\theta T",
+        r"\sin\omega r",
+        r"\sin\omega T r",
+    ],
 )
 def test_what_else_stands_behind_a_sine_is_ambiguous(formula: str) -> None:
     with pytest.raises(FormulaError, match="ambiguous"):
