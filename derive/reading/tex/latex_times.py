@@ -15,7 +15,7 @@ _INDEX = r"[kntij](?:[+-]\d+)?"
 _TIME = re.compile(rf"{_INDEX}(?:[|/]{_INDEX})?|\d")
 _LETTERS = frozenset("kntij")
 _COUNTS = _LETTERS - {"t"}  # which a bracket behind multiplies: k(k+1)
-_PERIODS = frozenset({"T", "t", "\\tau"})  # of which there are n - 1 in T(n-1)
+_PERIODS = frozenset({"T", "\\tau"})  # of which there are n - 1 in T(n-1)
 _BARS = frozenset({"\\mid", "\\vert", "|"})
 _SUBSCRIBED = frozenset({"letter", "greek", "word", "close", "prime"})
 
