@@ -15,7 +15,7 @@ _INDEX = r"[kntij](?:[+-]\d+)?"
 _TIME = re.compile(rf"{_INDEX}(?:[|/]{_INDEX})?|\d")
 _LETTERS = frozenset("kntij")
 _COUNTS = _LETTERS - {"t"}  # which a bracket behind multiplies: k(k+1)
-_PERIODS = frozenset({"T", "\\tau"})  # of which there are n - 1 in T(n-1)
+_PERIODS, _DIFFERENCES = frozenset({"T", "\\tau"}), frozenset({"\\Delta", "\\delta"})
 _BARS = frozenset({"\\mid", "\\vert", "|"})
 _SUBSCRIBED = frozenset({"letter", "greek", "word", "close", "prime"})
 
@@ -60,8 +60,16 @@ def _time(found: Sequence[Piece], index: int) -> _Time | None:
     last = next((at for at in range(index, len(found)) if found[at].text == ")"), index)
     said = "".join("|" if piece.text in _BARS else piece.text for piece in found[index + 1 : last])
     letter = _letter_before(found, index)
-    is_duration = letter >= 0 and found[_start(found, letter)].text in _PERIODS and re.search("[+-]", said)
-    return _Time(index, last, letter, said) if letter >= 0 and _TIME.fullmatch(said) and not is_duration else None
+    if letter < 0 or not _TIME.fullmatch(said) or (re.search("[+-]", said) and _is_duration(found, letter)):
+        return None
+    return _Time(index, last, letter, said)
+
+
+def _is_duration(found: Sequence[Piece], letter: int) -> bool:
+    r"""Whether a letter that ends there is T or \Delta t, of which there are n - 1 in T(n-1); t(n-1) is a time."""
+    start = _start(found, letter)
+    is_difference = start > 0 and found[start - 1].text in _DIFFERENCES and found[start].text == "t"
+    return is_difference or found[start].text in _PERIODS
 
 
 def _letter_before(found: Sequence[Piece], index: int) -> int:
