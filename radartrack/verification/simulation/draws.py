@@ -172,8 +172,8 @@ def tasks_for(experiment: Experiment, draws: int) -> list[Draws]:
 def _chunk(experiment: Experiment, number: int, summed: Summation) -> Sums:
     key = int.from_bytes(blake2b(experiment.key.encode(), digest_size=16).digest(), "little")
     generator = np.random.Generator(np.random.Philox(key=key, counter=number << 128))
-    shape = (experiment.normals, BLOCK)
-    totals = summed(generator.standard_normal(shape) for _ in range(CHUNK // BLOCK))
+    normals = np.empty((experiment.normals, BLOCK))  # of one block after the other: new memory is slow at first
+    totals = summed(generator.standard_normal(out=normals) for _ in range(CHUNK // BLOCK))
     powers = [ExactSum.of([float(total)]) for total in totals]
     return Sums(CHUNK, tuple(zip(*[iter(powers)] * POWERS, strict=True)))
 
