@@ -18,7 +18,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import alike, m
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, indices_in, symbols_for
-from radartrack.derive.checking.question.printed_shape import is_transposed, reshaped, spoken, trimmed
+from radartrack.derive.checking.question.printed_shape import blocks_of, is_transposed, reshaped, trimmed, wrong_shape
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text
@@ -182,12 +182,14 @@ def printed(tree: Tree, names: Names, expected: Index, *, row_by_row: bool = Fal
     """A formula that was read; raises as `read_printed`."""
     entries, opened = names.entries(tree)
     turned = is_transposed(entries.shape, expected)
-    remarks = (f"read transposed: it has shape {list(entries.shape)}, the quantity {list(expected)}",) if turned else ()
+    remarks = [f"read transposed: it has shape {list(entries.shape)}, the quantity {list(expected)}"] if turned else []
+    if blocks := blocks_of(entries, expected):
+        remarks.append(f"read for one axis of {len(blocks)}: all have the same block, and the rest is zero")
     entries = reshaped(entries, expected, row_by_row=row_by_row)
     if entries.shape != expected:
-        raise FormulaError(f"the formula is {spoken(entries.shape)}, the quantity is {spoken(expected)}")
+        raise wrong_shape(entries, expected)
     parts = frozenset(opened) - frozenset(names)
-    return Printed(tree, entries, entries.map(opened.read), opened, parts, remarks=remarks)
+    return Printed(tree, entries, entries.map(opened.read), opened, parts, remarks=tuple(remarks))
 
 
 def symbol_called(name: str, names: Names, reference: Reference) -> Variable | None:

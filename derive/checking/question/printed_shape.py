@@ -1,7 +1,7 @@
 """What is printed in another shape than the quantity has and means the same.
 
-A matrix may have rows and columns of zeros for states that do not enter, and rows for columns where that can be seen; a
-vector may be a matrix of one row or column.
+A matrix may have rows and columns of zeros for states that do not enter, the same block for each of several axes, and
+rows for columns where that can be seen; a vector may be a matrix of one row or column.
 """
 
 from __future__ import annotations
@@ -12,7 +12,9 @@ from itertools import combinations
 from math import prod
 from typing import TypeVar
 
-from radartrack.derive.formula.tree import Array, Number, Tree
+from radartrack.derive.formula.error import FormulaError
+from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Tree
 from radartrack.derive.language.tensor import Index, Tensor, indices
 
 Entry = TypeVar("Entry")
@@ -33,6 +35,8 @@ def reshaped(entries: Tensor[Entry], expected: Index, *, row_by_row: bool = Fals
     """
     if is_transposed(entries.shape, expected):
         return Tensor(expected, tuple(entries[index[::-1]] for index in indices(expected)))
+    if blocks := blocks_of(entries, expected):
+        return blocks[0] if all(block == blocks[0] for block in blocks) else entries
     ours, theirs = ([size for size in one if size > 1] for one in (expected, entries.shape))
     filled = row_by_row and len(entries.shape) == 1 and prod(expected) == len(entries.entries)
     return Tensor(expected, entries.entries) if ours == theirs or filled else entries
@@ -43,9 +47,53 @@ def spoken(shape: Index) -> str:
     return f"an array of shape {list(shape)}" if shape else "a scalar"
 
 
+def wrong_shape(entries: Tensor[Tree], expected: Index) -> FormulaError:
+    """What to say of a formula that is not of the expected shape, or not the same for all axes."""
+    for block in (blocks := blocks_of(entries, expected)):
+        for index, entry in block.items():
+            if entry != blocks[0][index]:
+                first, other = to_text(blocks[0][index]), to_text(entry)
+                words = f"the quantity is of one axis, and in entry {list(index)} the axes differ: {first} and {other}"
+                return FormulaError(words, span=entry.span)
+    return FormulaError(f"the formula is {spoken(entries.shape)}, the quantity is {spoken(expected)}")
+
+
 def is_transposed(shape: Index, expected: Index) -> bool:
     """Whether a matrix has as many rows as the other has columns, and other numbers of both."""
     return len(expected) == 2 and 1 not in expected and shape == expected[::-1] != expected
+
+
+def blocks_of(entries: Tensor[Entry], expected: Index) -> list[Tensor[Entry]]:
+    """The blocks of a matrix with one of the expected shape for each axis and zeros else; none where it is no such.
+
+    A state may be (x, vx, y, vy) or (x, y, vx, vy): blocks stand on the diagonal, or their entries lie scattered.
+    """
+    if len(entries.shape) != 2 or len(expected) not in {1, 2}:
+        return []
+    rows, columns = (*expected, 1)[:2]
+    count = entries.shape[0] // rows
+    if count < 2 or entries.shape != (count * rows, count * columns):
+        return []
+    found = dict(entries.items())
+    for step, stride in (((rows, columns), 1), ((1, 1), count)):
+        places = [
+            [(step[0] * block + stride * i, step[1] * block + stride * j) for i in range(rows) for j in range(columns)]
+            for block in range(count)
+        ]
+        if all(_vanishes(entry) for place, entry in found.items() if not any(place in block for block in places)):
+            return [Tensor(expected, tuple(found[place] for place in block)) for block in places]
+    return []
+
+
+def _vanishes(entry: object) -> bool:
+    match entry:
+        case Number(value=value):
+            return not value
+        case Product(factors=factors):
+            return any(map(_vanishes, factors))
+        case Quotient(numerator=above) | Negation(operand=above):
+            return _vanishes(above)
+    return entry == 0
 
 
 def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:

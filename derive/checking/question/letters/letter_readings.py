@@ -32,7 +32,7 @@ from radartrack.derive.checking.question.letters.assignments import (
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.elapsed_time import ORIGIN, Elapsed, elapsed
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, meaning_of, means, says_degrees
-from radartrack.derive.checking.question.printed_shape import reshaped, spoken, trimmed
+from radartrack.derive.checking.question.printed_shape import reshaped, trimmed, wrong_shape
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close
@@ -415,10 +415,8 @@ def unreadable(
         entries = written_out(tree, known.arrays)
     except FormulaError as error:
         return error
-    found = reference.shape if entries is None else reshaped(entries, reference.shape, row_by_row=True).shape
-    if found == reference.shape:
-        return None
-    return FormulaError(f"the formula is {spoken(found)}, the quantity is {spoken(reference.shape)}")
+    found = None if entries is None else reshaped(entries, reference.shape, row_by_row=True)
+    return None if found is None or found.shape == reference.shape else wrong_shape(found, reference.shape)
 
 
 def ambiguous(readings: Sequence[Reading]) -> FormulaError:
