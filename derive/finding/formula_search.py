@@ -26,6 +26,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
     meanings,
     means,
 )
+from radartrack.derive.checking.question.printed_shape import one_axis
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
     plain_words,
@@ -60,6 +61,7 @@ NEAR_ANY = 0.02  # where letters that mean nothing are read as what fits best
 FEW = 12  # readings of one set of symbols; by more of them, what is near is near by chance
 MOST_CANDIDATES = 12
 MOST_KEPT = 200  # before the plainest of them are chosen
+AXES = (2, 3)  # of the plane and of space
 MOST_NEAR = 3
 MOST_READINGS = 5000  # of one set of symbols
 MOST_REARRANGED = 4  # each is explained, which takes a good part of a second
@@ -203,6 +205,21 @@ class FormulaSearch:
         printed = _entries(tree)
         if printed is None:
             return []
+        found, rearranged = self._worth_the_same(printed, tree)
+        return found or self._of_one_axis(printed, tree) or rearranged
+
+    def _of_one_axis(self, printed: Tensor[Tree], tree: Tree) -> list[Candidate]:
+        """What the block is of a matrix that has the same one for each axis."""
+        for axes in AXES:
+            block = one_axis(printed, axes)
+            found = self._worth_the_same(block, tree)[0] if block is not None else []
+            if found:
+                words = f"for each of {axes} axes"
+                return [replace(one, convention=f"{one.convention} {words}".strip()) for one in found]
+        return []
+
+    def _worth_the_same(self, printed: Tensor[Tree], tree: Tree) -> tuple[list[Candidate], list[Candidate]]:
+        """What a formula is worth the same as, and what holds its entries in another order."""
         found: dict[tuple[str, bool], Candidate] = {}
         rearranged: dict[str, tuple[int, Candidate]] = {}
         for farther in (False, True):
@@ -217,7 +234,7 @@ class FormulaSearch:
             if found or rearranged:
                 break
         likely = [one for one in found.values() if one.rank < ANY or not is_of_letters_alone(tree)]
-        return _plainest(likely) or _first_of(rearranged)
+        return _plainest(likely), _first_of(rearranged)
 
     def near(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth nearly the same as, the nearest first."""

@@ -85,6 +85,15 @@ def blocks_of(entries: Tensor[Entry], expected: Index) -> list[Tensor[Entry]]:
     return []
 
 
+def one_axis(entries: Tensor[Entry], axes: int) -> Tensor[Entry] | None:
+    """The block of a matrix that has the same one for so many axes; one column is a vector."""
+    if len(entries.shape) != 2 or any(size % axes for size in entries.shape):
+        return None
+    rows, columns = (size // axes for size in entries.shape)
+    blocks = blocks_of(entries, (rows, columns) if columns > 1 else (rows,))
+    return blocks[0] if blocks and all(block == blocks[0] for block in blocks) else None
+
+
 def _vanishes(entry: object) -> bool:
     match entry:
         case Number(value=value):

@@ -281,3 +281,21 @@ def test_letters_without_a_meaning_are_near_nothing(formula: str) -> None:
     assert not search().candidates(tree)
     assert not search().slipped(tree)
     assert not search().near(tree)
+
+
+@pytest.mark.parametrize("axes", [2, 3])
+@pytest.mark.parametrize("by_axis", [True, False])
+def test_a_matrix_with_the_same_block_for_each_axis_is_found_by_the_block(axes: int, by_axis: bool) -> None:
+    block = [["h**4/4", "h**3/2", "h**2/2"], ["h**3/2", "h**2", "h"], ["h**2/2", "h", "1"]]
+    rows = [["0"] * (3 * axes) for _ in range(3 * axes)]
+    for axis in range(axes):
+        for i in range(3):
+            for j in range(3):
+                place = (3 * axis + i, 3 * axis + j) if by_axis else (axes * i + axis, axes * j + axis)
+                rows[place[0]][place[1]] = f"{block[i][j]}*s**2"
+    tree = read_loosely(str(rows).replace("'", ""))
+    best, *_ = search().candidates(tree)
+    assert best.quantity == "motion.constant_acceleration.process_noise.wiener_sequence"
+    assert best.convention == f"for each of {axes} axes"
+    rows[0][0] = "h**4/3*s**2"
+    assert not search().candidates(read_loosely(str(rows).replace("'", "")))
