@@ -44,6 +44,7 @@ VERBS = MappingProxyType(
         "integral": (4, 4),
         "inv": (1, 1),
         "jacobian": (2, 2),
+        "kron": (2, 2),
         "limit": (3, 3),
         "norm": (1, 1),
         "outer": (2, 2),

@@ -203,6 +203,16 @@ def _outer(tree: Call, shapes: Sequence[Shape]) -> Shape:
     return shapes[0][0], shapes[1][0]
 
 
+def _kronecker(tree: Call, shapes: Sequence[Shape]) -> Shape:
+    if any(len(one) != 2 for one in shapes):
+        raise FormulaError("kron takes two matrices", span=tree.span)
+    (rows, columns), (inner_rows, inner_columns) = shapes
+    found = rows * inner_rows, columns * inner_columns
+    if max(found) > MAX_ROWS:
+        raise FormulaError(f"a matrix has at most {MAX_ROWS} rows and columns", span=tree.span)
+    return found
+
+
 def _derivatives(times: int) -> Callable[[Call, Sequence[Shape]], Shape]:
     def found(tree: Call, shapes: Sequence[Shape]) -> Shape:
         outputs, variables = shapes[0], shapes[1]
@@ -222,6 +232,7 @@ _VERBS: Mapping[str, Callable[[Call, Sequence[Shape]], Shape]] = MappingProxyTyp
         "eye": _unit,
         "hessian": _derivatives(2),
         "jacobian": _derivatives(1),
+        "kron": _kronecker,
         "norm": _length,
         "outer": _outer,
         "transpose": _transposed,

@@ -158,6 +158,15 @@ def _outer(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     return Tensor((*first.shape, *second.shape), tuple(product_of((a, b)) for a in first for b in second))
 
 
+def _kronecker(below: list[Tensor[Tree]]) -> Tensor[Tree]:
+    first, second = (dict(one.items()) for one in below)
+    rows, columns = below[1].shape
+    return Tensor.build(
+        (below[0].shape[0] * rows, below[0].shape[1] * columns),
+        lambda i, j: product_of((first[i // rows, j // columns], second[i % rows, j % columns])),
+    )
+
+
 def _determinant(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     return Tensor((), (_minor(_rows(below[0])),))
 
@@ -211,6 +220,7 @@ _OPENED: Mapping[str, Callable[[list[Tensor[Tree]]], Tensor[Tree]]] = MappingPro
         "diag": _diagonal,
         "eye": _unit,
         "inv": _inverse,
+        "kron": _kronecker,
         "norm": _length_of,
         "outer": _outer,
         "trace": _trace,

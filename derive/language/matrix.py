@@ -37,6 +37,11 @@ def outer(first: Sequence[Expr], second: Sequence[Expr]) -> Matrix:
     return tuple(tuple(a * b for b in second) for a in first)
 
 
+def kronecker(first: Matrix, second: Matrix) -> Matrix:
+    """The second matrix, times an entry of the first one, for each of these."""
+    return tuple(tuple(a * b for a in above for b in row) for above in first for row in second)
+
+
 def transposed(matrix: Matrix) -> Matrix:
     """Rows as columns."""
     return tuple(zip(*matrix, strict=True))

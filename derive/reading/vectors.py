@@ -62,17 +62,10 @@ def _may_be_array(node: Tree, names: Mapping[str, Shape]) -> bool:
 
 def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
     match node:
-        case Call("norm", (argument,)) if shape_of(argument) == ():
-            return replace(node, function="abs")
         case Product():
             return _multiplied(node, shape_of)
         case Array(rows) if (blocks := _blocks(rows, shape_of)) is not None:
             return replace(node, entries=blocks)
-        case Call("diag", matrices) if len(matrices) > 1 and any(shape_of(one) for one in matrices):
-            places = range(len(matrices))
-            rows = tuple(Array(tuple(matrices[at] if at == own else ZERO for at in places)) for own in places)
-            blocks = _blocks(rows, shape_of)
-            return node if blocks is None else Array(blocks, span=node.span)
         case Sum() | Array() if any(shape_of(part) == () for part in children(node)):
             return _with_picked(node, children(node), shape_of)
         case Quotient(_, denominator):
@@ -81,6 +74,21 @@ def _changed(node: Tree, shape_of: ShapeOf) -> Tree:
             return Call("expm", (exponent,), span=node.span)
         case Power(base, _) if shape_of(base) != (1, 1):  # whose power is one of a matrix as well
             return _with_picked(node, children(node), shape_of)
+        case Call():
+            return _called(node, shape_of)
+    return node
+
+
+def _called(node: Call, shape_of: ShapeOf) -> Tree:
+    match node:
+        case Call("norm", (argument,)) if shape_of(argument) == ():
+            return replace(node, function="abs")
+        case Call("diag", matrices) if len(matrices) > 1 and any(shape_of(one) for one in matrices):
+            return _diagonal(node, matrices, shape_of)
+        case Call("kron", (Call("eye", (Number() as order,)), block)) if shape_of(node):
+            return _diagonal(node, [block] * int(order.text), shape_of)
+        case Call("kron", (block, Call("eye", (Number() as order,)))) if shape_of(node):
+            return _scattered(node, block, int(order.text), shape_of)
         case Call(function) if function not in VERBS:
             return _with_picked(node, children(node), shape_of)
     return node
@@ -111,6 +119,24 @@ def _blocks(rows: Sequence[Tree], shape_of: ShapeOf) -> tuple[Tree, ...] | None:
             )
             made.append(Array(tuple(entries)))
     return tuple(made)
+
+
+def _diagonal(node: Tree, matrices: Sequence[Tree], shape_of: ShapeOf) -> Tree:
+    """The matrix with these on its diagonal, where they are matrices; else the node as it stands."""
+    places = range(len(matrices))
+    rows = tuple(Array(tuple(matrices[at] if at == own else ZERO for at in places)) for own in places)
+    blocks = _blocks(rows, shape_of)
+    return node if blocks is None else Array(blocks, span=node.span)
+
+
+def _scattered(node: Tree, block: Tree, axes: int, shape_of: ShapeOf) -> Tree:
+    """The matrix with the entries of the block for each axis, one axis after the other in each row."""
+    rows, columns = (range(axes * size) for size in shape_of(block) or ())
+
+    def entry(row: int, column: int) -> Tree:
+        return _entry(block, shape_of, row // axes, column // axes) if row % axes == column % axes else ZERO
+
+    return Array(tuple(Array(tuple(entry(row, column) for column in columns)) for row in rows), span=node.span)
 
 
 def _is_matrix(found: Shape | None) -> bool:

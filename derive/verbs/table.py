@@ -9,7 +9,7 @@ from typing import cast
 from radartrack.derive import symbolic as sp
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.to_expression import Expression, Verb
-from radartrack.derive.language.matrix import Matrix, Vector, diagonal, identity, outer, trace
+from radartrack.derive.language.matrix import Matrix, Vector, diagonal, identity, kronecker, outer, trace
 from radartrack.derive.symbolic import Expr, Symbol
 from radartrack.derive.verbs.derivatives import derivative, gradient, hessian, jacobian
 from radartrack.derive.verbs.determinants import determinant, inverse
@@ -129,6 +129,7 @@ VERBS: Mapping[str, Verb] = MappingProxyType(
         "integral": entrywise(_integral),
         "inv": lambda arguments: inverse(_matrix(arguments[0])),
         "jacobian": _jacobian,
+        "kron": lambda arguments: kronecker(*map(_matrix, arguments)),
         "limit": entrywise(_limit),
         "norm": _norm,
         "outer": lambda arguments: outer(*map(_vector, arguments)),

@@ -32,6 +32,7 @@ from radartrack.derive.reading.tex.author_macros import defined_macros, expanded
 from radartrack.derive.reading.tex.latex_arguments import AmbiguousArgument, bracketed
 from radartrack.derive.reading.tex.latex_equations import Equation, equations, without_formula_before
 from radartrack.derive.reading.tex.latex_hints import refusal
+from radartrack.derive.reading.tex.latex_kronecker import with_kronecker
 from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
 from radartrack.derive.reading.tex.latex_symmetric import with_mirrored
 from radartrack.derive.reading.tex.latex_tokens import WORDS, LatexTokens
@@ -75,7 +76,7 @@ def read_latex(
     check_characters(text, allowed, latex=True)
     try:
         macros, text = defined_macros(text)
-        text = with_mirrored(expanded(text, macros))
+        text = with_kronecker(with_mirrored(expanded(text, macros)))
         found = _with_plain_functions([part for one in equations(text) for part in _parted(one)])
         arrays = {**shapes, **{letter.base: () for one in found if (letter := _array_defined(one))}}
         rights = [LatexTokens(one.right, allowed, arrays, strangers=strangers) for one in found]

@@ -42,7 +42,7 @@ VERB_WORDS = MappingProxyType(
     {
         name: name
         for name in VERBS
-        if name in {"det", "diag", "expm", "eye", "inv", "norm", "outer", "trace", "transpose"}
+        if name in {"det", "diag", "expm", "eye", "inv", "kron", "norm", "outer", "trace", "transpose"}
     }
     | {"tr": "trace", "Tr": "trace"}
 )

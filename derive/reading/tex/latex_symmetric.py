@@ -14,7 +14,8 @@ _MATRIX = re.compile(
     re.DOTALL,
 )
 _PART = re.compile(
-    r"(?P<open>(?<!\\)\{)|(?P<close>(?<!\\)\})|(?P<row>\\\\(?:\s*\[[^\]]*\])?)|(?P<column>(?<!\\)&)|\\.", re.DOTALL
+    r"(?P<open>(?<!\\)\{)|(?P<close>(?<!\\)\})|(?P<row>\\\\(?:\s{0,9}\[[^\]]{0,20}\])?)|(?P<column>(?<!\\)&)|\\.",
+    re.DOTALL,
 )
 _MARK = re.compile(
     r"\{?(?:\*|\\(?:ast|star|cdot|bullet|circ)(?![A-Za-z])"

@@ -45,6 +45,8 @@ def worth(formula: str) -> np.ndarray:
         (f"{B}[1]", ARRAYS[B][1]),
         (f"{B}[:, 2]", ARRAYS[B][:, 2]),
         (f"trace({A}*{A})*eye(2)", np.trace(ARRAYS[A] @ ARRAYS[A]) * np.eye(2)),
+        (f"kron({A}, {B})", np.kron(ARRAYS[A], ARRAYS[B])),
+        (f"kron({B}.T, eye(2))", np.kron(ARRAYS[B].T, np.eye(2))),
         (f"outer({V}, {V}) + eye(2)", np.outer(ARRAYS[V], ARRAYS[V]) + np.eye(2)),
     ],
 )
