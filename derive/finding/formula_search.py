@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import chain, combinations, islice
@@ -178,6 +178,15 @@ _CONVENTIONS = (
 )
 
 
+@dataclass(frozen=True)
+class _Rearranged:
+    """A candidate that holds so many of the printed entries, in any order; perhaps these and no others."""
+
+    common: int
+    candidate: Candidate
+    is_whole: bool
+
+
 class FormulaSearch:
     """All entries of the catalogue by what they are worth.
 
@@ -205,8 +214,8 @@ class FormulaSearch:
         printed = _entries(tree)
         if printed is None:
             return []
-        found, rearranged = self._worth_the_same(printed, tree)
-        return found or self._of_one_axis(printed, tree) or rearranged
+        found, whole, rearranged = self._worth_the_same(printed, tree)
+        return found or whole or self._of_one_axis(printed, tree) or rearranged
 
     def _of_one_axis(self, printed: Tensor[Tree], tree: Tree) -> list[Candidate]:
         """What the block is of a matrix that has the same one for each axis."""
@@ -218,10 +227,10 @@ class FormulaSearch:
                 return [replace(one, convention=f"{one.convention} {words}".strip()) for one in found]
         return []
 
-    def _worth_the_same(self, printed: Tensor[Tree], tree: Tree) -> tuple[list[Candidate], list[Candidate]]:
-        """What a formula is worth the same as, and what holds its entries in another order."""
+    def _worth_the_same(self, printed: Tensor[Tree], tree: Tree) -> tuple[list[Candidate], ...]:
+        """What a formula is worth the same as, what holds its entries in another order, and what holds half of them."""
         found: dict[tuple[str, bool], Candidate] = {}
-        rearranged: dict[str, tuple[int, Candidate]] = {}
+        rearranged: dict[str, _Rearranged] = {}
         for farther in (False, True):
             for read in self._readings(printed, farther=farther):
                 for item, sign in _equal(read.family, read.values):
@@ -234,7 +243,8 @@ class FormulaSearch:
             if found or rearranged:
                 break
         likely = [one for one in found.values() if one.rank < ANY or not is_of_letters_alone(tree)]
-        return _plainest(likely), _first_of(rearranged)
+        whole = [one for one in rearranged.values() if one.is_whole]
+        return _plainest(likely), _first_of(whole), _first_of(rearranged.values())
 
     def near(self, tree: Tree) -> list[Candidate]:
         """What a formula is worth nearly the same as, the nearest first."""
@@ -390,9 +400,9 @@ def _plainest(found: Sequence[Candidate]) -> list[Candidate]:
     return sorted(kept, key=lambda one: one.effort)[:MOST_CANDIDATES]
 
 
-def _first_of(rearranged: Mapping[str, tuple[int, Candidate]]) -> list[Candidate]:
+def _first_of(rearranged: Iterable[_Rearranged]) -> list[Candidate]:
     """Those with the most entries in common."""
-    return [one for _, one in sorted(rearranged.values(), key=lambda pair: -pair[0])][:MOST_REARRANGED]
+    return [one.candidate for one in sorted(rearranged, key=lambda one: -one.common)][:MOST_REARRANGED]
 
 
 def _assigned(letters: Sequence[str], family: _Family, *, farther: bool, strict: bool) -> Iterator[Reading]:
@@ -433,14 +443,15 @@ def _in_conventions(angles: Sequence[str], *, plain: bool) -> Iterator[tuple[_Co
             yield convention, turned
 
 
-def _keep_rearranged(found: dict[str, tuple[int, Candidate]], printed: Tensor[Tree], read: _Read) -> None:
+def _keep_rearranged(found: dict[str, _Rearranged], printed: Tensor[Tree], read: _Read) -> None:
     """Keep the items that hold at least half of what is printed, in any order and of any sign."""
     own = _unordered(read.values)
     for _, _, item in read.family.items:
         other = _unordered(item.values)
         common = (own & other).total()
-        if common >= SHARE * max(own.total(), other.total(), 2) and common > found.get(item.quantity, (0, None))[0]:
-            found[item.quantity] = common, _candidate(printed, item, read, 0.0)
+        best = found.get(item.quantity)
+        if common >= SHARE * max(own.total(), other.total(), 2) and (best is None or common > best.common):
+            found[item.quantity] = _Rearranged(common, _candidate(printed, item, read, 0.0), is_whole=own == other)
 
 
 def _unordered(values: tuple[Values, ...]) -> Counter[tuple[str, ...]]:
