@@ -202,11 +202,8 @@ class Question:
         wrong, part = self._misfit(self.printed.entries[entry], entry), self.reference.part
         if not wrong or part is None or part.quantity.model is None:
             return wrong
-        return (
-            ""
-            if attempted(lambda: self._misfit(to_tree(self.reference.entries[entry]), entry), lambda _: "")
-            else wrong
-        )
+        own = attempted(lambda: self._misfit(to_tree(self.reference.entries[entry]), entry), lambda _: "")
+        return "" if own else wrong
 
     def _misfit(self, tree: Tree, entry: Index) -> str:
         try:

@@ -158,7 +158,8 @@ def _outer(below: list[Tensor[Tree]]) -> Tensor[Tree]:
     return Tensor((*first.shape, *second.shape), tuple(product_of((a, b)) for a in first for b in second))
 
 
-def _kronecker(below: list[Tensor[Tree]]) -> Tensor[Tree]:
+def kronecker(below: Sequence[Tensor[Tree]]) -> Tensor[Tree]:
+    """The second matrix, times an entry of the first one, for each of these."""
     first, second = (dict(one.items()) for one in below)
     rows, columns = below[1].shape
     return Tensor.build(
@@ -220,7 +221,7 @@ _OPENED: Mapping[str, Callable[[list[Tensor[Tree]]], Tensor[Tree]]] = MappingPro
         "diag": _diagonal,
         "eye": _unit,
         "inv": _inverse,
-        "kron": _kronecker,
+        "kron": kronecker,
         "norm": _length_of,
         "outer": _outer,
         "trace": _trace,

@@ -11,7 +11,7 @@ from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.functions import NUMBER_OF_ARGUMENTS, SPELLINGS, VERBS
 from radartrack.derive.formula.tree import Array, Number, Tree, children
 from radartrack.derive.formula.unknown_names import unknown_function
-from radartrack.derive.formula.written_out import ZERO, product_of
+from radartrack.derive.formula.written_out import ZERO, kronecker
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.reading.code.array_entries import joined
 from radartrack.derive.reading.code.workspace import MAX_ROWS, Value, Workspace
@@ -252,11 +252,7 @@ def _kronecker(space: Workspace, arguments: Sequence[Value], span: Span) -> Valu
     first, second = (space.opened(one, span) for one in arguments)
     if not len(first.shape) == len(second.shape) == len(("rows", "columns")):
         raise FormulaError("kron takes two matrices", span=span)
-    blocks = [
-        [Tensor(second.shape, tuple(product_of((one, entry)) for entry in second)) for one in row]
-        for row in first.parts()
-    ]
-    return of_blocks(space, blocks, arguments, span)
+    return of_blocks(space, [[kronecker([first, second])]], arguments, span)
 
 
 def _zeros(space: Workspace, arguments: Sequence[Value], span: Span) -> Value:
