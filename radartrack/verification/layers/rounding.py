@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from radartrack.derive.language.quantity import Quantity
 from radartrack.verification.outcome import Function, Outcome
 from radartrack.verification.rounding.certificates import Row, confirmed_bound, kept, proved_bounds, source_of
-from radartrack.verification.rounding.checked_numbers import Refused
+from radartrack.verification.rounding.checker.known_numbers import Refused
 from radartrack.verification.subject import NotGenerated, generated
 
 NAME = "rounding"

@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 from time import process_time
 from typing import Any
 
-from radartrack.verification.rounding.certificate_checker import boxes_of, cases_of, figure
-from radartrack.verification.rounding.checked_numbers import Refused
+from radartrack.verification.rounding.checker.certificate_checker import figure
+from radartrack.verification.rounding.checker.domain_cases import boxes_of, cases_of
+from radartrack.verification.rounding.checker.known_numbers import Refused
 from radartrack.verification.rounding.domain_boxes import tree_of
 
 Ends = dict[str, tuple[float, float]]

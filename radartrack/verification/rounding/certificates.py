@@ -23,9 +23,11 @@ from radartrack.derive.stable.quantity_form import scaled
 from radartrack.derive.writing.numpy_writer import body
 from radartrack.verification.error_in_ulp import peers
 from radartrack.verification.rounding.bisection import bisected
-from radartrack.verification.rounding.certificate_checker import PRECISIONS, WAYS, cases_of, confirmed
-from radartrack.verification.rounding.checked_helpers import KNOWN
-from radartrack.verification.rounding.checked_numbers import Refused
+from radartrack.verification.rounding.checker.certificate_checker import WAYS, confirmed
+from radartrack.verification.rounding.checker.domain_cases import cases_of
+from radartrack.verification.rounding.checker.given_arguments import PRECISIONS
+from radartrack.verification.rounding.checker.known_numbers import Refused
+from radartrack.verification.rounding.checker.written_helpers import KNOWN
 from radartrack.verification.rounding.domain_boxes import Argument
 from radartrack.verification.rounding.error_rules import NotAnalysed
 from radartrack.verification.rounding.proving import NotProved, Theorem, proved

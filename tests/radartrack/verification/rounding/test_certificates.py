@@ -17,9 +17,8 @@ from radartrack._regeneration.output_directory import source_directory
 from radartrack.derive.catalogue import catalogue
 from radartrack.verification.layers.rounding import Rounding
 from radartrack.verification.outcome import Verdict
-from radartrack.verification.rounding import checked_numbers, error_rules
+from radartrack.verification.rounding import error_rules
 from radartrack.verification.rounding.bisection import bisected
-from radartrack.verification.rounding.certificate_checker import WAYS, confirmed
 from radartrack.verification.rounding.certificates import (
     WORTH,
     claim_of,
@@ -29,7 +28,8 @@ from radartrack.verification.rounding.certificates import (
     proved_bounds,
     source_of,
 )
-from radartrack.verification.rounding.checked_numbers import Refused
+from radartrack.verification.rounding.checker.certificate_checker import WAYS, confirmed
+from radartrack.verification.rounding.checker.known_numbers import DOUBLE, Refused
 from radartrack.verification.subject import generated
 
 pytest.importorskip("flint")
@@ -249,7 +249,7 @@ def test_a_sign_that_comes_of_an_argument_in_k_is_found(low: float):
 
 
 def test_the_assumptions_are_those_of_search_and_checker():
-    assert checked_numbers.DOUBLE.ulps == error_rules.ULPS
+    assert DOUBLE.ulps == error_rules.ULPS
 
 
 def stated(expression: str, *, paired: bool = False) -> dict[str, object]:

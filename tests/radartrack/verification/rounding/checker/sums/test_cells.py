@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from radartrack.verification.rounding import checked_cells
-from radartrack.verification.rounding.checked_cells import Along, Cell, Key, cells, ends, largest_share, sum_on
+from radartrack.verification.rounding.checker.sums import cells as module_of_cells
+from radartrack.verification.rounding.checker.sums.cells import Along, Cell, Key, cells, ends, largest_share, sum_on
 
 flint = pytest.importorskip("flint")
 COEFFICIENTS = (1.0, 2.0, 0.5, -1.0, -0.75, -3.0)
@@ -76,7 +76,7 @@ def test_the_cells_cover_the_box():
     value[((0, 2.0), (1, 2.0))] = 0.5
     parts = cells(balls(value), in_balls(box))
     assert parts is not None
-    assert 10 < len(parts) <= checked_cells.MOST
+    assert 10 < len(parts) <= module_of_cells.MOST
     area = sum(math.prod(float(high - low) for low, high in part.sizes.values()) for part in parts)
     assert area == pytest.approx(400.0)
     random = Random(2)

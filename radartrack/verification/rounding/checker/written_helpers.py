@@ -14,7 +14,10 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
-from radartrack.verification.rounding.checked_numbers import FUNCTIONS, Ball, Box, Number, Precision, Refused
+from radartrack.verification.rounding.checker.arithmetic import Box
+from radartrack.verification.rounding.checker.function_rules import FUNCTIONS, magnitude
+from radartrack.verification.rounding.checker.known_numbers import Number, Precision, Refused
+from radartrack.verification.rounding.checker.sums.ball_ends import Ball
 
 TINY, LITTLE, STEP = 2.0**-30, 2.0**-2, 2.0**0.125  # pieces: squares underflow, all that is little, then in this ratio
 NEWTON = "c - ((4.0 * c ** 2 - 3.0) * c - x) / (12.0 * c ** 2 - 3.0)"  # the step that the rule of a root is of
@@ -106,7 +109,7 @@ def helped(box: Box, function: ast.FunctionDef, x: Number | None, order: int) ->
         return rest
     box.follows(next(iter(rest.exactly)), x, lambda low, high: known.ends(low, high, order, powers[first]))
     for _ in range(powers[first]):
-        rest = _not_zero(box.multiply(rest, box.magnitude(box.without_error(x)), 0.0))
+        rest = _not_zero(box.multiply(rest, magnitude(box, box.without_error(x)), 0.0))
     return rest
 
 

@@ -10,8 +10,9 @@ import pytest
 
 flint = pytest.importorskip("flint")
 
-from radartrack.verification.rounding.checked_helpers import helped  # noqa: E402 - they need python-flint
-from radartrack.verification.rounding.checked_numbers import DOUBLE, SINGLE, Box, Number, Refused  # noqa: E402
+from radartrack.verification.rounding.checker.arithmetic import Box  # noqa: E402 - they need python-flint
+from radartrack.verification.rounding.checker.known_numbers import DOUBLE, SINGLE, Number, Refused  # noqa: E402
+from radartrack.verification.rounding.checker.written_helpers import helped  # noqa: E402
 from radartrack.verification.rounding.exact_statements import _remainder, _stumpff, _third  # noqa: E402
 
 EXACT: dict[str, Any] = {"_remainder": _remainder, "_stumpff": _stumpff, "_third": lambda x, _: _third(x)}
