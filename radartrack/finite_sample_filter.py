@@ -422,7 +422,7 @@ class FiniteSampleFilter:
     def _fill(
         self, result: Run, degree: int, samples: Sample, which: NDArray[np.int64], data: RealArray, unit: float
     ) -> None:
-        """Enter the estimates of this degree for the tracks that support it and no higher one; data[0] is beyond the newest range."""
+        """Enter the estimates of this degree, less the newest range, for the tracks that support it and no higher one."""
         waiting, place = np.unique(which[result.degree < 0], return_inverse=True)
         solution = self._solution(samples.chosen(waiting), degree, unit)
         determined = solution.determined[place]
@@ -562,9 +562,9 @@ def _distinct(sample: Sample) -> tuple[Sample, NDArray[np.int64]]:
 def _newest(ranges: RealArray) -> RealArray:
     """The newest range of each track, 0 where all are missing.
 
-    What is a constant of all ranges is one of the estimate, but weights know that only to rounding. Where nearly worthless
-    rates determine the polynomial, weights of ranges are rounded like theirs, and of a range far beyond its errors that
-    is much.
+    What is a constant of all ranges is one of the estimate, but weights know that only to rounding. Where nearly
+    worthless rates determine the polynomial, weights of ranges are rounded like theirs, and of a range far beyond its
+    errors that is much.
     """
     seen = np.isfinite(ranges)
     latest = ranges.shape[1] - 1 - np.argmax(seen[:, ::-1], axis=1)
