@@ -422,7 +422,7 @@ class FiniteSampleFilter:
     def _fill(
         self, result: Run, degree: int, samples: Sample, which: NDArray[np.int64], data: RealArray, unit: float
     ) -> None:
-        """Enter the estimates of this degree, less the newest range, for the tracks that support it and no higher one."""
+        """Enter the estimates of this degree, less the newest range, for tracks that support it and no higher one."""
         waiting, place = np.unique(which[result.degree < 0], return_inverse=True)
         solution = self._solution(samples.chosen(waiting), degree, unit)
         determined = solution.determined[place]
