@@ -210,13 +210,29 @@ def test_what_is_no_table_in_memory_is_refused() -> None:
 
 
 SIMPLE = {"r": [1e3, 2e3, 1e3], "azimuth": [0.1, 0.2, 0.3], "range_std": [10.0] * 3, "azimuth_std": [0.01] * 3}
+
+
+def dictionary(values: list[Any]) -> Any:
+    return pa.chunked_array([pa.array(values).dictionary_encode()])
+
+
+def decimals(values: list[Any], kind: Any) -> Any:
+    return pa.array([None if value is None else Decimal(value) for value in values], kind)
+
+
 PACKED = {
     "pandas category": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Categorical(values)}),
     "pandas objects": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Series(values, dtype=object)}),
     "pandas sparse": lambda values: pd.DataFrame({**SIMPLE, "r": pd.arrays.SparseArray(values)}),
     "pandas nullable": lambda values: pd.DataFrame({**SIMPLE, "r": pd.array(values, dtype="Float64")}),
     "pyarrow dictionary": lambda values: pa.table({**SIMPLE, "r": pa.array(values).dictionary_encode()}),
-    "pyarrow decimal": lambda values: pa.table({**SIMPLE, "r": pa.array(map(Decimal, values))}),
+    "pyarrow decimal": lambda values: pa.table({**SIMPLE, "r": decimals(values, pa.decimal128(20, 3))}),
+    "pyarrow long decimal": lambda values: pa.table({**SIMPLE, "r": decimals(values, pa.decimal256(60, 3))}),
+    "pyarrow runs": lambda values: pa.table({**SIMPLE, "r": pa.RunEndEncodedArray.from_arrays([1, 2, 3], values)}),
+    "pandas of pyarrow": lambda values: pd.DataFrame(
+        {**SIMPLE, "r": pd.arrays.ArrowExtensionArray(dictionary(values))}
+    ),
+    "polars decimal": lambda values: pl.DataFrame({**SIMPLE, "r": pl.Series(values).cast(pl.Decimal(20, 3))}),
 }
 
 
@@ -225,6 +241,15 @@ def test_numbers_are_numbers_however_a_library_keeps_them(kind: str):
     expected = rt.convert.polar(SIMPLE["r"], SIMPLE["azimuth"], SIMPLE["range_std"], SIMPLE["azimuth_std"]).mean
     found = rt.tables.convert(PACKED[kind](SIMPLE["r"]))
     np.testing.assert_array_equal(np.transpose([column(found, "x"), column(found, "y")]), expected)
+
+
+@pytest.mark.parametrize("kind", PACKED)
+@pytest.mark.parametrize("place", range(3))
+def test_what_is_missing_is_missing_however_a_library_keeps_numbers(kind: str, place: int):
+    """Of a dictionary, pyarrow's own arrays have another row's number where nothing is."""
+    with pytest.raises(rt.tables.BadRows) as error:
+        rt.tables.convert(PACKED[kind]([None if row == place else value for row, value in enumerate(SIMPLE["r"])]))
+    assert (error.value.rows, error.value.reasons) == ([place], ["r is missing"])
 
 
 @pytest.mark.parametrize(
@@ -332,3 +357,28 @@ def test_a_number_has_the_unit_one_as_netcdf_writes_it():
     np.testing.assert_array_equal(column(found, "x"), expected.mean[:, 0])
     with pytest.raises(ValueError, match="unit of length"):
         rt.tables.convert(pd.DataFrame(SIMPLE), units={"r": "1"})
+
+
+@pytest.mark.parametrize("unit", ["m s-1", "m s^-1", "m s**-1", "m/s", "m.s-1"])
+def test_a_speed_has_the_unit_that_netcdf_conventions_write(unit: str):
+    given = variables({**SIMPLE, "range_rate": [1.0, 2.0, 3.0], "range_rate_std": [1.0] * 3})
+    expected = rt.tables.convert(given, "polar_doppler")
+    given["range_rate"].attrs["units"] = unit
+    xr.testing.assert_equal(rt.tables.convert(given, "polar_doppler"), expected)
+
+
+@pytest.mark.parametrize("unit", ["m s-2", "m2 s-1", "s-1", "m s -1", "m s-1 rad-1"])
+def test_no_other_power_is_a_speed(unit: str):
+    with pytest.raises(ValueError, match="unit of speed"):
+        rt.tables.convert(pd.DataFrame(SIMPLE), "polar_doppler", units={"range_rate": unit})
+
+
+@pytest.mark.parametrize("word", ["scale_factor", "add_offset", "_FillValue", "missing_value"])
+def test_a_variable_that_is_still_packed_is_refused(word: str):
+    """Its numbers are not what they stand for."""
+    given = variables(SIMPLE)
+    given["r"].attrs[word] = SIMPLE["r"][0]
+    with pytest.raises(ValueError, match=rf"r must be .*xarray.decode_cf.*'r' .*{word}"):
+        rt.tables.convert(given)
+    for harmless in ({"scale_factor": 1.0, "add_offset": 0.0, "_FillValue": -9999.0, "missing_value": np.nan}, {}):
+        rt.tables.convert(given.assign(r=given["r"].drop_attrs().assign_attrs(harmless)))
