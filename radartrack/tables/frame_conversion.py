@@ -120,9 +120,9 @@ def _unpacked(series: Any, nw: Any, argument: str) -> RealArray:
     if series.null_count() == len(series):  # it may have any type: none of its rows has told it
         return np.full(len(series), np.nan)
     values, missing = series.to_numpy(), series.is_null().to_numpy()
-    if values.ndim == 1 and values.dtype == object:
-        if all(gone or _is_real(value) for value, gone in zip(values, missing, strict=True)):
-            return _rounded(values, missing)
+    of_objects = values.ndim == 1 and values.dtype == object
+    if of_objects and all(gone or _is_real(value) for value, gone in zip(values, missing, strict=True)):
+        return _rounded(values, missing)
     of_floats = values.ndim == 1 and values.dtype.kind in "iuf"
     if series.dtype == nw.Boolean or not of_floats or series.dtype.is_temporal():
         raise TypeError(f"{argument} must be a column of real numbers; {series.name!r} holds {series.dtype}")

@@ -212,8 +212,8 @@ def test_what_is_no_table_in_memory_is_refused() -> None:
 SIMPLE = {"r": [1e3, 2e3, 1e3], "azimuth": [0.1, 0.2, 0.3], "range_std": [10.0] * 3, "azimuth_std": [0.01] * 3}
 
 
-def dictionary(values: list[Any]) -> Any:
-    return pa.chunked_array([pa.array(values).dictionary_encode()])
+def dictionary_in_pandas(values: list[Any]) -> Any:
+    return pd.arrays.ArrowExtensionArray(pa.chunked_array([pa.array(values).dictionary_encode()]))
 
 
 def decimals(values: list[Any], kind: Any) -> Any:
