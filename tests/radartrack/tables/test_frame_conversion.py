@@ -229,9 +229,7 @@ PACKED = {
     "pyarrow decimal": lambda values: pa.table({**SIMPLE, "r": decimals(values, pa.decimal128(20, 3))}),
     "pyarrow long decimal": lambda values: pa.table({**SIMPLE, "r": decimals(values, pa.decimal256(60, 3))}),
     "pyarrow runs": lambda values: pa.table({**SIMPLE, "r": pa.RunEndEncodedArray.from_arrays([1, 2, 3], values)}),
-    "pandas of pyarrow": lambda values: pd.DataFrame(
-        {**SIMPLE, "r": pd.arrays.ArrowExtensionArray(dictionary(values))}
-    ),
+    "pandas of pyarrow": lambda values: pd.DataFrame({**SIMPLE, "r": dictionary_in_pandas(values)}),
     "polars decimal": lambda values: pl.DataFrame({**SIMPLE, "r": pl.Series(values).cast(pl.Decimal(20, 3))}),
 }
 
