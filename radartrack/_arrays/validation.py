@@ -13,7 +13,7 @@ import math
 import operator
 import reprlib
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -308,17 +308,44 @@ def common_shape(shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def _array(name: str, value: object) -> NDArray[Any]:
-    loaded = "numpy.ma" in sys.modules  # without it there are no masked arrays, and it takes long to load
-    if loaded and isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
-        masked = np.count_nonzero(np.ma.getmaskarray(value))
-        raise ValueError(f"{name} must have no masked entries; got {masked} among {value.size}")
+    parts = [*_parts(value)]
+    if masked := sum(map(_masked, parts)):
+        raise ValueError(f"{name} must have no masked entries; got {masked} among {np.size(value)}")
+    if any(map(_has_unit, parts)):
+        raise TypeError(f"{name} must be real numbers; got {_shown(value)}, whose unit would be lost")
+    whole = getattr(value, "combine_chunks", lambda: value)()  # chunks of pyarrow's have any number for what is missing
     try:
-        array = np.asarray(float(value) if type(value) is int else value)
+        array = np.asarray(float(whole) if type(whole) is int else whole)
     except (ValueError, OverflowError) as error:
         raise ValueError(f"{name} must be a number or an array; got {_shown(value)}: {error}") from error
-    if array.dtype.kind not in "iuf" or _holds_bool(value):
+    if array.dtype.kind not in "iuf" or any(map(_is_bool, parts)):
         raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
     return array
+
+
+def _parts(value: object) -> Iterator[object]:
+    """An array or a number, or those that a list or the like holds beside plain numbers."""
+    if hasattr(value, "__array__") or isinstance(value, (str, bytes)) or not isinstance(value, Collection):
+        yield value
+    elif not set(map(type, value)) <= {int, float, np.float64}:
+        for part in value:
+            yield from _parts(part)
+
+
+def _masked(part: object) -> int:
+    """How many entries are masked, under which NumPy would read some number."""
+    loaded = "numpy.ma" in sys.modules  # without it there are no masked arrays, and it takes long to load
+    return np.ma.count_masked(part) if loaded and isinstance(part, np.ma.MaskedArray) else 0
+
+
+def _is_bool(part: object) -> bool:
+    """Whether it is a bool, or an array of such, which NumPy would read as 0 or 1."""
+    return isinstance(part, bool) or getattr(getattr(part, "dtype", None), "kind", "") == "b"
+
+
+def _has_unit(part: object) -> bool:
+    """Whether it is a quantity of pint, astropy or the like, of which NumPy would read the number alone."""
+    return hasattr(type(part), "units") or hasattr(type(part), "unit")
 
 
 def _as_float(name: str, given: object) -> float:
@@ -328,15 +355,6 @@ def _as_float(name: str, given: object) -> float:
         return float(given)
     except OverflowError:
         return math.inf if given > 0 else -math.inf
-
-
-def _holds_bool(value: object) -> bool:
-    """Whether a bool stands among numbers, which NumPy would read as 0 or 1."""
-    if hasattr(value, "__array__"):
-        return getattr(getattr(value, "dtype", None), "kind", "") == "b"
-    if not isinstance(value, Iterable):
-        return isinstance(value, bool)
-    return not set(map(type, value)) <= {int, float, np.float64} and any(map(_holds_bool, value))
 
 
 def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.bool_] | np.bool_) -> None:
