@@ -73,7 +73,7 @@ class Accelerated:
 
     def __post_init__(self) -> None:
         for name in ("position", "velocity", "acceleration"):
-            _vector(name, getattr(self, name))
+            object.__setattr__(self, name, _numbers(name, getattr(self, name)))
 
     def states(self, t: ArrayLike) -> RealArray:
         """Position [m] and velocity [m/s] at times [s], shape (..., 6).
@@ -84,7 +84,7 @@ class Accelerated:
 
         """
         times = _times(t)
-        r, v, a = (_vector(name, getattr(self, name)) for name in ("position", "velocity", "acceleration"))
+        r, v, a = (_vector(each) for each in (self.position, self.velocity, self.acceleration))
         with np.errstate(over="ignore", invalid="ignore"):
             return _finite_states(r + v * times + a * times**2 / 2, v + a * times)
 
@@ -118,8 +118,8 @@ class Turning:
     turn_rate: float
 
     def __post_init__(self) -> None:
-        _vector("position", self.position)
-        _vector("velocity", self.velocity)
+        for name in ("position", "velocity"):
+            object.__setattr__(self, name, _numbers(name, getattr(self, name)))
         real_number("turn_rate", self.turn_rate)
 
     def states(self, t: ArrayLike) -> RealArray:
@@ -131,8 +131,8 @@ class Turning:
 
         """
         times = _times(t)
-        x, y, z = _vector("position", self.position)
-        vx, vy, vz = _vector("velocity", self.velocity)
+        x, y, z = _vector(self.position)
+        vx, vy, vz = _vector(self.velocity)
         with np.errstate(over="ignore", invalid="ignore"):
             angle = float(self.turn_rate) * times
             sine, cosine = np.sin(angle), np.cos(angle)
@@ -184,7 +184,7 @@ class Radar:
         for name, value in bias.items():
             domain = model.coordinates[name].domain._replace(signed=True)
             require_within(f"bias of {name}", np.asarray(real_number(f"bias of {name}", value)), domain)
-        _vector("site", self.site)
+        object.__setattr__(self, "site", _numbers("site", self.site))
         if real_number("period", self.period) <= 0:
             raise ValueError(f"period must be finite and more than 0; got {self.period}")
         number_between("detection_probability", self.detection_probability, 0, 1)
@@ -193,6 +193,8 @@ class Radar:
             raise TypeError(f"known must have {[*model.parameters]}; got {[*known]}")
         for name, value in known.items():
             require_within(name, np.asarray(real_number(name, value)), model.parameters[name].domain)
+        for name, own in {"noise": by_name("noise", self.noise), "bias": bias, "known": known}.items():
+            object.__setattr__(self, name, own)
 
     def times(self, scans: int) -> RealArray:
         """The times of the first scans [s], from 0 on, shape (scans,).
@@ -225,7 +227,7 @@ class Radar:
         given = real_arrays({"states": states})["states"].astype(np.float64)
         require_trailing_shape("states", given, (len(_STATE),))
         require_finite("states", given)
-        relative = given - np.concatenate([_vector("site", self.site), np.zeros(AXES)])
+        relative = given - np.concatenate([_vector(self.site), np.zeros(AXES)])
         seen = relative[..., [_STATE.index(component) for component in SIGHTS[self.sensor].state]]
         axis = model.chosen_axis(self.azimuth_from)
         options = {**self.known} if axis is None else {**self.known, "azimuth_from": axis}
@@ -343,12 +345,17 @@ def scatter(covariance: RealArray, normal: RealArray) -> RealArray:
     return scattered
 
 
-def _vector(name: str, given: Sequence[float]) -> RealArray:
-    """Three components, the third 0 where it is not given."""
+def _numbers(name: str, given: Sequence[float]) -> tuple[float, ...]:
+    """Two or three finite numbers, which no one else can change."""
     array = real_arrays({name: given})[name].astype(np.float64)
     if array.shape not in {(2,), (AXES,)} or not np.isfinite(array).all():
         raise ValueError(f"{name} must be two or three finite numbers; got {given!r}")
-    return np.append(array, np.zeros(AXES - array.size))
+    return tuple(array.tolist())
+
+
+def _vector(given: Sequence[float]) -> RealArray:
+    """Three components, the third 0 where it is not given."""
+    return np.append(given, np.zeros(AXES - len(given)))
 
 
 def _times(t: ArrayLike) -> RealArray:

@@ -25,6 +25,7 @@ from radartrack._arrays.validation import (
     COVARIANCE,
     RANGE,
     broadcast_shape,
+    kept,
     number_between,
     real_arrays,
     require_covariance,
@@ -137,6 +138,7 @@ class VarianceTable:
         ranges = _require_edges(self.range_edges)
         sectors = whole_number("sectors", self.sectors, 1)  # a narrow integer of NumPy would overflow
         object.__setattr__(self, "sectors", sectors)
+        object.__setattr__(self, "range_edges", kept(self.range_edges))
         if ranges * sectors > MOST_CELLS:
             given = f"{ranges} range bins by {sectors} sectors"
             raise ValueError(f"range_edges and sectors must make at most {MOST_CELLS} cells; got {given}")

@@ -179,6 +179,13 @@ def real_arrays(given: Mapping[str, ArrayLike]) -> dict[str, RealArray]:
     return {name: rounded_to(dtype, name, array) for name, array in arrays.items()}
 
 
+def kept(array: RealArray) -> RealArray:
+    """A copy that cannot be written to, for an object that was checked: who gave the array may use it again."""
+    copy = np.array(array)
+    copy.flags.writeable = False
+    return copy
+
+
 def rounded_to(dtype: np.dtype[Any], name: str, array: NDArray[Any]) -> RealArray:
     """Take numbers over to a type.
 

@@ -14,6 +14,7 @@ from radartrack._arrays.validation import (
     Domain,
     RealArray,
     broadcast_shape,
+    kept,
     real_arrays,
     require_trailing_shape,
     require_within,
@@ -60,7 +61,7 @@ class Frame:
         for name, shape, domain in (("origin", (3,), COORDINATE), ("axes", (3, 3), AXIS), ("velocity", (3,), RATE)):
             require_trailing_shape(name, arrays[name], shape)
             require_within(name, arrays[name], domain)
-            object.__setattr__(self, name, arrays[name])
+            object.__setattr__(self, name, kept(arrays[name]))
         products = arrays["axes"] @ np.swapaxes(arrays["axes"], -1, -2)
         if np.abs(products - np.eye(3)).max(initial=0.0) > SQUARE:
             raise ValueError("axes must have length one and stand on each other; got axes that do not")

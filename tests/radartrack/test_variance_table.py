@@ -346,3 +346,11 @@ def test_what_is_no_label_has_no_cells_of_its_own(bad: Any) -> None:
     for read in (lambda: table.lookup(1.0, 0.0, FALLBACK, label=bad), lambda: table.covariance(bad)):
         with pytest.raises(TypeError, match="label must be text"):
             read()
+
+
+def test_a_table_keeps_its_edges_whatever_becomes_of_the_array_that_gave_them() -> None:
+    edges = np.array([0.0, 5e4, 1e5])
+    tables = VarianceTable.empty(edges, 4), VarianceTable(edges, 4, VarianceTable.empty(edges, 4).contributions)
+    edges[1] = 1.0
+    for table in tables:
+        assert table.range_edges.tolist() == [0.0, 5e4, 1e5]
