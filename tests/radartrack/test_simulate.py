@@ -319,6 +319,6 @@ def test_targets_and_radars_stay_as_they_are_whatever_becomes_of_what_made_them(
     assert targets[0] == Straight([30e3, 40e3], (30e3, 40e3))
     before = repr((targets, radar))
     place[...] = np.nan
-    for given in (noise, bias, known):
-        given.update(dict.fromkeys(given, -1.0))
+    for part in (noise, bias, known):
+        part.update(dict.fromkeys(part, -1.0))
     assert repr((targets, radar)) == before
