@@ -380,3 +380,11 @@ def test_a_variable_that_is_still_packed_is_refused(word: str):
         rt.tables.convert(given)
     for harmless in ({"scale_factor": 1.0, "add_offset": 0.0, "_FillValue": -9999.0, "missing_value": np.nan}, {}):
         rt.tables.convert(given.assign(r=given["r"].drop_attrs().assign_attrs(harmless)))
+
+
+def test_a_whole_number_that_names_a_column_is_not_taken_for_one_number_of_all_rows():
+    """A table without a header has the columns 0, 1, 2, ... in pandas."""
+    given = pd.DataFrame(SIMPLE).rename(columns={"r": 0, "azimuth": 1})
+    with pytest.raises(ValueError, match=r"columns\['r'\] must be a text, .*; got 0, which is one: rename .*0\.0"):
+        rt.tables.convert(given, columns={"r": 0, "azimuth": 1})
+    assert len(rt.tables.convert(given, columns={"r": 0.0, "azimuth": 2})) == 3
