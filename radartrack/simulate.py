@@ -28,6 +28,7 @@ from radartrack._arrays.validation import (
     real_arrays,
     real_number,
     require_finite,
+    require_parts,
     require_trailing_shape,
     require_within,
     whole_number,
@@ -271,11 +272,14 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
             (seed, number of the radar).
 
     Raises:
-        TypeError: a count or a seed is no whole number, or the states are not made of real numbers.
+        TypeError: there is no target or no radar, a count or a seed is no whole number, or the states are not made of
+            real numbers.
         ValueError: a count is less than 1, a seed is negative, the target has not one state a time, or one lies out of
             what the radar can see.
 
     """
+    require_parts("target", target, ["states"], "a target with states at times")
+    require_parts("radar", radar, ("times", "truth", "noise_covariance"), "a Radar")
     scans, trials = (whole_number(name, count, 1) for name, count in (("scans", scans), ("trials", trials)))
     times = radar.times(scans)
     states = real_arrays({"states of the target": target.states(times)})["states of the target"].astype(np.float64)

@@ -29,6 +29,7 @@ from radartrack._arrays.validation import (
     number_between,
     real_arrays,
     require_covariance,
+    require_parts,
     require_trailing_shape,
     require_within,
     whole_number,
@@ -194,9 +195,11 @@ class VarianceTable:
         """All flights of several tables; the order does not matter.
 
         Raises:
+            TypeError: one is no table.
             ValueError: the tables have different edges or sectors.
         """
         for other in others:
+            require_parts("others", other, ("range_edges", "sectors", "contributions"), "each a VarianceTable")
             if other.sectors != self.sectors or not np.array_equal(other.range_edges, self.range_edges):
                 raise ValueError(
                     f"tables to merge must have the same cells; got {self.sectors} sectors and range_edges "

@@ -103,6 +103,17 @@ def by_name(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
         raise TypeError(f"{name} must be arguments by name, such as a dict; got {_shown(given)}") from None
 
 
+def require_parts(name: str, given: object, parts: Iterable[str], kind: str) -> None:
+    """Check that something has the parts by which a thing of its kind is known.
+
+    Raises:
+        TypeError: it lacks one.
+
+    """
+    if not all(hasattr(given, part) for part in parts):
+        raise TypeError(f"{name} must be {kind}; got {_shown(given)}")
+
+
 def whole_number(name: str, given: object, least: int, most: int | None = None) -> int:
     """Read a whole number: an int, or what stands for one, such as an integer of NumPy.
 
