@@ -10,6 +10,7 @@ from radartrack._arrays.validation import Domain
 NAMED = re.compile(r"[^\W\d][\w°]*(?: ?[*/] ?[^\W\d][\w°]*){0,3}")  # names alone: no powers of anybody's choosing
 INVERSE = re.compile(r"(?<=[\w°])[ .]([^\W\d]+)(?:\^|\*\*)?-1$")  # "m s-1", as the conventions of netCDF write it
 LONGEST = 64
+SMALLEST = 1e-7  # of what metres or metres a second are given in: nobody means a nanometre by the "nm" of a range
 _KINDS = {"m": "length", "rad": "angle", "m/s": "speed"}
 
 
@@ -56,6 +57,9 @@ def read_unit(name: str, unit: object, domain: Domain) -> Unit:
     # A decibel is no multiple of one; and of what has no dimension only some are angles: a per cent is none.
     if twice != 2 * factor or one.to_root_units().units != quantity(1.0, wanted).to_root_units().units:
         raise something_else
+    if factor < SMALLEST and wanted in {"m", "m/s"}:
+        told = f"{unit!r}, which is {factor:.3g} {wanted}; a nautical mile is 'nautical_mile' or 'nmi'"
+        raise ValueError(f"the unit of {name} must be {allowed}, of a size that radars measure; got {told}")
     return Unit(unit.strip(), factor)
 
 

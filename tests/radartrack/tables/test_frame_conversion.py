@@ -388,3 +388,13 @@ def test_a_whole_number_that_names_a_column_is_not_taken_for_one_number_of_all_r
     with pytest.raises(ValueError, match=r"columns\['r'\] must be a text, .*; got 0, which is one: rename .*0\.0"):
         rt.tables.convert(given, columns={"r": 0, "azimuth": 1})
     assert len(rt.tables.convert(given, columns={"r": 0.0, "azimuth": 2})) == 3
+
+
+@pytest.mark.parametrize("argument", ["r", "range_std", "range_rate"])
+@pytest.mark.parametrize("length", ["nm", "angstrom"])
+def test_a_nanometre_is_not_taken_for_a_nautical_mile(argument: str, length: str):
+    unit = f"{length}/h" if argument == "range_rate" else length
+    with pytest.raises(
+        ValueError, match=f"the unit of {argument} must be .*; got '{unit}', which is .* 'nautical_mile'"
+    ):
+        rt.tables.convert(pd.DataFrame(SIMPLE), "polar_doppler", units={argument: unit})
