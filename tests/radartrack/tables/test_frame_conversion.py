@@ -394,7 +394,5 @@ def test_a_whole_number_that_names_a_column_is_not_taken_for_one_number_of_all_r
 @pytest.mark.parametrize("length", ["nm", "angstrom"])
 def test_a_nanometre_is_not_taken_for_a_nautical_mile(argument: str, length: str):
     unit = f"{length}/h" if argument == "range_rate" else length
-    with pytest.raises(
-        ValueError, match=f"the unit of {argument} must be .*; got '{unit}', which is .* 'nautical_mile'"
-    ):
+    with pytest.raises(ValueError, match=f"the unit of {argument} must .*; got '{unit}', which is .* 'nautical_mile'"):
         rt.tables.convert(pd.DataFrame(SIMPLE), "polar_doppler", units={argument: unit})
