@@ -325,7 +325,7 @@ def common_shape(shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
     return max(distinct) if len(distinct) <= 2 else np.broadcast_shapes(*distinct)
 
 
-def _array(name: str, value: object) -> NDArray[Any]:
+def _array(name: str, value: Any) -> NDArray[Any]:
     parts = [*_parts(value)]
     if masked := sum(map(_masked, parts)):
         raise ValueError(f"{name} must have no masked entries; got {masked} among {np.size(value)}")
@@ -353,7 +353,7 @@ def _parts(value: object) -> Iterator[object]:
 def _masked(part: object) -> int:
     """How many entries are masked, under which NumPy would read some number."""
     loaded = "numpy.ma" in sys.modules  # without it there are no masked arrays, and it takes long to load
-    return np.ma.count_masked(part) if loaded and isinstance(part, np.ma.MaskedArray) else 0
+    return int(np.ma.getmaskarray(part).sum()) if loaded and isinstance(part, np.ma.MaskedArray) else 0
 
 
 def _is_bool(part: object) -> bool:

@@ -220,7 +220,7 @@ def decimals(values: list[Any], kind: Any) -> Any:
     return pa.array([None if value is None else Decimal(value) for value in values], kind)
 
 
-PACKED = {
+PACKED: dict[str, Callable[[Any], Any]] = {
     "pandas category": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Categorical(values)}),
     "pandas objects": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Series(values, dtype=object)}),
     "pandas sparse": lambda values: pd.DataFrame({**SIMPLE, "r": pd.arrays.SparseArray(values)}),
