@@ -308,8 +308,8 @@ def test_a_noise_without_a_correlation_has_none_and_one_with_other_names_is_refu
 
 
 def test_targets_and_radars_stay_as_they_are_whatever_becomes_of_what_made_them() -> None:
-    place, noise, bias, known = (
-        np.array([30e3, 40e3]),
+    place: Any = np.array([30e3, 40e3])
+    noise, bias, known = (
         {"path_std": 5.0, "azimuth_std": 0.01},
         {"path": 3.0},
         {"baseline": 2e3},
