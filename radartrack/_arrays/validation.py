@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 RealArray: TypeAlias = NDArray[np.floating[Any]]
 Choice = TypeVar("Choice", bound=str)
 SINGLE, DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
+PLAIN = frozenset({np.ndarray, int, float})  # of which nothing is lost when NumPy reads them
 
 
 class Domain(NamedTuple):
@@ -326,17 +327,26 @@ def common_shape(shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def _array(name: str, value: Any) -> NDArray[Any]:
+    if type(value) in PLAIN:
+        return _numbers(name, value)
     parts = [*_parts(value)]
-    if masked := sum(map(_masked, parts)):
-        raise ValueError(f"{name} must have no masked entries; got {masked} among {np.size(value)}")
+    _require_unmasked(name, value, parts)
     if any(map(_has_unit, parts)):
         raise TypeError(f"{name} must be real numbers; got {_shown(value)}, whose unit would be lost")
     whole = getattr(value, "combine_chunks", lambda: value)()  # chunks of pyarrow's have any number for what is missing
+    array = _numbers(name, whole)
+    if any(map(_is_bool, parts)):
+        raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
+    _require_unmasked(name, array, [array])  # a variable of netCDF is no masked array, but is read as one
+    return np.asarray(array)
+
+
+def _numbers(name: str, value: Any) -> NDArray[Any]:
     try:
-        array = np.asarray(float(whole) if type(whole) is int else whole)
+        array = np.asanyarray(float(value) if type(value) is int else value)
     except (ValueError, OverflowError) as error:
         raise ValueError(f"{name} must be a number or an array; got {_shown(value)}: {error}") from error
-    if array.dtype.kind not in "iuf" or any(map(_is_bool, parts)):
+    if array.dtype.kind not in "iuf":
         raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
     return array
 
@@ -350,10 +360,13 @@ def _parts(value: object) -> Iterator[object]:
             yield from _parts(part)
 
 
-def _masked(part: object) -> int:
-    """How many entries are masked, under which NumPy would read some number."""
-    loaded = "numpy.ma" in sys.modules  # without it there are no masked arrays, and it takes long to load
-    return int(np.ma.getmaskarray(part).sum()) if loaded and isinstance(part, np.ma.MaskedArray) else 0
+def _require_unmasked(name: str, value: Any, parts: Iterable[object]) -> None:
+    """Check that no entry of any part is masked, under which NumPy would read some number."""
+    if "numpy.ma" not in sys.modules:  # without it there are no masked arrays, and it takes long to load
+        return
+    masked = sum(int(np.ma.getmaskarray(part).sum()) for part in parts if isinstance(part, np.ma.MaskedArray))
+    if masked:
+        raise ValueError(f"{name} must have no masked entries; got {masked} among {np.size(value)}")
 
 
 def _is_bool(part: object) -> bool:

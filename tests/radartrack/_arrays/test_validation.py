@@ -132,6 +132,18 @@ def test_masked_entries_of_arrays_in_a_list_are_refused_and_counted(container: A
         read(container([masked, np.ones(3), np.ma.masked_array([1.0, 2.0, 3.0], mask=[True, False, False])]))
 
 
+class Variable:
+    """What netCDF4 hands over: read as an array it is a masked one."""
+
+    def __array__(self, *_: Any, **__: Any) -> Any:
+        return np.ma.masked_array([1.0, 9.97e36, 3.0], mask=[False, True, False])
+
+
+def test_what_reads_as_a_masked_array_is_one() -> None:
+    with pytest.raises(ValueError, match=r"^r must have no masked entries; got 1 among 3$"):
+        read(Variable())
+
+
 class Quantity(np.ndarray):
     """Numbers with a unit, as astropy and unyt have them."""
 
