@@ -376,7 +376,9 @@ def _is_bool(part: object) -> bool:
 
 def _has_unit(part: object) -> bool:
     """Whether it is a quantity of pint, astropy or the like, of which NumPy would read the number alone."""
-    return hasattr(type(part), "units") or hasattr(type(part), "unit")
+    xarray = sys.modules.get("xarray")  # whose arrays keep quantities inside
+    kind = type(part.data if xarray is not None and isinstance(part, xarray.DataArray) else part)
+    return hasattr(kind, "units") or hasattr(kind, "unit")
 
 
 def _as_float(name: str, given: object) -> float:

@@ -171,16 +171,19 @@ def _units_of(dataset: Any, columns: Mapping[str, str | float], sensor: str) -> 
     known = {str(name): one.arguments for name, one in SENSORS.items()}
     for name in known.get(sensor, ()):
         column = columns.get(name, name)
-        attributes = dataset[column].attrs if isinstance(column, str) and column in dataset else {}
-        if "units" in attributes:
-            found[name] = attributes["units"]
+        if isinstance(column, str) and column in dataset:
+            array = dataset[column]
+            if "units" in array.attrs:
+                found[name] = array.attrs["units"]
+            if hasattr(array.data, "units"):  # of a quantity of pint, as `quantify` makes of numbers with an attribute
+                found[name] = f"{array.data.units:D}"
     return found
 
 
 def _floats(array: Any) -> RealArray:
     """Numbers of xarray's in single precision where they are in that, else in double."""
-    single = array.dtype == np.float32
-    return np.asarray(array, np.float32) if single else np.asarray(array, np.float64)
+    numbers = getattr(array.data, "magnitude", array.data)
+    return np.asarray(numbers, np.float32 if array.dtype == np.float32 else np.float64)
 
 
 def _require_decoded(name: str, column: str, array: Any) -> None:

@@ -14,6 +14,7 @@ for _library in ("narwhals", "pandas", "pint", "polars", "pyarrow", "xarray"):
     pytest.importorskip(_library, reason=f"tables are tested with {_library}")
 
 import pandas as pd  # noqa: E402
+import pint  # noqa: E402
 import polars as pl  # noqa: E402
 import pyarrow as pa  # noqa: E402
 import xarray as xr  # noqa: E402
@@ -396,3 +397,24 @@ def test_a_nanometre_is_not_taken_for_a_nautical_mile(argument: str, length: str
     unit = f"{length}/h" if argument == "range_rate" else length
     with pytest.raises(ValueError, match=f"the unit of {argument} must .*; got '{unit}', which is .* 'nautical_mile'"):
         rt.tables.convert(pd.DataFrame(SIMPLE), "polar_doppler", units={argument: unit})
+
+
+def test_quantities_of_pint_in_xarray_have_their_units():
+    expected = rt.tables.convert(variables(SIMPLE))
+    quantity = pint.get_application_registry().Quantity
+    in_kilometres = ("plot", quantity(np.array(SIMPLE["r"]) / 1e3, "km"))
+    in_degrees = ("plot", quantity(np.degrees(SIMPLE["azimuth"]), "deg"))
+    found = rt.tables.convert(variables(SIMPLE).assign(r=in_kilometres, azimuth=in_degrees))
+    np.testing.assert_allclose(column(found, "x"), column(expected, "x"), rtol=1e-14)
+    with pytest.raises(ValueError, match="unit of angle"):
+        rt.tables.convert(variables(SIMPLE).assign(azimuth=in_kilometres))
+    with pytest.raises(TypeError, match=r"r must be real numbers; .* whose unit would be lost"):
+        rt.convert.polar(found["r"], 0.1, 5.0, 0.1)
+
+
+def test_a_speed_in_xarray_is_one_of_pint():
+    given = variables({**SIMPLE, "range_rate": [1.0, 2.0, 3.0], "range_rate_std": [1.0] * 3})
+    expected = rt.tables.convert(given, "polar_doppler")
+    knots = pint.get_application_registry().Quantity(np.array([1.0, 2.0, 3.0]) / KNOT, "nautical_mile/hour")
+    found = rt.tables.convert(given.assign(range_rate=("plot", knots)), "polar_doppler")
+    np.testing.assert_allclose(column(found, "eta"), column(expected, "eta"), rtol=1e-14)
