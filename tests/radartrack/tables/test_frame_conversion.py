@@ -401,9 +401,8 @@ def test_a_nanometre_is_not_taken_for_a_nautical_mile(argument: str, length: str
 
 def test_quantities_of_pint_in_xarray_have_their_units():
     expected = rt.tables.convert(variables(SIMPLE))
-    quantity = pint.get_application_registry().Quantity
-    in_kilometres = ("plot", quantity(np.array(SIMPLE["r"]) / 1e3, "km"))
-    in_degrees = ("plot", quantity(np.degrees(SIMPLE["azimuth"]), "deg"))
+    in_kilometres = ("plot", pint.Quantity(np.array(SIMPLE["r"]) / 1e3, "km"))
+    in_degrees = ("plot", pint.Quantity(np.degrees(SIMPLE["azimuth"]), "deg"))
     found = rt.tables.convert(variables(SIMPLE).assign(r=in_kilometres, azimuth=in_degrees))
     np.testing.assert_allclose(column(found, "x"), column(expected, "x"), rtol=1e-14)
     with pytest.raises(ValueError, match="unit of angle"):
@@ -415,6 +414,6 @@ def test_quantities_of_pint_in_xarray_have_their_units():
 def test_a_speed_in_xarray_is_one_of_pint():
     given = variables({**SIMPLE, "range_rate": [1.0, 2.0, 3.0], "range_rate_std": [1.0] * 3})
     expected = rt.tables.convert(given, "polar_doppler")
-    knots = pint.get_application_registry().Quantity(np.array([1.0, 2.0, 3.0]) / KNOT, "nautical_mile/hour")
+    knots = pint.Quantity(np.array([1.0, 2.0, 3.0]) / KNOT, "nautical_mile/hour")
     found = rt.tables.convert(given.assign(range_rate=("plot", knots)), "polar_doppler")
     np.testing.assert_allclose(column(found, "eta"), column(expected, "eta"), rtol=1e-14)
