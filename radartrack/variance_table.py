@@ -184,7 +184,7 @@ class VarianceTable:
             raise ValueError(f"label must not end in a NUL, which arrays of text drop; got {label!r}")
         x, y = line.to_plane(r, azimuth, elevation)
         arrays = {"t": t, "r": r, "azimuth": azimuth, "x": x, "y": y}
-        flights = {name: array.astype(np.float64) for name, array in real_arrays(arrays).items()}
+        flights = {name: array.astype(np.float64, order="C") for name, array in real_arrays(arrays).items()}
         shape = broadcast_shape(flights)
         if not shape or shape[-1] < 3:
             raise ValueError(f"a flight must have at least 3 plots on the last axis; got the shape {shape}")
