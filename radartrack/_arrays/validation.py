@@ -376,8 +376,8 @@ def _is_bool(part: object) -> bool:
 
 def _has_unit(part: object) -> bool:
     """Whether it is a quantity of pint, astropy or the like, of which NumPy would read the number alone."""
-    xarray = sys.modules.get("xarray")  # whose arrays keep quantities inside
-    kind = type(part.data if xarray is not None and isinstance(part, xarray.DataArray) else part)
+    arrays = getattr(sys.modules.get("xarray"), "DataArray", ())  # which keep quantities inside
+    kind = type(part.data if isinstance(part, arrays) else part)
     return hasattr(kind, "units") or hasattr(kind, "unit")
 
 
