@@ -176,7 +176,7 @@ def _units_of(dataset: Any, columns: Mapping[str, str | float], sensor: str) -> 
             if "units" in array.attrs:
                 found[name] = array.attrs["units"]
             if hasattr(array.data, "units"):  # of a quantity of pint, as `quantify` makes of numbers with an attribute
-                found[name] = f"{array.data.units:D}"
+                found[name] = str(array.data.units)
     return found
 
 
