@@ -408,10 +408,13 @@ class FiniteSampleFilter:
             np.full(len(ranges), -1),
         )
         samples, which = _distinct(Sample(times, np.isfinite(ranges), np.isfinite(rates)))
-        data = np.stack([np.where(np.isfinite(values), values, 0.0) for values in (ranges, rates)])
+        newest = _newest(ranges)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # what is not finite is refused
+            beyond = ranges - newest[:, np.newaxis]
+            data = np.stack([np.where(np.isnan(values), 0.0, values) for values in (beyond, rates)])
             for degree in range(self.degree, -1, -1):
                 self._fill(result, degree, samples, which, data, unit)
+            result.state[:, 0] += newest
         _require_finite_estimates(result)
         dtype = observed.ranges.dtype
         return Run(rounded_to(dtype, "the state", result.state), _in_type(result.covariance, dtype), result.degree)
@@ -419,7 +422,7 @@ class FiniteSampleFilter:
     def _fill(
         self, result: Run, degree: int, samples: Sample, which: NDArray[np.int64], data: RealArray, unit: float
     ) -> None:
-        """Enter the estimates of this degree for the tracks that support it and no higher one."""
+        """Enter the estimates of this degree, less the newest range, for tracks that support it and no higher one."""
         waiting, place = np.unique(which[result.degree < 0], return_inverse=True)
         solution = self._solution(samples.chosen(waiting), degree, unit)
         determined = solution.determined[place]
@@ -554,6 +557,19 @@ def _distinct(sample: Sample) -> tuple[Sample, NDArray[np.int64]]:
         return sample, np.arange(len(sample.times))
     first, which = patterns.distinct(np.concatenate([sample.has_range, sample.has_rate], axis=1))
     return sample.chosen(first), which
+
+
+def _newest(ranges: RealArray) -> RealArray:
+    """The newest range of each track, 0 where all are missing.
+
+    What is a constant of all ranges is one of the estimate, but weights know that only to rounding. Where nearly
+    worthless rates determine the polynomial, weights of ranges are rounded like theirs, and of a range far beyond its
+    errors that is much.
+    """
+    seen = np.isfinite(ranges)
+    latest = ranges.shape[1] - 1 - np.argmax(seen[:, ::-1], axis=1)
+    found: RealArray = np.where(seen.any(axis=1), ranges[np.arange(len(ranges)), latest], 0.0)
+    return found
 
 
 def _joined(parts: Sequence[Run], axis: int) -> Run:

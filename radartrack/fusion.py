@@ -664,7 +664,7 @@ def _change(elapsed: Floats, scale: Floats) -> Floats:
 
 def _read(given: dict[str, ArrayLike], domains: dict[str, Domain]) -> dict[str, Floats]:
     """The arguments as float64, each checked against its domain."""
-    arrays = {name: array.astype(np.float64) for name, array in real_arrays(given).items()}
+    arrays = {name: array.astype(np.float64, order="C") for name, array in real_arrays(given).items()}
     for name, array in arrays.items():
         require_within(name, array, domains[name])
     return arrays

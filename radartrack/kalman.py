@@ -30,6 +30,7 @@ from radartrack._filtering.beliefs import (
     flat_tracks,
     in_blocks,
     measured_values,
+    require_belief,
     tracks_first,
     tracks_last,
 )
@@ -223,6 +224,7 @@ def predict(belief: Belief, motion: Motion | NonlinearMotion, order: Order = 1) 
 
     """
     second = whole_number("order", order, 1, 2) == 2
+    require_belief("belief", belief)
     tracks, mean, covariance = flat_tracks(belief, ())
     checked = _checked(motion, mean.shape[-1])
 
@@ -265,6 +267,7 @@ def update(belief: Belief, measured: ArrayLike, matrix: ArrayLike, noise: ArrayL
     Source: Bierman 1977, V.3.
 
     """
+    require_belief("belief", belief)
     values, H, R = _measurement(measured, matrix, noise, belief)
     tracks, mean, covariance = tracks_last(belief, common(values.shape[:-1], R.shape[:-2]), values.dtype)
     flat = np.broadcast_to(values, (*tracks, len(H))).reshape(-1, len(H))
@@ -318,6 +321,7 @@ def update_with(
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
     second = whole_number("order", order, 1, 2) == 2
     places = sight.order(azimuth_from)
+    require_belief("belief", belief)
     arrays = real_arrays({"mean": belief.mean, "measured": measured, "noise": noise, **site_of(sight, site)})
     values, R = measured_values(arrays["measured"], noise, len(sight.outputs))
     size = len(sight.state)
@@ -378,6 +382,7 @@ def run(
 
     """
     second = whole_number("order", order, 1, 2) == 2
+    require_belief("start", start)
     values, H, R = _measurement(measured, matrix, noise, start)
     if values.ndim < 2:
         raise ValueError(f"measured must have shape (..., scans, m); got shape {values.shape}")
@@ -436,6 +441,7 @@ def run_with(
 
     """
     sight = SIGHTS[one_of("sensor", sensor, SIGHTS)]
+    require_belief("start", start)
     given = {"mean": start.mean, "covariance": start.covariance, "measured": measured, "noise": noise}
     arrays = real_arrays({**given, **site_of(sight, site)})
     values, R = measured_values(arrays["measured"], noise, len(sight.outputs))

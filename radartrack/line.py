@@ -334,7 +334,7 @@ def bounded_product(mixed: Floats, first: Floats, second: Floats) -> Floats:
 
 def _plots(given: Mapping[str, ArrayLike], domains: Mapping[str, Domain], least: int) -> dict[str, Floats]:
     """The arguments as float64 of one shape, checked."""
-    arrays = {name: array.astype(np.float64) for name, array in real_arrays(given).items()}
+    arrays = {name: array.astype(np.float64, order="C") for name, array in real_arrays(given).items()}
     for name, array in arrays.items():
         require_within(name, array, domains[name])
     shape = broadcast_shape(arrays)

@@ -28,6 +28,7 @@ from radartrack._arrays.validation import (
     real_arrays,
     real_number,
     require_finite,
+    require_parts,
     require_trailing_shape,
     require_within,
     whole_number,
@@ -73,7 +74,7 @@ class Accelerated:
 
     def __post_init__(self) -> None:
         for name in ("position", "velocity", "acceleration"):
-            _vector(name, getattr(self, name))
+            object.__setattr__(self, name, _numbers(name, getattr(self, name)))
 
     def states(self, t: ArrayLike) -> RealArray:
         """Position [m] and velocity [m/s] at times [s], shape (..., 6).
@@ -84,7 +85,7 @@ class Accelerated:
 
         """
         times = _times(t)
-        r, v, a = (_vector(name, getattr(self, name)) for name in ("position", "velocity", "acceleration"))
+        r, v, a = (_vector(each) for each in (self.position, self.velocity, self.acceleration))
         with np.errstate(over="ignore", invalid="ignore"):
             return _finite_states(r + v * times + a * times**2 / 2, v + a * times)
 
@@ -118,8 +119,8 @@ class Turning:
     turn_rate: float
 
     def __post_init__(self) -> None:
-        _vector("position", self.position)
-        _vector("velocity", self.velocity)
+        for name in ("position", "velocity"):
+            object.__setattr__(self, name, _numbers(name, getattr(self, name)))
         real_number("turn_rate", self.turn_rate)
 
     def states(self, t: ArrayLike) -> RealArray:
@@ -131,8 +132,8 @@ class Turning:
 
         """
         times = _times(t)
-        x, y, z = _vector("position", self.position)
-        vx, vy, vz = _vector("velocity", self.velocity)
+        x, y, z = _vector(self.position)
+        vx, vy, vz = _vector(self.velocity)
         with np.errstate(over="ignore", invalid="ignore"):
             angle = float(self.turn_rate) * times
             sine, cosine = np.sin(angle), np.cos(angle)
@@ -184,7 +185,7 @@ class Radar:
         for name, value in bias.items():
             domain = model.coordinates[name].domain._replace(signed=True)
             require_within(f"bias of {name}", np.asarray(real_number(f"bias of {name}", value)), domain)
-        _vector("site", self.site)
+        object.__setattr__(self, "site", _numbers("site", self.site))
         if real_number("period", self.period) <= 0:
             raise ValueError(f"period must be finite and more than 0; got {self.period}")
         number_between("detection_probability", self.detection_probability, 0, 1)
@@ -193,6 +194,8 @@ class Radar:
             raise TypeError(f"known must have {[*model.parameters]}; got {[*known]}")
         for name, value in known.items():
             require_within(name, np.asarray(real_number(name, value)), model.parameters[name].domain)
+        for name, own in {"noise": by_name("noise", self.noise), "bias": bias, "known": known}.items():
+            object.__setattr__(self, name, own)
 
     def times(self, scans: int) -> RealArray:
         """The times of the first scans [s], from 0 on, shape (scans,).
@@ -225,7 +228,7 @@ class Radar:
         given = real_arrays({"states": states})["states"].astype(np.float64)
         require_trailing_shape("states", given, (len(_STATE),))
         require_finite("states", given)
-        relative = given - np.concatenate([_vector("site", self.site), np.zeros(AXES)])
+        relative = given - np.concatenate([_vector(self.site), np.zeros(AXES)])
         seen = relative[..., [_STATE.index(component) for component in SIGHTS[self.sensor].state]]
         axis = model.chosen_axis(self.azimuth_from)
         options = {**self.known} if axis is None else {**self.known, "azimuth_from": axis}
@@ -269,11 +272,14 @@ def plots(target: Target, radar: Radar, *, scans: int, trials: int = 1, seed: Se
             (seed, number of the radar).
 
     Raises:
-        TypeError: a count or a seed is no whole number, or the states are not made of real numbers.
+        TypeError: there is no target or no radar, a count or a seed is no whole number, or the states are not made of
+            real numbers.
         ValueError: a count is less than 1, a seed is negative, the target has not one state a time, or one lies out of
             what the radar can see.
 
     """
+    require_parts("target", target, ["states"], "a target with states at times")
+    require_parts("radar", radar, ("times", "truth", "noise_covariance"), "a Radar")
     scans, trials = (whole_number(name, count, 1) for name, count in (("scans", scans), ("trials", trials)))
     times = radar.times(scans)
     states = real_arrays({"states of the target": target.states(times)})["states of the target"].astype(np.float64)
@@ -343,12 +349,17 @@ def scatter(covariance: RealArray, normal: RealArray) -> RealArray:
     return scattered
 
 
-def _vector(name: str, given: Sequence[float]) -> RealArray:
-    """Three components, the third 0 where it is not given."""
+def _numbers(name: str, given: Sequence[float]) -> tuple[float, ...]:
+    """Two or three finite numbers, which no one else can change."""
     array = real_arrays({name: given})[name].astype(np.float64)
     if array.shape not in {(2,), (AXES,)} or not np.isfinite(array).all():
         raise ValueError(f"{name} must be two or three finite numbers; got {given!r}")
-    return np.append(array, np.zeros(AXES - array.size))
+    return tuple(array.tolist())
+
+
+def _vector(given: Sequence[float]) -> RealArray:
+    """Three components, the third 0 where it is not given."""
+    return np.append(given, np.zeros(AXES - len(given)))
 
 
 def _times(t: ArrayLike) -> RealArray:

@@ -25,9 +25,11 @@ from radartrack._arrays.validation import (
     COVARIANCE,
     RANGE,
     broadcast_shape,
+    kept,
     number_between,
     real_arrays,
     require_covariance,
+    require_parts,
     require_trailing_shape,
     require_within,
     whole_number,
@@ -137,6 +139,7 @@ class VarianceTable:
         ranges = _require_edges(self.range_edges)
         sectors = whole_number("sectors", self.sectors, 1)  # a narrow integer of NumPy would overflow
         object.__setattr__(self, "sectors", sectors)
+        object.__setattr__(self, "range_edges", kept(self.range_edges))
         if ranges * sectors > MOST_CELLS:
             given = f"{ranges} range bins by {sectors} sectors"
             raise ValueError(f"range_edges and sectors must make at most {MOST_CELLS} cells; got {given}")
@@ -181,7 +184,7 @@ class VarianceTable:
             raise ValueError(f"label must not end in a NUL, which arrays of text drop; got {label!r}")
         x, y = line.to_plane(r, azimuth, elevation)
         arrays = {"t": t, "r": r, "azimuth": azimuth, "x": x, "y": y}
-        flights = {name: array.astype(np.float64) for name, array in real_arrays(arrays).items()}
+        flights = {name: array.astype(np.float64, order="C") for name, array in real_arrays(arrays).items()}
         shape = broadcast_shape(flights)
         if not shape or shape[-1] < 3:
             raise ValueError(f"a flight must have at least 3 plots on the last axis; got the shape {shape}")
@@ -192,9 +195,11 @@ class VarianceTable:
         """All flights of several tables; the order does not matter.
 
         Raises:
+            TypeError: one is no table.
             ValueError: the tables have different edges or sectors.
         """
         for other in others:
+            require_parts("others", other, ("range_edges", "sectors", "contributions"), "each a VarianceTable")
             if other.sectors != self.sectors or not np.array_equal(other.range_edges, self.range_edges):
                 raise ValueError(
                     f"tables to merge must have the same cells; got {self.sectors} sectors and range_edges "

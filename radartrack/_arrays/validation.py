@@ -13,7 +13,7 @@ import math
 import operator
 import reprlib
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 RealArray: TypeAlias = NDArray[np.floating[Any]]
 Choice = TypeVar("Choice", bound=str)
 SINGLE, DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
+PLAIN = frozenset({np.ndarray, int, float})  # of which nothing is lost when NumPy reads them
 
 
 class Domain(NamedTuple):
@@ -103,6 +104,17 @@ def by_name(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
         raise TypeError(f"{name} must be arguments by name, such as a dict; got {_shown(given)}") from None
 
 
+def require_parts(name: str, given: object, parts: Iterable[str], kind: str) -> None:
+    """Check that something has the parts by which a thing of its kind is known.
+
+    Raises:
+        TypeError: it lacks one.
+
+    """
+    if not all(hasattr(given, part) for part in parts):
+        raise TypeError(f"{name} must be {kind}; got {_shown(given)}")
+
+
 def whole_number(name: str, given: object, least: int, most: int | None = None) -> int:
     """Read a whole number: an int, or what stands for one, such as an integer of NumPy.
 
@@ -177,6 +189,13 @@ def real_arrays(given: Mapping[str, ArrayLike]) -> dict[str, RealArray]:
     typed = [arrays[name].dtype for name, value in given.items() if type(value) not in {int, float}]
     dtype = SINGLE if typed and all(dtype.char == SINGLE.char for dtype in typed) else DOUBLE
     return {name: rounded_to(dtype, name, array) for name, array in arrays.items()}
+
+
+def kept(array: RealArray) -> RealArray:
+    """A copy that cannot be written to, for an object that was checked: who gave the array may use it again."""
+    copy = np.array(array)
+    copy.flags.writeable = False
+    return copy
 
 
 def rounded_to(dtype: np.dtype[Any], name: str, array: NDArray[Any]) -> RealArray:
@@ -307,18 +326,59 @@ def common_shape(shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
     return max(distinct) if len(distinct) <= 2 else np.broadcast_shapes(*distinct)
 
 
-def _array(name: str, value: object) -> NDArray[Any]:
-    loaded = "numpy.ma" in sys.modules  # without it there are no masked arrays, and it takes long to load
-    if loaded and isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
-        masked = np.count_nonzero(np.ma.getmaskarray(value))
-        raise ValueError(f"{name} must have no masked entries; got {masked} among {value.size}")
+def _array(name: str, value: Any) -> NDArray[Any]:
+    if type(value) in PLAIN:
+        return _numbers(name, value)
+    parts = [*_parts(value)]
+    _require_unmasked(name, value, parts)
+    if any(map(_has_unit, parts)):
+        raise TypeError(f"{name} must be real numbers; got {_shown(value)}, whose unit would be lost")
+    whole = getattr(value, "combine_chunks", lambda: value)()  # chunks of pyarrow's have any number for what is missing
+    array = _numbers(name, whole)
+    if any(map(_is_bool, parts)):
+        raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
+    _require_unmasked(name, array, [array])  # a variable of netCDF is no masked array, but is read as one
+    return np.asarray(array)
+
+
+def _numbers(name: str, value: Any) -> NDArray[Any]:
     try:
-        array = np.asarray(float(value) if type(value) is int else value)
+        array = np.asanyarray(float(value) if type(value) is int else value)
     except (ValueError, OverflowError) as error:
         raise ValueError(f"{name} must be a number or an array; got {_shown(value)}: {error}") from error
-    if array.dtype.kind not in "iuf" or _holds_bool(value):
+    if array.dtype.kind not in "iuf":
         raise TypeError(f"{name} must be real numbers; got {_shown(value)}, which reads as {array.dtype}")
     return array
+
+
+def _parts(value: object) -> Iterator[object]:
+    """An array or a number, or those that a list or the like holds beside plain numbers."""
+    if hasattr(value, "__array__") or isinstance(value, (str, bytes)) or not isinstance(value, Collection):
+        yield value
+    elif not set(map(type, value)) <= {int, float, np.float64}:
+        for part in value:
+            yield from _parts(part)
+
+
+def _require_unmasked(name: str, value: Any, parts: Iterable[object]) -> None:
+    """Check that no entry of any part is masked, under which NumPy would read some number."""
+    if "numpy.ma" not in sys.modules:  # without it there are no masked arrays, and it takes long to load
+        return
+    masked = sum(int(np.ma.getmaskarray(part).sum()) for part in parts if isinstance(part, np.ma.MaskedArray))
+    if masked:
+        raise ValueError(f"{name} must have no masked entries; got {masked} among {np.size(value)}")
+
+
+def _is_bool(part: object) -> bool:
+    """Whether it is a bool, or an array of such, which NumPy would read as 0 or 1."""
+    return isinstance(part, bool) or getattr(getattr(part, "dtype", None), "kind", "") == "b"
+
+
+def _has_unit(part: object) -> bool:
+    """Whether it is a quantity of pint, astropy or the like, of which NumPy would read the number alone."""
+    arrays = getattr(sys.modules.get("xarray"), "DataArray", ())  # which keep quantities inside
+    kind = type(part.data if isinstance(part, arrays) else part)
+    return hasattr(kind, "units") or hasattr(kind, "unit")
 
 
 def _as_float(name: str, given: object) -> float:
@@ -328,15 +388,6 @@ def _as_float(name: str, given: object) -> float:
         return float(given)
     except OverflowError:
         return math.inf if given > 0 else -math.inf
-
-
-def _holds_bool(value: object) -> bool:
-    """Whether a bool stands among numbers, which NumPy would read as 0 or 1."""
-    if hasattr(value, "__array__"):
-        return getattr(getattr(value, "dtype", None), "kind", "") == "b"
-    if not isinstance(value, Iterable):
-        return isinstance(value, bool)
-    return not set(map(type, value)) <= {int, float, np.float64} and any(map(_holds_bool, value))
 
 
 def _require(name: str, values: RealArray, allowed: str, fulfilled: NDArray[np.bool_] | np.bool_) -> None:

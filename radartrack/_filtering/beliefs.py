@@ -14,6 +14,7 @@ from radartrack._arrays.validation import (
     real_arrays,
     require_covariance,
     require_finite,
+    require_parts,
     require_trailing_shape,
 )
 from radartrack._filtering.elimination import checked_covariances
@@ -35,6 +36,16 @@ class Motion(NamedTuple):
 
     transition: RealArray
     process_noise: RealArray
+
+
+def require_belief(name: str, given: object) -> None:
+    """Check that something has a mean and a covariance.
+
+    Raises:
+        TypeError: it has not.
+
+    """
+    require_parts(name, given, Belief._fields, "a Belief of a mean and a covariance")
 
 
 def common(measured: tuple[int, ...], noise: tuple[int, ...], name: str = "noise") -> tuple[int, ...]:
@@ -122,10 +133,11 @@ def checked_motion(motion: Motion, size: int) -> Motion:
     """The matrices of a linear motion of so many components.
 
     Raises:
-        TypeError: a part is not made of real numbers.
+        TypeError: it is none, or a part is not made of real numbers.
         ValueError: they do not fit, or the noise is no covariance.
 
     """
+    require_parts("motion", motion, Motion._fields, "a Motion of a transition and a process noise")
     arrays = real_arrays({"transition": motion.transition, "process_noise": motion.process_noise})
     for name, array in arrays.items():
         if array.shape != (size, size) or not np.isfinite(array).all():

@@ -66,6 +66,37 @@ class _Known:
     in_noise: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class _Formula:
+    """A generated function as one of states. Processes hand it to each other, as they could not a function in another.
+
+    Attributes:
+        name: of the function.
+        axes: that its values have beside those of the tracks.
+        state: the components of the states that are given, in their order.
+        taken: which of them the function takes.
+        parameters: what else it takes.
+        order: of the components in its values.
+
+    """
+
+    name: str
+    axes: int
+    state: tuple[str, ...]
+    taken: tuple[str, ...]
+    parameters: tuple[tuple[str, float], ...]
+    order: tuple[int, ...]
+
+    def __call__(self, states: RealArray) -> RealArray:
+        """The values at states (..., n)."""
+        components = dict(zip(self.state, np.moveaxis(states, -1, 0), strict=True))
+        formula: Callable[..., RealArray] = getattr(formulas, self.name)
+        found = formula(**{name: components[name] for name in self.taken}, **dict(self.parameters))
+        for axis in range(-self.axes, 0):
+            found = np.take(found, self.order, axis=axis)
+        return found
+
+
 KNOWN: Mapping[str, _Known] = {
     "turn.unknown_rate": _Known(("x", "vx", "y", "vy", "omega"), ("vx", "vy", "omega")),
     "ctrv": _Known(("x", "y", "speed", "heading", "omega"), ("speed", "heading", "omega")),
@@ -90,22 +121,12 @@ def known_motion(name: str, period: float, std: float, turn_std: float, grouped:
     for argument, value in zip(("std", "turn_std"), deviations.values(), strict=True):
         if value < 0:
             raise ValueError(f"{argument} must be at least 0; got {value:g}")
-    prefix = chosen.replace(".", "_")
-    order = [known.state.index(component) for component in state]
+    order = tuple(known.state.index(component) for component in state)
 
     def of(function: str, axes: int) -> OfStates:
-        formula: Callable[..., RealArray] = getattr(formulas, f"{prefix}_{function}")
-
-        def values(states: RealArray) -> RealArray:
-            components = dict(zip(state, np.moveaxis(states, -1, 0), strict=True))
-            if function.startswith("process_noise"):
-                components = {name: components[name] for name in known.in_noise} | deviations
-            found = formula(**components, T=T)
-            for axis in range(-axes, 0):
-                found = np.take(found, order, axis=axis)
-            return found
-
-        return values
+        taken, parameters = (known.in_noise, deviations) if function.startswith("process_noise") else (known.state, {})
+        name = f"{chosen.replace('.', '_')}_{function}"
+        return _Formula(name, axes, state, taken, (*parameters.items(), ("T", T)), order)
 
     return NonlinearMotion(
         len(state), of("map", 1), of("jacobian", 2), of("hessian", 3), of("process_noise_piecewise", 2)

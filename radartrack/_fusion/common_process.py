@@ -10,6 +10,7 @@ from radartrack._arrays.validation import (
     real_arrays,
     require_covariance,
     require_finite,
+    require_parts,
     require_trailing_shape,
 )
 from radartrack._filtering.beliefs import Motion, checked_motion
@@ -65,7 +66,7 @@ class Filtered(NamedTuple):
 
 def recursion(motion: Motion, first: Filtered, second: Filtered, start: ArrayLike) -> Floats:
     """The cross covariance after each scan, shape (..., scans, n, n)."""
-    one, other = first.reductions("first"), second.reductions("second")
+    one, other = _reductions(first, second)
     F, Q = checked_motion(motion, one.shape[-1])
     [cross] = real_arrays({"start": start}).values()
     require_finite("start", cross)
@@ -96,7 +97,7 @@ def steady(motion: Motion, first: Filtered, second: Filtered) -> Floats:
     Raises:
         ValueError: it does not come to an end.
     """
-    one, other = first.reductions("first"), second.reductions("second")
+    one, other = _reductions(first, second)
     broadcast_shape({"first.covariance": one, "second.covariance": other})
     F, Q = checked_motion(motion, one.shape[-1])
     total = one @ Q @ np.swapaxes(other, -1, -2)
@@ -110,3 +111,10 @@ def steady(motion: Motion, first: Filtered, second: Filtered) -> Floats:
         if (np.abs(added).max(axis=(-2, -1)) <= SMALL * np.abs(total).max(axis=(-2, -1))).all():
             return np.asarray(total, np.float64)
     raise ValueError("covariance must be that of filters in a steady state; got one whose errors do not die away")
+
+
+def _reductions(first: Filtered, second: Filtered) -> tuple[Floats, Floats]:
+    """Those of both filters."""
+    for name, given in (("first", first), ("second", second)):
+        require_parts(name, given, ["reductions"], "a Filtered of a covariance, a matrix and a noise")
+    return first.reductions("first"), second.reductions("second")

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from radartrack._arrays.validation import (
     RealArray,
     broadcast_shape,
+    kept,
     real_arrays,
     require_covariance,
     require_finite,
@@ -42,7 +43,7 @@ class FixedGainFilter:
         arrays = real_arrays({"period": period, "gain": gain, "covariance": covariance})
         for name, array in arrays.items():
             require_finite(name, array)
-            object.__setattr__(self, name, array)
+            object.__setattr__(self, name, kept(array))
         if self.gain.ndim == 0:
             raise ValueError("gain must have shape (..., n); got a single number")
         if not (self.period > 0).all():

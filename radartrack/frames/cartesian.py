@@ -14,7 +14,9 @@ from radartrack._arrays.validation import (
     Domain,
     RealArray,
     broadcast_shape,
+    kept,
     real_arrays,
+    require_parts,
     require_trailing_shape,
     require_within,
     whole_number,
@@ -60,7 +62,7 @@ class Frame:
         for name, shape, domain in (("origin", (3,), COORDINATE), ("axes", (3, 3), AXIS), ("velocity", (3,), RATE)):
             require_trailing_shape(name, arrays[name], shape)
             require_within(name, arrays[name], domain)
-            object.__setattr__(self, name, arrays[name])
+            object.__setattr__(self, name, kept(arrays[name]))
         products = arrays["axes"] @ np.swapaxes(arrays["axes"], -1, -2)
         if np.abs(products - np.eye(3)).max(initial=0.0) > SQUARE:
             raise ValueError("axes must have length one and stand on each other; got axes that do not")
@@ -69,6 +71,7 @@ class Frame:
 
     def rotation(self, other: "Frame") -> RealArray:
         """What turns components along these axes into components along the other's, shape (..., 3, 3)."""
+        _require_frame(other)
         return np.asarray(other.axes @ np.swapaxes(self.axes, -1, -2))
 
     def jacobian(self, other: "Frame", components: int = 3) -> RealArray:
@@ -107,10 +110,11 @@ class Frame:
             The mean in the other frame; with a covariance given a `Belief` of both, a mean for each covariance.
 
         Raises:
-            TypeError: an argument is not made of real numbers.
+            TypeError: an argument is not made of real numbers, or the other is no frame.
             ValueError: one is not finite or out of place, shapes do not fit, or the covariance is none.
 
         """
+        _require_frame(other)
         arrays = real_arrays({"mean": mean} | ({} if covariance is None else {"covariance": covariance}))
         single = all(array.dtype == SINGLE for array in arrays.values())
         dtype = np.dtype(np.float32 if single else np.float64)
@@ -293,6 +297,10 @@ def _attitude(azimuth: ArrayLike, tilt: ArrayLike, roll: ArrayLike) -> dict[str,
         require_within(name, values, domain)
     broadcast_shape(arrays)
     return {name: np.asarray(values, np.float64) for name, values in arrays.items()}
+
+
+def _require_frame(other: Frame) -> None:
+    require_parts("other", other, ("origin", "axes", "velocity"), "a Frame")
 
 
 def _require_states(values: RealArray) -> None:

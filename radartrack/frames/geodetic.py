@@ -16,6 +16,7 @@ from radartrack._arrays.validation import (
     broadcast_shape,
     real_arrays,
     require_covariance,
+    require_parts,
     require_trailing_shape,
     require_within,
 )
@@ -145,6 +146,7 @@ def geodetic_from_ecef(
     require_within("position", values, COORDINATE)
     flat = np.ascontiguousarray(values.reshape(-1, 3))
     found = np.empty((3, len(flat)))
+    _require_ellipsoid(ellipsoid)
     fill(lambda some, *places: _located(some, places, ellipsoid), [flat], list(found), BLOCK)
     where = Geodetic(*(part.reshape(values.shape[:-1])[()] for part in found))
     dtype = _type(position=position, covariance=covariance)
@@ -214,7 +216,12 @@ def geodetic_jacobian(
     return _formula("geodetic_from_ecef_jacobian", where, ellipsoid).astype(dtype, copy=False)
 
 
+def _require_ellipsoid(ellipsoid: Ellipsoid) -> None:
+    require_parts("ellipsoid", ellipsoid, ("semi_major_axis", "flattening"), "an Ellipsoid")
+
+
 def _position(where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:
+    _require_ellipsoid(ellipsoid)
     shape = np.broadcast_shapes(*(part.shape for part in where))
     flat = [np.broadcast_to(part, shape).reshape(-1) for part in where]
     found = np.empty((len(flat[0]), 3))
@@ -238,6 +245,7 @@ def _located(positions: RealArray, places: tuple[RealArray, ...], ellipsoid: Ell
 
 
 def _formula(name: str, where: Geodetic, ellipsoid: Ellipsoid) -> RealArray:
+    _require_ellipsoid(ellipsoid)
     shape = {"semi_major_axis": ellipsoid.semi_major_axis, "flattening": ellipsoid.flattening}
     found: RealArray = getattr(formulas, name)(**where._asdict(), **shape)
     return found

@@ -11,7 +11,7 @@ from stonesoup.models.measurement.linear import LinearGaussian
 from stonesoup.types.array import CovarianceMatrix, StateVector, StateVectors
 
 from radartrack import convert
-from radartrack._arrays.validation import RealArray
+from radartrack._arrays.validation import RealArray, require_covariance
 from radartrack._conversion.prediction import Prediction
 from radartrack._conversion.sensors import SENSORS, Sensor
 from radartrack.stone_soup.model_geometry import WITHOUT_RATE, Geometry
@@ -109,7 +109,7 @@ def read_plots(detections: Sequence[Any], models: Sequence[Any]) -> Plots:
     """Detections, whose models measure the same, as plots.
 
     Raises:
-        ValueError: two errors are correlated for which the conversion has no correlation.
+        ValueError: a noise is no covariance, or two errors are correlated for which the conversion has no correlation.
 
     """
     geometries = [Geometry.of(model) for model in models]
@@ -169,6 +169,7 @@ def model_of(model: Any, geometry: Geometry, covariance: RealArray) -> Any:
 
 
 def _noise(sensor: Sensor, covariances: RealArray) -> dict[str, RealArray]:
+    require_covariance("noise_covar", covariances)
     deviations = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2))
     i, j = sensor.correlated
     product = deviations[:, i] * deviations[:, j]
@@ -180,4 +181,4 @@ def _noise(sensor: Sensor, covariances: RealArray) -> dict[str, RealArray]:
         names = [*sensor.coordinates]
         allowed = f"without correlations but that of {names[i]} and {names[j]}"
         raise ValueError(f"noise_covar must be {allowed} for the conversion {sensor.module!r}; got others")
-    return dict(zip(sensor.noise, [*deviations.T, correlation], strict=True))
+    return dict(zip(sensor.noise, [*deviations.T, np.clip(correlation, -1, 1)], strict=True))  # one despite rounding

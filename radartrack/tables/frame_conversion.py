@@ -18,6 +18,8 @@ from radartrack.tables.plot_columns import BadRowsWord, Columns, Method, PlotCol
 
 Frame = TypeVar("Frame")
 
+PACKED = {"scale_factor": 1, "add_offset": 0}  # attributes of netCDF, and what they are where they say nothing
+MISSING = ("_FillValue", "missing_value")
 LIBRARIES = "a table of pandas, polars, pyarrow or another library that narwhals reads, or a Dataset of xarray"
 
 
@@ -117,15 +119,14 @@ def _unpacked(series: Any, nw: Any, argument: str) -> RealArray:
     """
     if series.null_count() == len(series):  # it may have any type: none of its rows has told it
         return np.full(len(series), np.nan)
-    values = series.to_numpy()
-    if series.dtype == nw.Object:
-        missing = series.is_null()
-        if all(gone or _is_real(value) for value, gone in zip(values, missing, strict=True)):
-            return _rounded(values, missing)
+    values, missing = series.to_numpy(), series.is_null().to_numpy()
+    of_objects = values.ndim == 1 and values.dtype == object
+    if of_objects and all(gone or _is_real(value) for value, gone in zip(values, missing, strict=True)):
+        return _rounded(values, missing)
     of_floats = values.ndim == 1 and values.dtype.kind in "iuf"
     if series.dtype == nw.Boolean or not of_floats or series.dtype.is_temporal():
         raise TypeError(f"{argument} must be a column of real numbers; {series.name!r} holds {series.dtype}")
-    return np.asarray(values, np.float64)
+    return np.where(missing, np.nan, values.astype(np.float64))  # of a dictionary, pyarrow has any number there
 
 
 def _rounded(values: Iterable[Any], missing: Iterable[bool]) -> RealArray:
@@ -170,16 +171,34 @@ def _units_of(dataset: Any, columns: Mapping[str, str | float], sensor: str) -> 
     known = {str(name): one.arguments for name, one in SENSORS.items()}
     for name in known.get(sensor, ()):
         column = columns.get(name, name)
-        attributes = dataset[column].attrs if isinstance(column, str) and column in dataset else {}
-        if "units" in attributes:
-            found[name] = attributes["units"]
+        if isinstance(column, str) and column in dataset:
+            array = dataset[column]
+            if "units" in array.attrs:
+                found[name] = array.attrs["units"]
+            if hasattr(array.data, "units"):  # of a quantity of pint, as `quantify` makes of numbers with an attribute
+                found[name] = str(array.data.units)
     return found
 
 
 def _floats(array: Any) -> RealArray:
     """Numbers of xarray's in single precision where they are in that, else in double."""
-    single = array.dtype == np.float32
-    return np.asarray(array, np.float32) if single else np.asarray(array, np.float64)
+    numbers = getattr(array.data, "magnitude", array.data)
+    return np.asarray(numbers, np.float32 if array.dtype == np.float32 else np.float64)
+
+
+def _require_decoded(name: str, column: str, array: Any) -> None:
+    """Check that numbers are what was measured, and do not stand for that as in a file.
+
+    Raises:
+        ValueError: attributes say that they do.
+
+    """
+    told = array.attrs
+    words = [word for word, nothing in PACKED.items() if told.get(word, nothing) != nothing]
+    words += [word for word in MISSING if word in told and np.isin(array, told[word]).any()]
+    if words:
+        decoded = "numbers as they were measured, which xarray.decode_cf makes of those in a file"
+        raise ValueError(f"{name} must be {decoded}; {column!r} still has the attributes {words}")
 
 
 def _of_dataset(dataset: Any, chosen: PlotColumns, xarray: Any) -> Any:
@@ -188,6 +207,7 @@ def _of_dataset(dataset: Any, chosen: PlotColumns, xarray: Any) -> Any:
     for name, column in needed.items():
         if dataset[column].dtype.kind not in "iuf":
             raise TypeError(f"{name} must be a variable of real numbers; {column!r} holds {dataset[column].dtype}")
+        _require_decoded(name, column, dataset[column])
     spread = xarray.broadcast(*(dataset[column] for column in needed.values()))
     shape, dims = spread[0].shape, spread[0].dims
     numbers: dict[str, RealArray] = {

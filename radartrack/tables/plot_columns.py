@@ -3,6 +3,7 @@
 import reprlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Any, Literal, NamedTuple, Self, TypeAlias, get_args
 
 import numpy as np
@@ -134,7 +135,7 @@ class PlotColumns:
             reserved: further names that no column may get: one that is called as a dimension becomes its index.
 
         Raises:
-            ValueError: it has not, or has.
+            ValueError: it has not, or has; or a whole number may be the name of one.
 
         """
         if len({*present}) < len(present):
@@ -143,6 +144,12 @@ class PlotColumns:
             if column not in present:
                 hint = ": say which column it is" if column == name else ""
                 raise ValueError(f"{name} must be one of the columns {[*present]}; got {column!r}{hint}")
+        for name, source in self.columns.items():
+            if isinstance(source, Integral) and source in present:
+                raise ValueError(
+                    f"columns[{name!r}] must be a text, or a number that is no column's name; got {source}, which is "
+                    f"one: rename the columns, or write {float(source)!r} for the number"
+                )
         added = [*self.outputs, *([self.problem] if self.mark else [])]
         if taken := [name for name in added if name in {*present, *reserved}]:
             raise ValueError(f"the table must have no columns {taken} yet; give a prefix for the new ones")

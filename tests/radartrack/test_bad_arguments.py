@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from radartrack import consistency, frames, fusion, initiate, kalman, observe, simulate
+from radartrack import VarianceTable, consistency, frames, fusion, initiate, kalman, observe, simulate
 from radartrack._conversion.sensors import SENSORS
 from radartrack._observation.sights import SIGHTS
 from tests.radartrack.plots import Floats
@@ -169,3 +169,39 @@ def test_many_baselines_are_projected_each_as_alone(name: str) -> None:
 def test_what_has_no_names_is_refused_by_its_own(name: str, call: Function, bad: Any) -> None:
     with pytest.raises(TypeError, match=f"^{name} must be arguments by name, such as a dict; got "):
         call(bad)
+
+
+BELIEF = kalman.Belief(np.full(2, 1e3), np.eye(2))
+RADAR = simulate.Radar("polar", 1.0, {"range_std": 1.0, "azimuth_std": 0.1})
+TABLE = VarianceTable.empty([0.0, 5e4], 3)
+SEEN = np.ones((3, 2))
+
+
+WANTED: dict[str, tuple[Function, str]] = {
+    "predict": (lambda other: kalman.predict(other, STRAIGHT), "belief must be a Belief"),
+    "update": (lambda other: kalman.update(other, [1.0], np.eye(1, 2), np.eye(1)), "belief must be a Belief"),
+    "update_with": (lambda other: kalman.update_with("polar", other, [1.0, 0.0], np.eye(2)), "belief must be a Belief"),
+    "run": (lambda other: kalman.run(other, STRAIGHT, SEEN, np.eye(2), np.eye(2)), "start must be a Belief"),
+    "run_with": (lambda other: kalman.run_with("polar", other, STRAIGHT, SEEN, np.eye(2)), "start must be a Belief"),
+    "predicted by": (lambda other: kalman.predict(BELIEF, other), "motion must be a Motion"),
+    "run by": (lambda other: kalman.run(BELIEF, other, SEEN, np.eye(2), np.eye(2)), "motion must be a Motion"),
+    "run_with by": (lambda other: kalman.run_with("polar", BELIEF, other, SEEN, np.eye(2)), "motion must be a Motion"),
+    "cross": (lambda other: fusion.cross_covariances(STRAIGHT, other, other), "first must be a Filtered"),
+    "steady": (lambda other: fusion.steady_cross_covariance(STRAIGHT, other, other), "first must be a Filtered"),
+    "to": (lambda other: frames.ECEF.to(other, np.ones(3)), "other must be a Frame"),
+    "jacobian": (frames.ECEF.jacobian, "other must be a Frame"),
+    "enu": (lambda other: frames.enu(0.1, 0.2, ellipsoid=other), "ellipsoid must be an Ellipsoid"),
+    "place": (lambda other: frames.geodetic_from_ecef([7e6, 0, 0], ellipsoid=other), "ellipsoid must be an Ellipsoid"),
+    "ecef_jacobian": (lambda other: frames.ecef_jacobian(0.1, 0.2, ellipsoid=other), "ellipsoid must be an Ellipsoid"),
+    "target": (lambda other: simulate.plots(other, RADAR, scans=3), "target must be a target"),
+    "radar": (lambda other: simulate.plots(simulate.Straight((1, 2), (1, 2)), other, scans=3), "radar must be a Radar"),
+    "merged": (lambda other: TABLE.merged(TABLE, other), "others must be each a VarianceTable"),
+}
+
+
+@pytest.mark.parametrize("name", WANTED)
+@pytest.mark.parametrize("other", [None, "WGS84", (np.full(2, 1e3), np.eye(2))], ids=["none", "text", "tuple"])
+def test_what_is_something_else_is_told_with_what_it_should_be(name: str, other: object) -> None:
+    call, told = WANTED[name]
+    with pytest.raises(TypeError, match=f"^{told}.*; got .*(NoneType|str|tuple)"):
+        call(other)

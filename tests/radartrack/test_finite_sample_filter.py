@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 import radartrack as rt
 from radartrack import FiniteSampleFilter
-from tests.radartrack.fits import assert_fits, fit_of, observations
+from tests.radartrack.fits import assert_fits, fit_of, observations, state_of
 
 RADARS = [
     (10.0, 250.0, 35.0),
@@ -337,6 +337,17 @@ def test_very_unequal_accuracies_are_no_obstacle_to_the_normal_equations(rate_st
     deviations = np.sqrt(np.diagonal(closed.covariance))
     assert np.all(np.abs(general.covariance - closed.covariance) <= 1e-9 * np.outer(deviations, deviations))
     assert np.all(np.abs(general.state - closed.state) <= 1e-9 * deviations)
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e9])
+def test_far_ranges_keep_their_digits_where_a_worthless_rate_determines_the_cubic(offset: float) -> None:
+    """Three ranges of 1e9 deviations; the weight of the rate is 1e5 times theirs, and must not round them."""
+    f = FiniteSampleFilter(1.0, 50.0, 8e6, 3, lag=1.0)
+    ranges, rates, times = 5e10 + np.array([0.0, 3.0, 9.0]), np.array([np.nan, 6e6, np.nan]), offset + np.arange(3.0)
+    fit = fit_of(f, times, ranges, rates)
+    deviations = 50.0 * np.sqrt([float(row[n]) for n, row in enumerate(fit.covariance)])
+    for estimate in (f.estimate(ranges, rates), f.estimate(ranges, rates, times=times)):
+        assert np.all(np.abs(estimate.state - state_of(fit, ranges, rates)) <= 1e-6 * deviations)
 
 
 @pytest.mark.parametrize("window", [None, 4])

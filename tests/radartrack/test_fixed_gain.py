@@ -162,3 +162,14 @@ STEADY = fixed_gain.alpha_beta(2.0, 20.0, 1.0)
 def test_bad_arguments_are_named(call: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         call()
+
+
+def test_a_filter_stays_as_it_is_whatever_becomes_of_the_arrays_that_made_it() -> None:
+    parts = np.array(2.0), np.array([0.5, 0.1]), np.eye(2)
+    tracker = fixed_gain.FixedGainFilter(*parts)
+    for part, own in zip(parts, (tracker.period, tracker.gain, tracker.covariance), strict=True):
+        before = own.copy()
+        part[...] = 7.0
+        np.testing.assert_array_equal(own, before)
+        with pytest.raises(ValueError, match="read-only"):
+            own[...] = 7.0

@@ -208,3 +208,12 @@ def test_what_is_no_list_of_radars_is_refused_by_name(name: str, wrong: Any) -> 
     plots: dict[str, Any] = {one: [[0.0, 1.0, 2.0], [0.0, 1.5, 3.0]] for one in "txy"}
     with pytest.raises(TypeError, match=f"^{name} must be a list of arrays"):
         fusion.fuse_lines(**{**plots, name: wrong}, radar_weights=[0.5, 0.5])
+
+
+def test_plots_give_the_same_bits_however_they_lie_in_memory() -> None:
+    generator = np.random.default_rng(5)
+    times = np.sort(generator.uniform(0, 100, (5, 9)), axis=-1)
+    places, errors = 1e4 * generator.standard_normal((5, 9, 2)), np.broadcast_to(np.diag([4.0, 9.0]), (5, 9, 2, 2))
+    rows, columns = (fusion.fuse_plots(*map(order, (times, places, errors))) for order in (np.copy, np.asfortranarray))
+    for one, other in zip(rows, columns, strict=True):
+        np.testing.assert_array_equal(one, other)

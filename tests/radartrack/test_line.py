@@ -372,3 +372,12 @@ def test_a_confidence_and_a_multiple_are_one_positive_number(name: str, bad: Any
     found = line.measurement_std(t, x, x)
     with pytest.raises((TypeError, ValueError), match=f"^{name} must be"):
         found.bound(bad) if name == "multiple" else found.interval(bad)
+
+
+@pytest.mark.parametrize("method", ["ordinary", "perpendicular", "reweighted"])
+def test_tracks_give_the_same_bits_however_they_lie_in_memory(method: Any) -> None:
+    generator = np.random.default_rng(6)
+    times, values = np.sort(generator.uniform(0, 100, (5, 9)), axis=-1), 1e4 * generator.standard_normal((5, 9))
+    rows, columns = (line.fit(order(times), order(values), method=method) for order in (np.copy, np.asfortranarray))
+    for name in ("mean_t", "mean_x", "slope", "weights"):
+        np.testing.assert_array_equal(getattr(rows, name), getattr(columns, name))

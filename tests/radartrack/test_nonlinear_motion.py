@@ -1,5 +1,6 @@
 """Extended predictions and runs of motions that are no matrix, beside differences, simulation and plain filters."""
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -180,3 +181,13 @@ def test_a_sharp_measurement_of_a_vague_track_keeps_its_digits() -> None:
     deviations = np.sqrt(np.diagonal(expected))
     assert (np.abs(got.covariance - expected) <= 1e-6 * np.outer(deviations, deviations)).all()
     assert (np.linalg.eigvalsh(got.covariance / np.outer(deviations, deviations)) > 0).all()
+
+
+@pytest.mark.parametrize("name", ["turn.unknown_rate", "ctrv"])
+def test_a_motion_is_handed_to_another_process_as_it_is(name: str) -> None:
+    motion = kalman.nonlinear_motion(name, 2.0, std=1.0, turn_std=0.01)
+    received = pickle.loads(pickle.dumps(motion))  # noqa: S301 - what was made here
+    assert (received, hash(received)) == (motion, hash(motion))
+    states = np.array([[1e3, 50.0, 2e3, 0.3, 0.01]])
+    for part in ("map", "jacobian", "hessian", "process_noise"):
+        np.testing.assert_array_equal(getattr(received, part)(states), getattr(motion, part)(states))

@@ -305,3 +305,20 @@ def test_a_noise_without_a_correlation_has_none_and_one_with_other_names_is_refu
     for wrong in ({}, noise | {"std": 1.0}):
         with pytest.raises(TypeError, match=r"noise must have \["):
             simulate.noise_covariance(sensor, wrong)
+
+
+def test_targets_and_radars_stay_as_they_are_whatever_becomes_of_what_made_them() -> None:
+    place: Any = np.array([30e3, 40e3])
+    noise, bias, known = (
+        {"path_std": 5.0, "azimuth_std": 0.01},
+        {"path": 3.0},
+        {"baseline": 2e3},
+    )
+    targets = Straight(place, place), Accelerated(place, place, place), Turning(place, place, 0.1)
+    radar = Radar("bistatic", 4.0, noise, place, bias, known=known)
+    assert targets[0] == Straight([30e3, 40e3], (30e3, 40e3))
+    before = repr((targets, radar))
+    place[...] = np.nan
+    for part in (noise, bias, known):
+        part.update(dict.fromkeys(part, -1.0))
+    assert repr((targets, radar)) == before

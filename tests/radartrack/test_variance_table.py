@@ -346,3 +346,24 @@ def test_what_is_no_label_has_no_cells_of_its_own(bad: Any) -> None:
     for read in (lambda: table.lookup(1.0, 0.0, FALLBACK, label=bad), lambda: table.covariance(bad)):
         with pytest.raises(TypeError, match="label must be text"):
             read()
+
+
+def test_a_table_keeps_its_edges_whatever_becomes_of_the_array_that_gave_them() -> None:
+    edges = np.array([0.0, 5e4, 1e5])
+    tables = VarianceTable.empty(edges, 4), VarianceTable(edges, 4, VarianceTable.empty(edges, 4).contributions)
+    edges[1] = 1.0
+    for table in tables:
+        assert table.range_edges.tolist() == [0.0, 5e4, 1e5]
+
+
+def test_flights_give_the_same_table_however_they_lie_in_memory(tmp_path: Path) -> None:
+    """A data frame of pandas keeps a column in one piece, where rows are flights."""
+    generator = np.random.default_rng(4)
+    flights = (
+        5.0 * np.arange(30.0) + np.zeros((12, 1)),
+        5e4 + 100.0 * generator.standard_normal((12, 30)),
+        0.5 + 0.001 * generator.standard_normal((12, 30)),
+    )
+    for name, order in (("rows", np.ascontiguousarray), ("columns", np.asfortranarray)):
+        VarianceTable.empty([0, 1e5], 6).with_flights(*map(order, flights)).save(tmp_path / name)
+    assert (tmp_path / "rows").read_bytes() == (tmp_path / "columns").read_bytes()

@@ -34,7 +34,7 @@ class Conversion:
 
     def __call__(self, step: Step = lambda _: None) -> Outcome:
         """Convert it; a second run of a task, whose worker was lost or is late, does not meet the first."""
-        part = self.target.with_name(f"{self.target.name}{PART}{secrets.token_hex(8)}")
+        part = self.target.with_name(f"{PART}{secrets.token_hex(8)}")  # no longer than a name may be
         try:
             outcome = convert_file(self.source, part, self.chosen, step)
             part.replace(self.target)
@@ -65,7 +65,8 @@ def many_files(
         tasks = [Conversion(source.resolve(), new / source.name, chosen) for source in sources]
         done = {n: task(step) for n, task in enumerate(tasks)} if engine is None else _run(engine, tasks, step)
         outcomes.update({sources[n]: outcome for n, outcome in sorted(done.items())})
-        for left in new.glob(f"*{PART}*"):
+        names = {task.target.name for task in tasks}
+        for left in [path for path in new.iterdir() if path.name not in names]:
             left.unlink(missing_ok=True)
 
     directory.resolve().parent.mkdir(parents=True, exist_ok=True)

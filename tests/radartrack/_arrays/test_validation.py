@@ -124,6 +124,52 @@ def test_masked_entries_are_refused_and_counted() -> None:
         read(masked)
 
 
+@pytest.mark.parametrize("container", [list, tuple, deque, UserList])
+def test_masked_entries_of_arrays_in_a_list_are_refused_and_counted(container: Any) -> None:
+    """NumPy takes what is under a mask for a number there."""
+    masked = np.ma.masked_array([1.0, 2.0, 3.0], mask=[False, True, True])
+    with pytest.raises(ValueError, match=r"^r must have no masked entries; got 3 among 9$"):
+        read(container([masked, np.ones(3), np.ma.masked_array([1.0, 2.0, 3.0], mask=[True, False, False])]))
+
+
+class Variable:
+    """What netCDF4 hands over: read as an array it is a masked one."""
+
+    def __array__(self, *_: Any, **__: Any) -> Any:
+        return np.ma.masked_array([1.0, 9.97e36, 3.0], mask=[False, True, False])
+
+
+def test_what_reads_as_a_masked_array_is_one() -> None:
+    with pytest.raises(ValueError, match=r"^r must have no masked entries; got 1 among 3$"):
+        read(Variable())
+
+
+class Quantity(np.ndarray):
+    """Numbers with a unit, as astropy and unyt have them."""
+
+    unit = "km"
+
+
+def test_what_has_a_unit_is_refused() -> None:
+    one = np.ones(2).view(Quantity)
+    for value in (one, [one], (1.0, [one[:1]])):
+        with pytest.raises(TypeError, match=r"^r must be real numbers; got .*, whose unit would be lost$"):
+            read(value)
+
+
+def test_quantities_of_pint_are_refused() -> None:
+    pint = pytest.importorskip("pint")
+    for value in (pint.Quantity(5.0, "km"), pint.Quantity(np.ones(2), "km"), [pint.Quantity(5.0, "km")] * 2):
+        with pytest.raises(TypeError, match=r"^r must be real numbers; got .*kilometer"):
+            read(value)
+
+
+def test_what_is_missing_in_a_dictionary_of_pyarrow_is_no_number() -> None:
+    pa = pytest.importorskip("pyarrow")
+    chunks = pa.chunked_array([pa.array([1.0, None, 3.0]).dictionary_encode()])
+    assert np.isnan(read(chunks)).tolist() == [False, True, False]
+
+
 def test_a_masked_array_without_masked_entries_is_an_array() -> None:
     array = read(np.ma.masked_array([1.0, 2.0], mask=False))
     assert type(array) is np.ndarray

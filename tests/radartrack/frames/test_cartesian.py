@@ -268,3 +268,14 @@ def test_a_right_angle_in_single_precision_is_none_beyond_the_pole(sign: float, 
 def test_errors_name_the_argument_and_what_is_allowed(call: Callable[[], object], said: str):
     with pytest.raises(ValueError, match=said):
         call()
+
+
+def test_a_frame_stays_as_it_is_whatever_becomes_of_the_arrays_that_made_it():
+    parts = np.zeros(3), np.eye(3), np.ones(3)
+    frame = frames.Frame(*parts)
+    for part, own in zip(parts, (frame.origin, frame.axes, frame.velocity), strict=True):
+        before = own.copy()
+        part[...] = 7.0
+        np.testing.assert_array_equal(own, before)
+        with pytest.raises(ValueError, match="read-only"):
+            own[...] = 7.0

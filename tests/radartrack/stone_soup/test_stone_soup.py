@@ -1,5 +1,6 @@
 """What stands in the place of Stone Soup's parts does what theirs do, and is right where theirs are not."""
 
+import math
 from importlib import import_module
 from importlib.metadata import entry_points
 from typing import Any
@@ -260,6 +261,25 @@ def test_correlations_that_the_conversion_has_not_are_refused() -> None:
     plots = detections(model, far_targets(model, 1, 1), 1)
     with pytest.raises(ValueError, match=r"noise_covar must be without correlations but that of r and azimuth"):
         stone_soup.OnePlotInitiator(prior(model)).initiate(set(plots), TIME)
+
+
+@pytest.mark.parametrize("sign", [-1, 1])
+def test_errors_that_are_one_but_for_rounding_count_as_one(sign: int) -> None:
+    variances = 2e-6, 700.0
+    both = sign * math.sqrt(variances[0] * variances[1])
+    assert abs(both) > math.sqrt(variances[0]) * math.sqrt(variances[1])
+    model = nonlinear.CartesianToBearingRange(4, (0, 2), np.array([[variances[0], both], [both, variances[1]]]))
+    detection = Detection(StateVector([[0.4], [3e4]]), timestamp=TIME, measurement_model=model)
+    [track] = stone_soup.OnePlotInitiator(prior(model)).initiate({detection}, TIME)
+    exact = rt.convert.polar(3e4, 0.4, 700.0**0.5, 2e-6**0.5, float(sign), "posterior")
+    np.testing.assert_array_equal(np.asarray(track.covar, float)[::2, ::2], exact.covariance)
+
+
+def test_a_noise_that_is_no_covariance_is_refused() -> None:
+    model = nonlinear.CartesianToBearingRange(4, (0, 2), np.array([[1e-4, 2.0], [2.0, 100.0]]))
+    detection = Detection(StateVector([[0.4], [3e4]]), timestamp=TIME, measurement_model=model)
+    with pytest.raises(ValueError, match="noise_covar must be positive semidefinite"):
+        stone_soup.OnePlotInitiator(prior(model)).initiate({detection}, TIME)
 
 
 class Scans(DetectionFeeder):

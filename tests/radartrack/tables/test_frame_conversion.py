@@ -14,6 +14,7 @@ for _library in ("narwhals", "pandas", "pint", "polars", "pyarrow", "xarray"):
     pytest.importorskip(_library, reason=f"tables are tested with {_library}")
 
 import pandas as pd  # noqa: E402
+import pint  # noqa: E402
 import polars as pl  # noqa: E402
 import pyarrow as pa  # noqa: E402
 import xarray as xr  # noqa: E402
@@ -210,13 +211,27 @@ def test_what_is_no_table_in_memory_is_refused() -> None:
 
 
 SIMPLE = {"r": [1e3, 2e3, 1e3], "azimuth": [0.1, 0.2, 0.3], "range_std": [10.0] * 3, "azimuth_std": [0.01] * 3}
-PACKED = {
+
+
+def dictionary_in_pandas(values: list[Any]) -> Any:
+    return pd.arrays.ArrowExtensionArray(pa.chunked_array([pa.array(values).dictionary_encode()]))
+
+
+def decimals(values: list[Any], kind: Any) -> Any:
+    return pa.array([None if value is None else Decimal(value) for value in values], kind)
+
+
+PACKED: dict[str, Callable[[Any], Any]] = {
     "pandas category": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Categorical(values)}),
     "pandas objects": lambda values: pd.DataFrame({**SIMPLE, "r": pd.Series(values, dtype=object)}),
     "pandas sparse": lambda values: pd.DataFrame({**SIMPLE, "r": pd.arrays.SparseArray(values)}),
     "pandas nullable": lambda values: pd.DataFrame({**SIMPLE, "r": pd.array(values, dtype="Float64")}),
     "pyarrow dictionary": lambda values: pa.table({**SIMPLE, "r": pa.array(values).dictionary_encode()}),
-    "pyarrow decimal": lambda values: pa.table({**SIMPLE, "r": pa.array(map(Decimal, values))}),
+    "pyarrow decimal": lambda values: pa.table({**SIMPLE, "r": decimals(values, pa.decimal128(20, 3))}),
+    "pyarrow long decimal": lambda values: pa.table({**SIMPLE, "r": decimals(values, pa.decimal256(60, 3))}),
+    "pyarrow runs": lambda values: pa.table({**SIMPLE, "r": pa.RunEndEncodedArray.from_arrays([1, 2, 3], values)}),
+    "pandas of pyarrow": lambda values: pd.DataFrame({**SIMPLE, "r": dictionary_in_pandas(values)}),
+    "polars decimal": lambda values: pl.DataFrame({**SIMPLE, "r": pl.Series(values).cast(pl.Decimal(20, 3))}),
 }
 
 
@@ -225,6 +240,15 @@ def test_numbers_are_numbers_however_a_library_keeps_them(kind: str):
     expected = rt.convert.polar(SIMPLE["r"], SIMPLE["azimuth"], SIMPLE["range_std"], SIMPLE["azimuth_std"]).mean
     found = rt.tables.convert(PACKED[kind](SIMPLE["r"]))
     np.testing.assert_array_equal(np.transpose([column(found, "x"), column(found, "y")]), expected)
+
+
+@pytest.mark.parametrize("kind", PACKED)
+@pytest.mark.parametrize("place", range(3))
+def test_what_is_missing_is_missing_however_a_library_keeps_numbers(kind: str, place: int):
+    """Of a dictionary, pyarrow's own arrays have another row's number where nothing is."""
+    with pytest.raises(rt.tables.BadRows) as error:
+        rt.tables.convert(PACKED[kind]([None if row == place else value for row, value in enumerate(SIMPLE["r"])]))
+    assert (error.value.rows, error.value.reasons) == ([place], ["r is missing"])
 
 
 @pytest.mark.parametrize(
@@ -332,3 +356,64 @@ def test_a_number_has_the_unit_one_as_netcdf_writes_it():
     np.testing.assert_array_equal(column(found, "x"), expected.mean[:, 0])
     with pytest.raises(ValueError, match="unit of length"):
         rt.tables.convert(pd.DataFrame(SIMPLE), units={"r": "1"})
+
+
+@pytest.mark.parametrize("unit", ["m s-1", "m s^-1", "m s**-1", "m/s", "m.s-1"])
+def test_a_speed_has_the_unit_that_netcdf_conventions_write(unit: str):
+    given = variables({**SIMPLE, "range_rate": [1.0, 2.0, 3.0], "range_rate_std": [1.0] * 3})
+    expected = rt.tables.convert(given, "polar_doppler")
+    given["range_rate"].attrs["units"] = unit
+    xr.testing.assert_equal(rt.tables.convert(given, "polar_doppler"), expected)
+
+
+@pytest.mark.parametrize("unit", ["m s-2", "m2 s-1", "s-1", "m s -1", "m s-1 rad-1"])
+def test_no_other_power_is_a_speed(unit: str):
+    with pytest.raises(ValueError, match="unit of speed"):
+        rt.tables.convert(pd.DataFrame(SIMPLE), "polar_doppler", units={"range_rate": unit})
+
+
+@pytest.mark.parametrize("word", ["scale_factor", "add_offset", "_FillValue", "missing_value"])
+def test_a_variable_that_is_still_packed_is_refused(word: str):
+    """Its numbers are not what they stand for."""
+    given = variables(SIMPLE)
+    given["r"].attrs[word] = SIMPLE["r"][0]
+    with pytest.raises(ValueError, match=rf"r must be .*xarray.decode_cf.*'r' .*{word}"):
+        rt.tables.convert(given)
+    for harmless in ({"scale_factor": 1.0, "add_offset": 0.0, "_FillValue": -9999.0, "missing_value": np.nan}, {}):
+        rt.tables.convert(given.assign(r=given["r"].drop_attrs().assign_attrs(harmless)))
+
+
+def test_a_whole_number_that_names_a_column_is_not_taken_for_one_number_of_all_rows():
+    """A table without a header has the columns 0, 1, 2, ... in pandas."""
+    given = pd.DataFrame(SIMPLE).rename(columns={"r": 0, "azimuth": 1})
+    with pytest.raises(ValueError, match=r"columns\['r'\] must be a text, .*; got 0, which is one: rename .*0\.0"):
+        rt.tables.convert(given, columns={"r": 0, "azimuth": 1})
+    assert len(rt.tables.convert(given, columns={"r": 0.0, "azimuth": 2})) == 3
+
+
+@pytest.mark.parametrize("argument", ["r", "range_std", "range_rate"])
+@pytest.mark.parametrize("length", ["nm", "angstrom"])
+def test_a_nanometre_is_not_taken_for_a_nautical_mile(argument: str, length: str):
+    unit = f"{length}/h" if argument == "range_rate" else length
+    with pytest.raises(ValueError, match=f"the unit of {argument} must .*; got '{unit}', which is .* 'nautical_mile'"):
+        rt.tables.convert(pd.DataFrame(SIMPLE), "polar_doppler", units={argument: unit})
+
+
+def test_quantities_of_pint_in_xarray_have_their_units():
+    expected = rt.tables.convert(variables(SIMPLE))
+    in_kilometres = ("plot", pint.Quantity(np.array(SIMPLE["r"]) / 1e3, "km"))
+    in_degrees = ("plot", pint.Quantity(np.degrees(SIMPLE["azimuth"]), "deg"))
+    found = rt.tables.convert(variables(SIMPLE).assign(r=in_kilometres, azimuth=in_degrees))
+    np.testing.assert_allclose(column(found, "x"), column(expected, "x"), rtol=1e-14)
+    with pytest.raises(ValueError, match="unit of angle"):
+        rt.tables.convert(variables(SIMPLE).assign(azimuth=in_kilometres))
+    with pytest.raises(TypeError, match=r"r must be real numbers; .* whose unit would be lost"):
+        rt.convert.polar(found["r"], 0.1, 5.0, 0.1)
+
+
+def test_a_speed_in_xarray_is_one_of_pint():
+    given = variables({**SIMPLE, "range_rate": [1.0, 2.0, 3.0], "range_rate_std": [1.0] * 3})
+    expected = rt.tables.convert(given, "polar_doppler")
+    knots = pint.Quantity(np.array([1.0, 2.0, 3.0]) / KNOT, "nautical_mile/hour")
+    found = rt.tables.convert(given.assign(range_rate=("plot", knots)), "polar_doppler")
+    np.testing.assert_allclose(column(found, "eta"), column(expected, "eta"), rtol=1e-14)

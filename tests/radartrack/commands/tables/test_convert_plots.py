@@ -190,6 +190,17 @@ def test_several_files_become_a_directory_that_is_complete(tmp_path: Path) -> No
     assert "--out must be a directory that is empty or not there yet" in again.output
 
 
+@pytest.mark.parametrize("name", ["plots.part-1.parquet", ".part-0123456789abcdef", 240 * "x" + ".parquet"])
+def test_a_file_of_several_stays_whatever_it_is_called(tmp_path: Path, name: str) -> None:
+    """Many tools call what they write in parts like what was once taken for a remainder here."""
+    paths = several(tmp_path / "in", 2)
+    paths.append(paths.pop().rename(tmp_path / "in" / name))
+    found = converted(*paths, "--out", tmp_path / "out")
+    assert found.exit_code == 0, found.output
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {path.name for path in paths}
+    requires_same(pq.read_table(tmp_path / "out" / name), pq.read_table(paths[-1]))
+
+
 def test_a_bad_row_in_one_of_several_files_leaves_no_directory(tmp_path: Path) -> None:
     paths = several(tmp_path / "in")
     with_bad_rows(paths[2])
