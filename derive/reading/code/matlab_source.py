@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_CONTINUED = re.compile(r"\.\.\.[^\S\n]*\n")  # what stands behind the dots is gone with the comments
 _ENTRYWISE = frozenset({".*"})
 _PRODUCTS = frozenset({"*", ".*", "/", "./"})
 _SKIPPED = frozenset({"comment", ";", ",", "\n", "line_continuation", "clear_statement"})
@@ -44,6 +45,7 @@ def read_matlab(text: str, space: Workspace, function: str = "") -> Value:
         FormulaError: for what formulas do not have, and what is not MATLAB.
     """
     offset = 0
+    text = _CONTINUED.sub(lambda found: " " * len(found.group()), text)
     root = parsed("matlab", text + "\n")
     if [node.type for node in named(root)] == ["command"]:  # x -1 is x with the option -1, unless in brackets
         offset = 1

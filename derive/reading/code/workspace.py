@@ -506,7 +506,7 @@ class Workspace:
             return self._matrix(self._last, (0, 0))
         numbers = {name: value for name, value in self._values.items() if not value.shape}
         meant = [list(numbers.values())[place] for place in results(list(numbers), self._used, self.wanted)]
-        if self.wanted > 1 and len(meant) == self.wanted and not self._last.shape:
+        if self.wanted != 1 and len(meant) == (self.wanted or max(len(meant), 2)) and not self._last.shape:
             spans = [value.tree.span or (0, 0) for value in meant]
             return self.array(meant, (spans[0][0], spans[-1][1]))
         return self._last
