@@ -346,10 +346,9 @@ class _CReader:
                 return self._call(node, span)
             case "cast_expression":
                 return self._cast(text_of(field(node, "type")), self.value(field(node, "value")), span)
-            case "comma_expression":
-                return self._made(node)
-            case "initializer_list":
-                return self._space.array([self.value(one) for one in named(node)], span)
+            case "comma_expression" | "initializer_list":
+                is_list = node.type == "initializer_list"
+                return self._space.array([*map(self.value, named(node))], span) if is_list else self._made(node)
             case _:
                 raise FormulaError(self._unread(node), span=span)
 

@@ -31,7 +31,7 @@ from radartrack.derive.reading.tex.latex_letters import (
     spelled,
 )
 from radartrack.derive.reading.tex.latex_phases import with_phases
-from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces, sided
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces, sided, with_typed_words
 from radartrack.derive.reading.tex.latex_rewriting import partners, rewritten
 from radartrack.derive.reading.tex.latex_times import with_times
 
@@ -62,6 +62,7 @@ _OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAM
 _INVISIBLE = frozenset({"{", "}"})
 _IN_SUBSCRIPTS = frozenset({"letter", "digit", "greek", "accent", "word"})
 _OF_INDICES = frozenset({"given", "plus", "minus", "slash"})  # k|k-1, k/k
+_PARTING_WORDS = frozenset({"comma", "lowered"})  # in a subscript
 _COORDINATES = frozenset("xyz")
 MOST_ACCENTS = 4  # over one letter
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
@@ -76,15 +77,25 @@ class LatexTokens:
         known: the symbols that are known.
         shapes: of those that stand for arrays.
         strangers: whether other names are let through.
+        raised: letters that are times where they are raised.
+        typed: whether letters side by side are a word, as in code.
 
     Raises:
         FormulaError: for what is not read, and for brackets without partners.
     """
 
     def __init__(
-        self, source: str, known: frozenset[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+        self,
+        source: str,
+        known: frozenset[str],
+        shapes: Mapping[str, Shape] = NO_SHAPES,
+        *,
+        strangers: bool = False,
+        raised: Collection[str] = (),
+        typed: bool = False,
     ) -> None:
-        found = list(sided(with_times(pieces(source), known)))
+        found = with_typed_words(pieces(source), known) if typed else pieces(source)
+        found = list(sided(with_times(found, known, raised)))
         self._tokenizer = _Tokenizer(rewritten(found), known, shapes, strangers=strangers)
         self._tokens = self._tokenizer.run()
         self._strangers = strangers
@@ -294,7 +305,7 @@ class _Tokenizer:
             _as_name(below),
             tuple(decorations),
             (piece.span[0], max(self.pieces[after - 1].span[1], piece.span[1])),
-            is_upright=piece.kind == "word",
+            is_upright=piece.kind == "word" and not piece.is_typed,
             is_applied=self._kind(after) == "open",
             is_bold=piece.is_bold,
         )
@@ -361,7 +372,7 @@ class _Tokenizer:
         return base, [*decorations, *over], below, after
 
     def _subscript(self, index: int, decorations: list[str]) -> tuple[str, int]:
-        """What a subscript says, and where it ends: letters side by side are a word, commas part words.
+        """What a subscript says, and where it ends: letters side by side are a word, commas part words, as in a_x.
 
         What stands over its letters decorates the letter that it is below.
         """
@@ -376,9 +387,9 @@ class _Tokenizer:
                 decorations += over
                 continue
             is_bracket = piece.text in {"(", ")"}
-            if piece.kind not in _OF_INDICES | {"comma"} and piece.text not in _INVISIBLE and not is_bracket:
+            if piece.kind not in _OF_INDICES | _PARTING_WORDS and piece.text not in _INVISIBLE and not is_bracket:
                 raise FormulaError("a subscript is made of letters, digits and commas", span=piece.span)
-            said += piece.text if piece.kind in _OF_INDICES else "_" if piece.kind == "comma" else ""
+            said += piece.text if piece.kind in _OF_INDICES else "_" if piece.kind in _PARTING_WORDS else ""
             index += 1
         return said, end
 
