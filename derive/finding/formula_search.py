@@ -19,6 +19,7 @@ from radartrack.derive.checking.question.letters.assignments import (
     choices,
     farther_choices,
 )
+from radartrack.derive.checking.question.letters.axis_letters import one_axis
 from radartrack.derive.checking.question.letters.letter_meanings import (
     is_angle_word,
     is_known_word,
@@ -26,7 +27,6 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
     meanings,
     means,
 )
-from radartrack.derive.checking.question.printed_shape import one_axis
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
     plain_words,
@@ -221,9 +221,9 @@ class FormulaSearch:
         """What the block is of a matrix that has the same one for each axis."""
         for axes in AXES:
             block = one_axis(printed, axes)
-            found = self._worth_the_same(block, tree)[0] if block is not None else []
-            if found:
-                words = f"for each of {axes} axes"
+            found = self._worth_the_same(block[0], tree)[0] if block is not None else []
+            if block and found:
+                words = f"for each of {axes} axes{block[1]}"
                 return [replace(one, convention=f"{one.convention} {words}".strip()) for one in found]
         return []
 

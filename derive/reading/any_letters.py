@@ -64,8 +64,8 @@ def possible_trees(formula: str, names: Collection[str] = (), notation: str = TE
         FormulaError: when it cannot be read in any way.
     """
     try:
-        counts = (3, 2, ALL, 1)  # a part of what is meant may be a quantity too
-        return list(dict.fromkeys(read_loosely(formula, names, notation, function, wanted=count) for count in counts))
+        last, *others = [read_loosely(formula, names, notation, function, wanted=count) for count in (1, 3, 2, ALL)]
+        return [*dict.fromkeys(tree for tree in others if tree != last), last]  # which may be a part of what is meant
     except AmbiguousArgument as error:
         found = []
         for reading in error.readings:

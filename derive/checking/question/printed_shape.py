@@ -7,10 +7,10 @@ rows for columns where that can be seen; a vector may be a matrix of one row or 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations
 from math import prod
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
@@ -63,45 +63,51 @@ def is_transposed(shape: Index, expected: Index) -> bool:
     return len(expected) == 2 and 1 not in expected and shape == expected[::-1] != expected
 
 
-def blocks_of(entries: Tensor[Entry], expected: Index) -> list[Tensor[Entry]]:
-    """The blocks of a matrix with one of the expected shape for each axis and zeros else; none where it is no such.
+@dataclass(frozen=True)
+class Grid(Generic[Entry]):
+    """A matrix for several axes: the block of each, and those between two axes that are not zero."""
 
-    A state may be (x, vx, y, vy) or (x, y, vx, vy): blocks stand on the diagonal, or their entries lie scattered.
+    diagonal: tuple[Tensor[Entry], ...]
+    others: tuple[Tensor[Entry], ...]
+
+
+def grids_of(entries: Tensor[Entry], expected: Index) -> Iterator[Grid[Entry]]:
+    """How a matrix may be one for several axes, with blocks of the expected shape.
+
+    A state may be (x, vx, y, vy) or (x, y, vx, vy): blocks lie side by side, or their entries lie scattered.
     """
     if len(entries.shape) != 2 or len(expected) not in {1, 2}:
-        return []
+        return
     rows, columns = (*expected, 1)[:2]
     count = entries.shape[0] // rows
     if count < 2 or entries.shape != (count * rows, count * columns):
-        return []
-    found = dict(entries.items())
+        return
     for step, stride in (((rows, columns), 1), ((1, 1), count)):
-        places = [
-            [(step[0] * block + stride * i, step[1] * block + stride * j) for i in range(rows) for j in range(columns)]
-            for block in range(count)
-        ]
-        if all(_vanishes(entry) for place, entry in found.items() if not any(place in block for block in places)):
-            return [Tensor(expected, tuple(found[place] for place in block)) for block in places]
-    return []
+
+        def block(above: int, left: int, step: Index = step, stride: int = stride) -> Tensor[Entry]:
+            corner = step[0] * above, step[1] * left
+            places = ((corner[0] + stride * i, corner[1] + stride * j) for i, j in indices((rows, columns)))
+            return Tensor(expected, tuple(entries[place] for place in places))
+
+        between = (block(one, other) for one in range(count) for other in range(count) if one != other)
+        diagonal = tuple(block(axis, axis) for axis in range(count))
+        yield Grid(diagonal, tuple(one for one in between if not all(map(vanishes, one))))
 
 
-def one_axis(entries: Tensor[Entry], axes: int) -> Tensor[Entry] | None:
-    """The block of a matrix that has the same one for so many axes; one column is a vector."""
-    if len(entries.shape) != 2 or any(size % axes for size in entries.shape):
-        return None
-    rows, columns = (size // axes for size in entries.shape)
-    blocks = blocks_of(entries, (rows, columns) if columns > 1 else (rows,))
-    return blocks[0] if blocks and all(block == blocks[0] for block in blocks) else None
+def blocks_of(entries: Tensor[Entry], expected: Index) -> list[Tensor[Entry]]:
+    """The blocks of a matrix with one of the expected shape for each axis and zeros else; none where it is no such."""
+    return next((list(grid.diagonal) for grid in grids_of(entries, expected) if not grid.others), [])
 
 
-def _vanishes(entry: object) -> bool:
+def vanishes(entry: object) -> bool:
+    """Whether an entry is written as zero."""
     match entry:
         case Number(value=value):
             return not value
         case Product(factors=factors):
-            return any(map(_vanishes, factors))
+            return any(map(vanishes, factors))
         case Quotient(numerator=above) | Negation(operand=above):
-            return _vanishes(above)
+            return vanishes(above)
     return entry == 0
 
 
