@@ -34,6 +34,7 @@ from radartrack.derive.reading.tex.latex_equations import Equation, equations, w
 from radartrack.derive.reading.tex.latex_hints import refusal
 from radartrack.derive.reading.tex.latex_kronecker import with_kronecker
 from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
+from radartrack.derive.reading.tex.latex_phases import power_of_which
 from radartrack.derive.reading.tex.latex_pieces import is_typed
 from radartrack.derive.reading.tex.latex_symmetric import with_mirrored
 from radartrack.derive.reading.tex.latex_times import raised_times
@@ -174,11 +175,7 @@ class _LatexBuilder(TreeBuilder):
         argument = applied.arguments[-1]
         last = argument.factors[-1] if isinstance(argument, Product) else argument
         if isinstance(last, Power):
-            raise FormulaError(
-                f"this may be the power of \\{parts[0]} or of its argument: write \\{parts[0]}^{{n}} x for the first, "
-                f"\\{parts[0]}(x^{{n}}) for the second",
-                span=place(parts),
-            )
+            raise FormulaError(power_of_which(str(parts[0])), span=place(parts))
 
     def call_of_absolute(self, parts: Sequence[Part]) -> Tree:
         r"""A function of something between bars, \log|r|."""

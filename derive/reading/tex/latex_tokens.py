@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import cached_property
+from itertools import takewhile
 
 from lark import Token
 
@@ -63,6 +64,9 @@ _INVISIBLE = frozenset({"{", "}"})
 _IN_SUBSCRIPTS = frozenset({"letter", "digit", "greek", "accent", "word"})
 _OF_INDICES = frozenset({"given", "plus", "minus", "slash"})  # k|k-1, k/k
 _PARTING_WORDS = frozenset({"comma", "lowered"})  # in a subscript
+_FACTORS_END = frozenset({"NAME", "RPAR"})
+_TAKE_GROUPS = frozenset({"FRACTION", "RAISED", "ROOT"})
+_FACTORS_BEGIN = frozenset({"letter", "greek", "word", "accent", "fraction", "function"})
 _COORDINATES = frozenset("xyz")
 MOST_ACCENTS = 4  # over one letter
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
@@ -227,8 +231,33 @@ class _Tokenizer:
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
         if not _NUMBER.fullmatch(text):
             raise FormulaError(f"{text[:40]} is no number: leave out punctuation after the formula", span=span)
+        if self._is_coefficient(index, after):
+            self._emit("TIMES", "\\cdot", (span[0], span[0]))
         self._emit("NUMBER", text, span)
         return after
+
+    def _is_coefficient(self, index: int, after: int) -> bool:
+        r"""Whether a number stands apart behind a factor and before another one: \sigma^2 2\alpha."""
+        stands_apart = not self._touches(index) or self.pieces[index - 1].text == "}"
+        is_behind = self._has_factor and index not in self.alone
+        return is_behind and stands_apart and self._kind(after) in _FACTORS_BEGIN and not self._has_open_function
+
+    @property
+    def _has_factor(self) -> bool:
+        """Whether what was emitted last ends a factor; of groups in braces, the sign that takes them tells."""
+        depth, takes = 0, _FACTORS_END
+        for token in reversed(self.tokens):
+            depth += (token.type == "RBRACE") - (token.type == "LBRACE")
+            takes = _TAKE_GROUPS if token.type == "RBRACE" else takes
+            if not depth and token.type not in {"LBRACE", "RBRACE"}:
+                return token.type in takes
+        return False
+
+    @property
+    def _has_open_function(self) -> bool:
+        """Whether a function without brackets stands in the same term, whose argument may go on."""
+        before = takewhile(lambda token: token.type not in {"PLUS", "MINUS", "AMPERSAND"}, reversed(self.tokens))
+        return any(token.type in {"FUNCTION", "SLASH"} for token in before)
 
     def _letter(self, index: int) -> int:
         """A letter is a symbol, unless the letters around it spell something that print would set upright."""
