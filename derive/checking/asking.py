@@ -194,7 +194,8 @@ class Paper:
             definitions = {**self.world.let, **self.let}
             own = [*(symbol.name for symbol in reference.symbols), *self.world.letters]
             known = LooseDefinitions(definitions, own)
-            entries = written_out(self._read_loosely([*own, *definitions], known.shapes, 1), known.arrays)
+            read = self._read_loosely([*own, *definitions], known.shapes, _size(reference.shape))
+            entries = written_out(read, known.arrays)
             return axes_of(entries, reference.shape, {*own, *definitions}) if entries is not None else []
         return []
 
@@ -250,7 +251,8 @@ class Paper:
     def refusal(self, quantity: str | Quantity, error: FormulaError) -> FormulaError:
         """What to say instead of an error: why the formula cannot be read at all, or whose letters it has."""
         reference, typed = self._typed(quantity)
-        why = unreadable(partial(self._read_loosely, wanted=1), reference, {**self.world.let, **self.let})
+        read = partial(self._read_loosely, wanted=_size(reference.shape))
+        why = unreadable(read, reference, {**self.world.let, **self.let})
         if why is not None and self._axes(quantity):
             return error
         if why is not None:
@@ -293,8 +295,7 @@ class Paper:
         declared = {name: symbols[name] for name in self.world.letters}
         known = reference.with_symbols(declared.values())
         is_code = self.notation in LANGUAGES
-        size = math.prod(known.shape) if len(known.shape) == 1 else 1
-        read = partial(self._read_loosely, wanted=size)
+        read = partial(self._read_loosely, wanted=_size(known.shape))
         typed = as_typed(read, known, definitions, conditions, declared, row_by_row=is_code)
         return reference, typed or self._typed_when_worked_out(known, conditions, declared)
 
@@ -330,6 +331,11 @@ class Paper:
         found = read_printed(self.formula, names, reference.shape, self.notation, self.function)
         read = tuple(f"{name} is read as {array}" for name, array in self.arrays.items())
         return replace(found, remarks=(*found.remarks, *read)) if read else found
+
+
+def _size(shape: Sequence[int]) -> int:
+    """How many numbers a formula is to be: as many as a vector has, else one."""
+    return math.prod(shape) if len(shape) == 1 else 1
 
 
 def _noted(question: Question, words: str) -> Question:

@@ -27,6 +27,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
     meanings,
     means,
 )
+from radartrack.derive.checking.question.padding import still_states
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
     plain_words,
@@ -215,7 +216,21 @@ class FormulaSearch:
         if printed is None:
             return []
         found, whole, rearranged = self._worth_the_same(printed, tree)
-        return found or whole or self._of_one_axis(printed, tree) or rearranged
+        return found or whole or self._of_one_axis(printed, tree) or self._of_moving(printed, tree) or rearranged
+
+    def _of_moving(self, printed: Tensor[Tree], tree: Tree) -> list[Candidate]:
+        """What a transition is without states that stay as they are."""
+        if len(printed.shape) != 2 or printed.shape[0] != printed.shape[1]:
+            return []
+        rows = [list(row.entries) for row in printed.parts()]
+        still = still_states(rows)
+        kept = [place for place in range(len(rows)) if place not in still]
+        if not still or len(kept) < 2:
+            return []
+        moving = Tensor((len(kept), len(kept)), tuple(rows[row][column] for row in kept for column in kept))
+        found, whole, _ = self._worth_the_same(moving, tree)
+        words = f"without what never changes, {', '.join(map(str, still))}"
+        return [replace(one, convention=f"{one.convention} {words}".strip()) for one in found or whole]
 
     def _of_one_axis(self, printed: Tensor[Tree], tree: Tree) -> list[Candidate]:
         """What the block is of a matrix that has the same one for each axis."""

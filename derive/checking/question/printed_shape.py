@@ -1,28 +1,22 @@
 """What is printed in another shape than the quantity has and means the same.
 
-A matrix may have rows and columns of zeros for states that do not enter, the same block for each of several axes, and
-rows for columns where that can be seen; a vector may be a matrix of one row or column.
+A matrix may have the same block for each of several axes, and rows for columns where that can be seen; a vector may be
+a matrix of one row or column.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
-from itertools import combinations
+from collections.abc import Iterator
+from dataclasses import dataclass
 from math import prod
 from typing import Generic, TypeVar
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Tree
+from radartrack.derive.formula.tree import Negation, Number, Product, Quotient, Tree
 from radartrack.derive.language.tensor import Index, Tensor, indices
 
 Entry = TypeVar("Entry")
-
-
-def trimmed(tree: Tree, expected: Index) -> tuple[Tree, str]:
-    """The formula without rows and columns of zeros that are too many, where there are such, and what was left out."""
-    return without_padding(tree, expected) or (tree, "")
 
 
 def reshaped(entries: Tensor[Entry], expected: Index, *, row_by_row: bool = False) -> Tensor[Entry]:
@@ -109,55 +103,3 @@ def vanishes(entry: object) -> bool:
         case Quotient(numerator=above) | Negation(operand=above):
             return vanishes(above)
     return entry == 0
-
-
-def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:
-    """The matrix without what is zero and too many, and what was left out; None where nothing is or that is not clear.
-
-    Where more is zero than is too many, the last rows and columns are left out.
-    """
-    rows = [row.entries for row in tree.entries if isinstance(row, Array)] if isinstance(tree, Array) else []
-    if (
-        not isinstance(tree, Array)
-        or len(expected) != 2
-        or len(rows) < len(tree.entries)
-        or len(set(map(len, rows))) != 1
-    ):
-        return None
-    surplus = len(rows) - expected[0], len(rows[0]) - expected[1]
-    if min(surplus) < 0 or not any(surplus):
-        return None
-    for out_rows, out_columns in _choices(tree, surplus):
-        return _without(tree, out_rows, out_columns), _left_out(out_rows, out_columns)
-    return None
-
-
-def _choices(tree: Array, surplus: tuple[int, int]) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
-    """Which rows and columns may be left out, the last first."""
-    entries = [list(row.entries) for row in tree.entries if isinstance(row, Array)]
-    rows = [place for place, row in enumerate(entries) if all(map(_is_zero, row))]
-    columns = [place for place in range(len(entries[0])) if all(_is_zero(row[place]) for row in entries)]
-    for out_rows in combinations(reversed(rows), surplus[0]):
-        for out_columns in combinations(reversed(columns), surplus[1]):
-            yield tuple(sorted(out_rows)), tuple(sorted(out_columns))
-
-
-def _without(tree: Array, rows: Sequence[int], columns: Sequence[int]) -> Array:
-    kept = [row for place, row in enumerate(tree.entries) if place not in rows and isinstance(row, Array)]
-    return replace(
-        tree,
-        entries=tuple(
-            replace(row, entries=tuple(one for place, one in enumerate(row.entries) if place not in columns))
-            for row in kept
-        ),
-    )
-
-
-def _is_zero(tree: Tree) -> bool:
-    return isinstance(tree, Number) and not tree.value
-
-
-def _left_out(rows: Sequence[int], columns: Sequence[int]) -> str:
-    named = ((rows, "row"), (columns, "column"))
-    parts = [f"{kind}{'s' if len(out) > 1 else ''} {', '.join(map(str, out))}" for out, kind in named if out]
-    return f"without {' and '.join(parts)}, which {'are' if len(rows) + len(columns) > 1 else 'is'} zero"

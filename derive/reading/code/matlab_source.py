@@ -79,10 +79,12 @@ class _MatlabReader:
         if output is None:
             return self._space.result()
         first = output.children[0]
-        first = named(first)[0] if first.type == "multioutput_variable" else first
-        if not self._space.is_defined(text_of(first)):
-            raise FormulaError(f"{text_of(first)} is not computed here", span=self._span(first))
-        return self._space.name(text_of(first), self._span(first))
+        outputs = named(first) if first.type == "multioutput_variable" else [first]
+        computed = [one for one in outputs if self._space.is_defined(text_of(one))]
+        if outputs[0] not in computed:
+            raise FormulaError(f"{text_of(outputs[0])} is not computed here", span=self._span(outputs[0]))
+        values = [self._space.name(text_of(one), self._span(one)) for one in computed]
+        return self._space.fitting(values) or values[0]
 
     def _block(self, statements: Sequence[Node]) -> Value | None:
         last: Value | None = None

@@ -27,7 +27,6 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
 )
-from radartrack.derive.formula.unknown_names import unknown_name
 from radartrack.derive.formula.written_out import array_of
 from radartrack.derive.language.tensor import Tensor, indices
 from radartrack.derive.reading.code.array_entries import changed, entries_of, entry_of
@@ -90,7 +89,6 @@ class Workspace:
         first: the number of the first entry of an array.
         names: the symbols that are known.
         shapes: of those that stand for arrays.
-        strangers: whether other names are let through.
         wanted: how many numbers the code is to compute.
     """
 
@@ -98,7 +96,6 @@ class Workspace:
     first: int
     names: Collection[str]
     shapes: Mapping[str, Shape]
-    strangers: bool
     wanted: int = 1
     remarks: list[Remark] = field(default_factory=list)
     has_matrices: bool = False  # besides arrays
@@ -137,11 +134,7 @@ class Workspace:
         return Value(Constant(name, span=span))
 
     def name(self, name: str, span: Span, *, whole: bool = False) -> Value:
-        """What a name is worth; `whole` where it is declared as a whole number.
-
-        Raises:
-            FormulaError: for one that is not known, unless strangers are let through.
-        """
+        """What a name is worth; `whole` where it is declared as a whole number."""
         if name in self._values:
             self._used.add(name)
             return self._values[name]
@@ -155,8 +148,6 @@ class Workspace:
         """A name that means itself, whatever it is assigned later."""
         if name in SPELLINGS:
             raise FormulaError(f"{name} is a function: give its argument in brackets", span=span)
-        if name not in self.names and not self.strangers:
-            raise FormulaError(unknown_name(name, self.names), span=span)
         is_known = name in self.names
         self._free.add(name)
         return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
@@ -383,6 +374,18 @@ class Workspace:
             raise FormulaError("an array without entries is not read", span=span)
         known = [Value(one.tree, one.shape or (), size=one.size) for one in entries]  # what is not known is a number
         return self.made(Array(tuple(entry.tree for entry in entries), span=span), known)
+
+    def fitting(self, values: Sequence[Value]) -> Value | None:
+        """The one of several values that are computed together, a mean and its covariance, that may be meant.
+
+        None where they are the entries of one array.
+        """
+        sized = [self.sized(value) for value in values]
+        if len({value.shape for value in sized}) < 2 or not any(value.shape for value in sized):
+            return None
+        ranks = [len(value.shape or ()) for value in sized]
+        meant = [one for one in sized if one.shape == (self.wanted,)]
+        return meant[0] if meant else sized[ranks.index(max(ranks))]
 
     def call(self, function: str, arguments: Sequence[Value], span: Span) -> Value:
         """A function or a verb of formulas."""

@@ -502,3 +502,27 @@ def test_a_subscript_may_have_one(latex: str, name: str):
 def test_a_column_that_is_empty_in_every_row_is_none():
     assert echo(r"\begin{bmatrix} x & y & \\ 0 & r & \\ \end{bmatrix}") == "[[x, y], [0, r]]"
     assert refusal(r"\begin{bmatrix} x & y & \\ 0 & r \end{bmatrix}")
+
+
+@pytest.mark.parametrize(
+    "system",
+    [
+        "x = r\\cos\\theta\ny = r\\sin\\theta",
+        "x = r\\cos\\theta\n\n  y &= r\\sin\\theta",
+        r"$x = r\cos\theta$ and $y = r\sin\theta$",
+        r"where $x = r\cos\theta$, with the height $y = r\sin\theta$ above it.",
+        "$x = r\\cos\\theta$\n\n$y = r\\sin\\theta$",
+    ],
+)
+def test_equations_on_lines_and_in_sentences_are_all_read(system: str):
+    assert to_text(read_latex(system, KNOWN, wanted=2)) == "[r*cos(theta), r*sin(theta)]"
+
+
+def test_a_line_behind_a_matrix_may_use_it():
+    lines = "F = \\begin{bmatrix} 1 & T \\\\ 0 & 1 \\end{bmatrix}\nQ = q F F^T"
+    assert to_text(read_latex(lines, KNOWN)) == "q*[[1, T], [0, 1]]*[[1, T], [0, 1]].T"
+
+
+@pytest.mark.parametrize("formula", ["x = r\n\\cos\\theta", "y = x +\n r = r\\cos\\theta", "x = y\n = r\\cos\\theta"])
+def test_a_line_that_goes_on_is_one_with_the_line_before(formula: str):
+    assert echo(formula) == READ

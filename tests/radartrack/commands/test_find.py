@@ -24,6 +24,11 @@ from radartrack.cli import app
             0,
             "motion.constant_velocity.process_noise.continuous for each of 2 axes, others with b for a: proved",
         ),
+        (
+            ["[1, 0, T, 0, 0; 0, 1, 0, T, 0; 0, 0, 1, 0, 0; 0, 0, 0, 1, 0; 0, 0, 0, 0, 1]"],
+            0,
+            "without what never changes, 4",
+        ),
         (["r*cos("], 2, "( is never closed"),
     ],
 )

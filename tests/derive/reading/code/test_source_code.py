@@ -490,3 +490,23 @@ def test_what_is_unpacked_is_an_array_though_a_symbol_is_called_so(state: str, k
 @pytest.mark.parametrize("code", ["a = 2\npx, py = a\npx", "np.block([x, y])", "np.block([[np.array([x, y]), 1]])"])
 def test_what_is_no_array_is_not_unpacked_and_vectors_are_no_blocks(code: str):
     assert refusal(code, "python").message.startswith(("as many values as names", "block takes rows of matrices"))
+
+
+TWO = {
+    "python": "def f(r, b, s):\n    z = np.array([r*np.cos(b), r*np.sin(b)])\n    R = np.diag([s, q])\n    return z, R",
+    "matlab": "function [z, R] = f(r, b, s)\nz = [r*cos(b); r*sin(b)];\nR = diag([s, q]);\nend",
+}
+
+
+@pytest.mark.parametrize("language", TWO)
+def test_of_a_mean_and_its_covariance_the_one_that_is_wanted_is_read(language: str):
+    mean = read_code(TWO[language], language, ["r", "b"], wanted=2)
+    assert to_text(mean.tree) == "[r*cos(b), r*sin(b)]"
+    assert to_text(read_code(TWO[language], language, None).tree) == "diag([s, q])"
+
+
+def test_names_of_lines_that_do_not_matter_are_let_through():
+    lines = "dt = (stamp - before)/1e6\nx = r*np.cos(b)"
+    assert to_text(read_code(lines, "python", ["r", "b"]).tree) == "r*cos(b)"
+    with pytest.raises(FormulaError, match="b is not a name here"):
+        read_code(lines, "python", ["r"])
