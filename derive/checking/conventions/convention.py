@@ -221,19 +221,21 @@ def _compass_headings(asked: Asked) -> Iterator[Convention]:
 
 
 def _roots(asked: Asked) -> Iterator[Convention]:
-    """The deviation where a variance is meant, its root, and the variance where a deviation is."""
+    """The root or the inverse of a variance where it is meant, and the square of a deviation."""
     part = asked.reference.part
     if part is None or len(asked.printed.entries) > 1:
         return
     ((index, place),) = part.places.items()
     entry = asked.reference.entries[index]
     if re.search(r"\bstd\b|_std$", part.quantity.name):
-        words, note, factor = "its square", "the variance of what is a deviation here", entry
+        forms = [("its square", "the variance of what is a deviation here", entry)]
     elif len(set(place)) < 2 and len(set(part.quantity.axes)) < 2 and _OF_VARIANCE.search(part.quantity.name):
-        words, note, factor = "its root", "the deviation of what is a variance here", 1 / sp.sqrt(entry)
+        forms = [("its root", "the deviation of what is a variance here", 1 / sp.sqrt(entry))]
+        forms.append(("its inverse", "the information of what is a variance here", entry**-2))
     else:
         return
-    yield Convention((words,), (note,), factors={index: factor}, cost=0.9)
+    for words, note, factor in forms:
+        yield Convention((words,), (note,), factors={index: factor}, cost=0.9)
 
 
 def _downwards(asked: Asked) -> Iterator[Convention]:

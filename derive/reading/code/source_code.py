@@ -40,7 +40,7 @@ _COMMENTS = MappingProxyType(
         "python": re.compile(r"(?P<kept>\"\"\"[\s\S]*?\"\"\"|'''[\s\S]*?'''|\"[^\"\n]*\"|'[^'\n]*')|#[^\n]*"),
         "c": re.compile(r"(?P<kept>\"[^\"\n]*\")|//[^\n]*|/\*[\s\S]*?\*/"),
         "cpp": re.compile(r"(?P<kept>\"[^\"\n]*\")|//[^\n]*|/\*[\s\S]*?\*/"),
-        "matlab": re.compile(r"(?P<kept>\"[^\"\n]*\")|%[^\n]*"),
+        "matlab": re.compile(r"(?P<kept>\"[^\"\n]*\")|[%#][^\n]*"),  # Octave has both
     }
 )
 _BRACKETS = re.compile(r"[()\[\]{}]")

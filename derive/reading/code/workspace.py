@@ -47,6 +47,7 @@ _BRANCHES = tuple(
     )
 )
 NOT_COMPARED = "this branch, for a divisor next to zero, is not compared"
+_BARE = re.compile(r"[A-Za-z_]\w*")  # if omega: it is not zero, where omega divides
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _PI = frozenset({"pi", "M_PI", "PI"})
 
@@ -160,9 +161,12 @@ class Workspace:
         """
         found = ((is_first, form.fullmatch(condition[: LONGEST_CONDITION + 1])) for is_first, form in _BRANCHES)
         is_first, meant = next((one for one in found if one[1]), (False, None))
-        if meant is None or len(condition) > LONGEST_CONDITION:
+        bare = _BARE.fullmatch(condition.strip())
+        is_bare = bare is not None and re.search(rf"/\s*\(*\s*{bare.group()}\b", branches[0]) is not None
+        if (meant is None and not is_bare) or len(condition) > LONGEST_CONDITION:
             return None
-        words = set(_WORD.findall(meant["equal"] or ""))
+        is_first = is_first or is_bare
+        words = set(_WORD.findall(condition if meant is None else meant["equal"] or ""))
         if words and all(branches) and words.isdisjoint(_WORD.findall(branches[not is_first])):
             return None
         self.remarks.append(Remark(span, NOT_COMPARED))

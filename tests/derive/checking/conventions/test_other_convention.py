@@ -252,6 +252,7 @@ def test_derivatives_by_the_heading_of_a_compass_are_told_too() -> None:
             "s_1*s_2/sqrt(s_1^2 + s_2^2)",
             "with its root: the deviation of what is a variance here",
         ),
+        ("fusion.variance.two", "1/s_1^2 + 1/s_2^2", "with its inverse: the information of what is a variance here"),
         ("finite_sample.degree1.range.covariance[1, 1]", "sigma_r/T*sqrt(12/(k*(k^2 - 1)))", "with its root"),
         ("line.position_std", "(sigma_x^2 + sigma_y^2)/2", "with its square: the variance of what is a deviation"),
     ],

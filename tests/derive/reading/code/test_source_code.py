@@ -75,6 +75,7 @@ def refusal(code: str, language: str) -> FormulaError:
         ("cpp", "A.transpose()*B.inverse()", "A.T*inv(B)"),
         ("matlab", "F = [1 dt; 0 1]", "[[1, dt], [0, 1]]"),
         ("matlab", "F = [...\n 1 dt;... % position\n 0 1];", "[[1, dt], [0, 1]]"),
+        ("matlab", "y = 2*x; # as Octave says it\ny + 1", "2*x + 1"),
         ("matlab", "% what follows ...\nz = x + ...\n y;", "x + y"),
         ("matlab", "x(1).*cos(x(2))", "x_1*cos(x_2)"),
         ("matlab", "cosd(b) + atan2d(y, x)", "cos(b*pi/180) + atan2(y, x)*180/pi"),
@@ -258,7 +259,7 @@ def test_a_branch_against_a_division_by_zero_is_passed_over_and_told(language: s
         )
         for conditions, first, other in (
             (("abs(x) < 1e-4", "fabs(x) <= EPS", "x == 0", "x == 0.0", "abs(x) < tol"), "2", "1/x"),
-            (("abs(x) > 1e-4", "fabs(x) >= EPS", "abs(x) > 0", "x != 0"), "1/x", "2"),
+            (("abs(x) > 1e-4", "fabs(x) >= EPS", "abs(x) > 0", "x != 0", "x"), "1/x", "2"),
         )
         for condition in conditions
         if not (language == "matlab" and "!=" in condition)
@@ -270,7 +271,7 @@ def test_of_two_branches_the_one_away_from_a_division_by_zero_is_compared(langua
     assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
 
 
-@pytest.mark.parametrize("condition", ["mode == 0", "mode != 0", "x > 1e-4", "abs(x) > 1", "x < epsilon"])
+@pytest.mark.parametrize("condition", ["mode", "mode == 0", "mode != 0", "x > 1e-4", "abs(x) > 1", "x < epsilon"])
 def test_no_branch_is_chosen_by_a_switch_or_a_size(condition: str):
     for language, code in (("python", f"y = r if {condition} else z"), ("c", f"y = {condition} ? r : z;")):
         assert refusal(code, language).message.startswith("formulas have no cases")
