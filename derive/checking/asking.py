@@ -189,7 +189,7 @@ class Paper:
         return _noted(question, f"each of {len(axes)} axes is read alone") if question else None
 
     def _axes(self, quantity: str | Quantity) -> list[Axis]:
-        with suppress(FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
+        with suppress(FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity, ValueError):
             reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, self.let)
             definitions = {**self.world.let, **self.let}
             own = [*(symbol.name for symbol in reference.symbols), *self.world.letters]
