@@ -214,7 +214,8 @@ def _compass_headings(asked: Asked) -> Iterator[Convention]:
     signs = {p: sp.Integer((-1) ** sum(unit in turned for unit in units)) for p, units in along.items()}
     factors: dict[Index, Expr] = {p: sign for p, sign in signs.items() if sign != 1}
     offsets: dict[Index, Expr] = {p: sp.pi / 2 for p, units in along.items() if units == [RADIAN]}
-    changes: dict[Symbol, Expr] = {one: sp.pi / 2 - one for one in headings} | {one: -one for one in rates}
+    changes: dict[Symbol, Expr] = {one: sp.pi / 2 - one for one in headings}
+    changes.update((one, -one) for one in rates)
     words = tuple(f"pi/2 - {one} for {one}" for one in headings) + tuple(f"-{one} for {one}" for one in rates)
     notes = ("headings counted from the y axis, clockwise",)
     yield Convention(words, notes, changes, changes, (), factors, offsets, 1.0, is_slip=True)

@@ -6,6 +6,7 @@ from radartrack.derive import check
 from radartrack.derive.checking.question.padding import still_states, trimmed
 from radartrack.derive.checking.reporting.verdict import Outcome
 from radartrack.derive.formula.printing import to_text
+from radartrack.derive.formula.tree import children
 from radartrack.derive.reading import read_text
 
 TURN = (
@@ -33,7 +34,7 @@ def test_what_is_too_much_is_left_out_and_told(formula: str, expected: tuple[int
 
 
 def test_a_state_that_another_one_rests_on_is_not_still() -> None:
-    rows = [row.entries for row in read_text("[[1, a, 0], [0, 1, 0], [0, 0, 1]]", None).entries]
+    rows = [children(row) for row in children(read_text("[[1, a, 0], [0, 1, 0], [0, 0, 1]]", None))]
     assert still_states(rows) == [2]
 
 
