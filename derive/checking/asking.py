@@ -21,10 +21,12 @@ from radartrack.derive.checking.question.compared_quantity import (
 )
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.definitions.loose_definitions import (
+    LooseDefinitions,
     without_arguments,
     without_function_arguments,
 )
 from radartrack.derive.checking.question.letters.array_letters import array_letters
+from radartrack.derive.checking.question.letters.axis_letters import Axis, axes_of
 from radartrack.derive.checking.question.letters.letter_readings import (
     AS_TYPED,
     Letters,
@@ -58,6 +60,7 @@ from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import Shape
 from radartrack.derive.formula.to_expression import is_real
 from radartrack.derive.formula.tree import Tree
+from radartrack.derive.formula.written_out import array_of, written_out
 from radartrack.derive.language.quantity import Quantity
 from radartrack.derive.language.variable import Variable
 from radartrack.derive.reading.any_letters import plain_formulas, read_loosely, without_variants
@@ -156,7 +159,7 @@ class Paper:
         try:
             best = self._asked(quantity)
         except FormulaError:
-            found = self._with_arrays(quantity, None)
+            found = self._with_arrays(quantity, None) or self._of_axes(quantity)
             if found is None:
                 raise
             return found
@@ -173,6 +176,28 @@ class Paper:
         with suppress(FormulaError, NoClosedForm):
             return other.ask(quantity)
         return None
+
+    def _of_axes(self, quantity: str | Quantity) -> Question | None:
+        """The question of the first block that is wrong, where a matrix has one for each axis, in its own letters."""
+        question: Question | None = None
+        axes = self._axes(quantity)
+        for axis in axes:
+            alone = replace(self, formula=to_text(array_of(axis.block)), notation=TEXT, function="")
+            question = alone.ask(quantity)
+            if not question.is_equal or len(axes) == 1:
+                return _noted(question, axis.words)
+        return _noted(question, f"each of {len(axes)} axes is read alone") if question else None
+
+    def _axes(self, quantity: str | Quantity) -> list[Axis]:
+        with suppress(FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity, ValueError):
+            reference = refer_to(quantity) if isinstance(quantity, Quantity) else refer(quantity, self.world, self.let)
+            definitions = {**self.world.let, **self.let}
+            own = [*(symbol.name for symbol in reference.symbols), *self.world.letters]
+            known = LooseDefinitions(definitions, own)
+            read = self._read_loosely([*own, *definitions], known.shapes, _size(reference.shape))
+            entries = written_out(read, known.arrays)
+            return axes_of(entries, reference.shape, {*own, *definitions}) if entries is not None else []
+        return []
 
     def _array_letters(self, quantity: str | Quantity) -> dict[str, str]:
         with suppress(FormulaError, NoClosedForm, UnknownEntry, UnknownQuantity):
@@ -226,7 +251,10 @@ class Paper:
     def refusal(self, quantity: str | Quantity, error: FormulaError) -> FormulaError:
         """What to say instead of an error: why the formula cannot be read at all, or whose letters it has."""
         reference, typed = self._typed(quantity)
-        why = unreadable(partial(self._read_loosely, wanted=1), reference, {**self.world.let, **self.let})
+        read = partial(self._read_loosely, wanted=_size(reference.shape))
+        why = unreadable(read, reference, {**self.world.let, **self.let})
+        if why is not None and self._axes(quantity):
+            return error
         if why is not None:
             return why.within(self.formula)
         has_letters = typed is None or typed.readings()
@@ -267,8 +295,7 @@ class Paper:
         declared = {name: symbols[name] for name in self.world.letters}
         known = reference.with_symbols(declared.values())
         is_code = self.notation in LANGUAGES
-        size = math.prod(known.shape) if len(known.shape) == 1 else 1
-        read = partial(self._read_loosely, wanted=size)
+        read = partial(self._read_loosely, wanted=_size(known.shape))
         typed = as_typed(read, known, definitions, conditions, declared, row_by_row=is_code)
         return reference, typed or self._typed_when_worked_out(known, conditions, declared)
 
@@ -304,6 +331,15 @@ class Paper:
         found = read_printed(self.formula, names, reference.shape, self.notation, self.function)
         read = tuple(f"{name} is read as {array}" for name, array in self.arrays.items())
         return replace(found, remarks=(*found.remarks, *read)) if read else found
+
+
+def _size(shape: Sequence[int]) -> int:
+    """How many numbers a formula is to be: as many as a vector has, else one."""
+    return math.prod(shape) if len(shape) == 1 else 1
+
+
+def _noted(question: Question, words: str) -> Question:
+    return replace(question, printed=replace(question.printed, remarks=(*question.printed.remarks, words)))
 
 
 def _likeliest(questions: Sequence[Question]) -> Question:

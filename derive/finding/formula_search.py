@@ -19,6 +19,7 @@ from radartrack.derive.checking.question.letters.assignments import (
     choices,
     farther_choices,
 )
+from radartrack.derive.checking.question.letters.axis_letters import one_axis
 from radartrack.derive.checking.question.letters.letter_meanings import (
     is_angle_word,
     is_known_word,
@@ -26,7 +27,7 @@ from radartrack.derive.checking.question.letters.letter_meanings import (
     meanings,
     means,
 )
-from radartrack.derive.checking.question.printed_shape import one_axis
+from radartrack.derive.checking.question.padding import still_states
 from radartrack.derive.checking.repairing.print_slips import (
     Alternative,
     plain_words,
@@ -215,15 +216,29 @@ class FormulaSearch:
         if printed is None:
             return []
         found, whole, rearranged = self._worth_the_same(printed, tree)
-        return found or whole or self._of_one_axis(printed, tree) or rearranged
+        return found or whole or self._of_one_axis(printed, tree) or self._of_moving(printed, tree) or rearranged
+
+    def _of_moving(self, printed: Tensor[Tree], tree: Tree) -> list[Candidate]:
+        """What a transition is without states that stay as they are."""
+        if len(printed.shape) != 2 or printed.shape[0] != printed.shape[1]:
+            return []
+        rows = [list(row.entries) for row in printed.parts()]
+        still = still_states(rows)
+        kept = [place for place in range(len(rows)) if place not in still]
+        if not still or len(kept) < 2:
+            return []
+        moving = Tensor((len(kept), len(kept)), tuple(rows[row][column] for row in kept for column in kept))
+        found, whole, _ = self._worth_the_same(moving, tree)
+        words = f"without what never changes, {', '.join(map(str, still))}"
+        return [replace(one, convention=f"{one.convention} {words}".strip()) for one in found or whole]
 
     def _of_one_axis(self, printed: Tensor[Tree], tree: Tree) -> list[Candidate]:
         """What the block is of a matrix that has the same one for each axis."""
         for axes in AXES:
             block = one_axis(printed, axes)
-            found = self._worth_the_same(block, tree)[0] if block is not None else []
-            if found:
-                words = f"for each of {axes} axes"
+            found = self._worth_the_same(block[0], tree)[0] if block is not None else []
+            if block and found:
+                words = f"for each of {axes} axes{block[1]}"
                 return [replace(one, convention=f"{one.convention} {words}".strip()) for one in found]
         return []
 

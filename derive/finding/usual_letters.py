@@ -31,6 +31,7 @@ SUBJECTS = (
     "finite_sample.degree1.range_rate.rate_weights",
     "fusion.correlated.variance",
     "steady_state.alpha_beta.gain",
+    "motion.singer.process_noise",
 )
 # Process noise is printed for an intensity of one, a covariance as the factor by which variances are reduced.
 FEW = 2  # letters: a longer formula lacks no factor, and readings with one more letter are many

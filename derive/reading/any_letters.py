@@ -12,6 +12,7 @@ from radartrack.derive.formula.latex_names import GREEK
 from radartrack.derive.formula.printing import to_text
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
 from radartrack.derive.formula.tree import Constant, Name, Number, Power, Tree, children, parts
+from radartrack.derive.reading.joined_equations import ALL
 from radartrack.derive.reading.notation import LATEX, TEXT, read_formula
 from radartrack.derive.reading.printed_text import is_printed
 from radartrack.derive.reading.tex.latex import latex_name
@@ -51,6 +52,8 @@ def read_loosely(
 def possible_trees(formula: str, names: Collection[str] = (), notation: str = TEXT, function: str = "") -> list[Tree]:
     """What a formula may say, the likeliest first, where print leaves open where the arguments of functions end.
 
+    Of several equations or assignments the last three or two may be meant, all on which no other rests, or the last.
+
     Args:
         formula: as it stands.
         names: those that are known.
@@ -61,7 +64,8 @@ def possible_trees(formula: str, names: Collection[str] = (), notation: str = TE
         FormulaError: when it cannot be read in any way.
     """
     try:
-        return [read_loosely(formula, names, notation, function)]
+        last, *others = [read_loosely(formula, names, notation, function, wanted=count) for count in (1, 3, 2, ALL)]
+        return [*dict.fromkeys(tree for tree in others if tree != last), last]  # which may be a part of what is meant
     except AmbiguousArgument as error:
         found = []
         for reading in error.readings:

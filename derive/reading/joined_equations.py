@@ -12,6 +12,7 @@ from radartrack.derive.formula.limits import MAX_DEPTH, MAX_NODES
 from radartrack.derive.formula.shape import shape
 from radartrack.derive.formula.tree import Array, Name, Tree, names, with_span
 
+ALL = 0  # numbers wanted: as many as no other rests on
 _ENTRY = re.compile(r"(?P<base>[A-Za-z]\w*?)_?(?P<row>\d)_?(?P<column>\d)")
 _COVARIANCE = re.compile(r"(?P<base>[A-Za-z]\w*?)_?(?P<row>[xyz])_?(?P<column>[xyz])")  # R_xx, R_xy
 
@@ -61,7 +62,7 @@ def results(defined: Sequence[str], used: Collection[str], wanted: int) -> list[
     Args:
         defined: the names, in order.
         used: those on which another rests.
-        wanted: how many numbers the result is to be.
+        wanted: how many numbers the result is to be, or `ALL`.
     """
     unused = [place for place, name in enumerate(defined) if name not in used]
     last = range(max(len(defined) - wanted, 0), len(defined))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib.resources import files
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias, TypeVar
 
 import typer
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from radartrack.derive.formula.tree import Tree
     from radartrack.derive.language.quantity import Quantity
 
+_T = TypeVar("_T")
 Judged: TypeAlias = "tuple[Candidate, str, bool]"  # how a formula is a quantity, or near it, and whether it is
 PROVED = 6  # candidates that are proved, of those that are worth the same
 FOUND, ONLY_NEAR, UNREADABLE = 0, 1, 2
@@ -60,15 +61,28 @@ def find(
     with Decider(timeout) as decider:
         decider.start()
         every = ((search_over(rows_until_found(own, tree)), tree) for tree in trees)
-        searched = [(search, tree, _looked_up(search, tree, decider, models)) for search, tree in every]
-    search, tree, judged = min(searched, key=lambda one: (not any(is_found for *_, is_found in one[2]), not one[2]))
-    found = any(is_found for *_, is_found in judged)
+        looked_up = ((search, tree, _looked_up(search, tree, decider, models)) for search, tree in every)
+        searched = list(_until(lambda one: _has_found(one[2]), looked_up))
+    search, tree, judged = min(searched, key=lambda one: (not _has_found(one[2]), not one[2]))
+    found = _has_found(judged)
     for candidate, words, is_found in judged:
         if is_found or not found:
             _tell(candidate, words)
     if not judged:
         _tell_what_is_near(search, tree)
     raise typer.Exit(FOUND if found else ONLY_NEAR)
+
+
+def _has_found(judged: Iterable[Judged]) -> bool:
+    return any(is_found for *_, is_found in judged)
+
+
+def _until(is_last: Callable[[_T], bool], items: Iterable[_T]) -> Iterator[_T]:
+    """The items up to the first of which this holds."""
+    for item in items:
+        yield item
+        if is_last(item):
+            return
 
 
 def _looked_up(
@@ -78,7 +92,7 @@ def _looked_up(
     from radartrack.derive.checking.question.letters.elapsed_time import elapsed
 
     judged = list(_judged(search.candidates(tree), decider, models))
-    if judged and not (elapsed([tree]) and not any(is_found for *_, is_found in judged)):
+    if judged and not (elapsed([tree]) and not _has_found(judged)):
         return judged
     return _in_usual_letters(search, tree, decider) or judged
 
@@ -107,7 +121,7 @@ def _in_usual_letters(search: FormulaSearch, tree: Tree, decider: Decider) -> li
                 [one for one in narrow.candidates(usual.tree) if not usual.own & one.read.keys()], decider
             )
         ]
-        if any(is_found for *_, is_found in said):
+        if _has_found(said):
             return said
         near = near or said
     return near

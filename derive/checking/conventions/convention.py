@@ -27,6 +27,7 @@ IN_DEGREES = sp.Integer(180) / sp.pi
 SEVERAL = 2
 PER_RADIAN = RADIAN**-1
 PER_SECOND = RADIAN / SECOND
+_OF_VARIANCE = re.compile(r"(?:covariance|variance|process_noise)(?!.*(?:correlation|factor))")
 _NUMBER = re.compile(r"_?\d+$|^(?:first|second|third)_")
 Name = TypeVar("Name")
 ONE, NOTHING = sp.Integer(1), sp.Integer(0)
@@ -115,7 +116,8 @@ def conventions(asked: Asked) -> Iterator[Convention]:
     degrees, variances = [*_degrees(asked)], [*_variances(asked)]
     kinds = (angles, returned, degrees, variances, [*_downwards(asked)])
     scaled, divided = [*_scaled_derivatives(asked)], [*_divided_gains(asked)]
-    singles = [OURS, *chain.from_iterable(kinds), *scaled, *divided, *_equal_sensors(asked)]
+    alone = [*_equal_sensors(asked), *_compass_headings(asked), *_roots(asked)]
+    singles = [OURS, *chain.from_iterable(kinds), *scaled, *divided, *alone]
     pairs = (a & b for first, second in combinations((*kinds, scaled, divided), 2) for a in first for b in second)
     free = asked.correlations
     vanish = bool(free) and _are_hardly_used(free, asked)
@@ -197,6 +199,44 @@ def _other_senses(asked: Asked) -> Iterator[Convention]:
             opposite: dict[Symbol, Expr] = {one: -one}
             words, notes = (f"-{one} for {one}",), ("counted the other way",)
             yield Convention(words, notes, opposite, opposite, cost=0.9, is_slip=True)
+
+
+def _compass_headings(asked: Asked) -> Iterator[Convention]:
+    """A heading of the state from the y axis, clockwise, before and after a period, and its rate counted so too."""
+    part, used = asked.reference.part, _used(asked)
+    headings = [one for one in _angles(asked) if one.low < 0]
+    rates = [one for one in asked.reference.symbols if one.unit == PER_SECOND and one.low < 0 < one.high]
+    if part is None or not (headings and rates and used & {*headings, *rates}) or part.quantity.module != "motion":
+        return
+    turned = {RADIAN, RADIAN**-1, PER_SECOND, PER_SECOND**-1}
+    axes = part.quantity.axes
+    along = {p: [axis[i] for axis, i in zip(axes, place, strict=True)] for p, place in part.places.items()}
+    signs = {p: sp.Integer((-1) ** sum(unit in turned for unit in units)) for p, units in along.items()}
+    factors: dict[Index, Expr] = {p: sign for p, sign in signs.items() if sign != 1}
+    offsets: dict[Index, Expr] = {p: sp.pi / 2 for p, units in along.items() if units == [RADIAN]}
+    changes: dict[Symbol, Expr] = {one: sp.pi / 2 - one for one in headings}
+    changes.update((one, -one) for one in rates)
+    words = tuple(f"pi/2 - {one} for {one}" for one in headings) + tuple(f"-{one} for {one}" for one in rates)
+    notes = ("headings counted from the y axis, clockwise",)
+    yield Convention(words, notes, changes, changes, (), factors, offsets, 1.0, is_slip=True)
+
+
+def _roots(asked: Asked) -> Iterator[Convention]:
+    """The root or the inverse of a variance where it is meant, and the square of a deviation."""
+    part = asked.reference.part
+    if part is None or len(asked.printed.entries) > 1:
+        return
+    ((index, place),) = part.places.items()
+    entry = asked.reference.entries[index]
+    if re.search(r"\bstd\b|_std$", part.quantity.name):
+        forms = [("its square", "the variance of what is a deviation here", entry)]
+    elif len(set(place)) < 2 and len(set(part.quantity.axes)) < 2 and _OF_VARIANCE.search(part.quantity.name):
+        forms = [("its root", "the deviation of what is a variance here", 1 / sp.sqrt(entry))]
+        forms.append(("its inverse", "the information of what is a variance here", entry**-2))
+    else:
+        return
+    for words, note, factor in forms:
+        yield Convention((words,), (note,), factors={index: factor}, cost=0.9)
 
 
 def _downwards(asked: Asked) -> Iterator[Convention]:

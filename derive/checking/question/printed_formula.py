@@ -18,7 +18,8 @@ from radartrack.derive.checking.question.letters.letter_meanings import alike, m
 from radartrack.derive.checking.question.letters.letter_readings import NO_LETTERS, Letter, Letters
 from radartrack.derive.checking.question.meaning import Meaning
 from radartrack.derive.checking.question.names import Names, check_name, indices_in, symbols_for
-from radartrack.derive.checking.question.printed_shape import blocks_of, is_transposed, reshaped, trimmed, wrong_shape
+from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.checking.question.printed_shape import blocks_of, is_transposed, reshaped, wrong_shape
 from radartrack.derive.checking.question.world import CATALOGUE, World
 from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.printing import to_text

@@ -1,28 +1,22 @@
 """What is printed in another shape than the quantity has and means the same.
 
-A matrix may have rows and columns of zeros for states that do not enter, the same block for each of several axes, and
-rows for columns where that can be seen; a vector may be a matrix of one row or column.
+A matrix may have the same block for each of several axes, and rows for columns where that can be seen; a vector may be
+a matrix of one row or column.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from itertools import combinations
+from collections.abc import Iterator
+from dataclasses import dataclass
 from math import prod
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.tree import Array, Negation, Number, Product, Quotient, Tree
+from radartrack.derive.formula.tree import Negation, Number, Product, Quotient, Tree
 from radartrack.derive.language.tensor import Index, Tensor, indices
 
 Entry = TypeVar("Entry")
-
-
-def trimmed(tree: Tree, expected: Index) -> tuple[Tree, str]:
-    """The formula without rows and columns of zeros that are too many, where there are such, and what was left out."""
-    return without_padding(tree, expected) or (tree, "")
 
 
 def reshaped(entries: Tensor[Entry], expected: Index, *, row_by_row: bool = False) -> Tensor[Entry]:
@@ -63,95 +57,49 @@ def is_transposed(shape: Index, expected: Index) -> bool:
     return len(expected) == 2 and 1 not in expected and shape == expected[::-1] != expected
 
 
-def blocks_of(entries: Tensor[Entry], expected: Index) -> list[Tensor[Entry]]:
-    """The blocks of a matrix with one of the expected shape for each axis and zeros else; none where it is no such.
+@dataclass(frozen=True)
+class Grid(Generic[Entry]):
+    """A matrix for several axes: the block of each, and those between two axes that are not zero."""
 
-    A state may be (x, vx, y, vy) or (x, y, vx, vy): blocks stand on the diagonal, or their entries lie scattered.
+    diagonal: tuple[Tensor[Entry], ...]
+    others: tuple[Tensor[Entry], ...]
+
+
+def grids_of(entries: Tensor[Entry], expected: Index) -> Iterator[Grid[Entry]]:
+    """How a matrix may be one for several axes, with blocks of the expected shape.
+
+    A state may be (x, vx, y, vy) or (x, y, vx, vy): blocks lie side by side, or their entries lie scattered.
     """
     if len(entries.shape) != 2 or len(expected) not in {1, 2}:
-        return []
+        return
     rows, columns = (*expected, 1)[:2]
     count = entries.shape[0] // rows
     if count < 2 or entries.shape != (count * rows, count * columns):
-        return []
-    found = dict(entries.items())
+        return
     for step, stride in (((rows, columns), 1), ((1, 1), count)):
-        places = [
-            [(step[0] * block + stride * i, step[1] * block + stride * j) for i in range(rows) for j in range(columns)]
-            for block in range(count)
-        ]
-        if all(_vanishes(entry) for place, entry in found.items() if not any(place in block for block in places)):
-            return [Tensor(expected, tuple(found[place] for place in block)) for block in places]
-    return []
+
+        def block(above: int, left: int, step: Index = step, stride: int = stride) -> Tensor[Entry]:
+            corner = step[0] * above, step[1] * left
+            places = ((corner[0] + stride * i, corner[1] + stride * j) for i, j in indices((rows, columns)))
+            return Tensor(expected, tuple(entries[place] for place in places))
+
+        between = (block(one, other) for one in range(count) for other in range(count) if one != other)
+        diagonal = tuple(block(axis, axis) for axis in range(count))
+        yield Grid(diagonal, tuple(one for one in between if not all(map(vanishes, one))))
 
 
-def one_axis(entries: Tensor[Entry], axes: int) -> Tensor[Entry] | None:
-    """The block of a matrix that has the same one for so many axes; one column is a vector."""
-    if len(entries.shape) != 2 or any(size % axes for size in entries.shape):
-        return None
-    rows, columns = (size // axes for size in entries.shape)
-    blocks = blocks_of(entries, (rows, columns) if columns > 1 else (rows,))
-    return blocks[0] if blocks and all(block == blocks[0] for block in blocks) else None
+def blocks_of(entries: Tensor[Entry], expected: Index) -> list[Tensor[Entry]]:
+    """The blocks of a matrix with one of the expected shape for each axis and zeros else; none where it is no such."""
+    return next((list(grid.diagonal) for grid in grids_of(entries, expected) if not grid.others), [])
 
 
-def _vanishes(entry: object) -> bool:
+def vanishes(entry: object) -> bool:
+    """Whether an entry is written as zero."""
     match entry:
         case Number(value=value):
             return not value
         case Product(factors=factors):
-            return any(map(_vanishes, factors))
+            return any(map(vanishes, factors))
         case Quotient(numerator=above) | Negation(operand=above):
-            return _vanishes(above)
+            return vanishes(above)
     return entry == 0
-
-
-def without_padding(tree: Tree, expected: Index) -> tuple[Tree, str] | None:
-    """The matrix without what is zero and too many, and what was left out; None where nothing is or that is not clear.
-
-    Where more is zero than is too many, the last rows and columns are left out.
-    """
-    rows = [row.entries for row in tree.entries if isinstance(row, Array)] if isinstance(tree, Array) else []
-    if (
-        not isinstance(tree, Array)
-        or len(expected) != 2
-        or len(rows) < len(tree.entries)
-        or len(set(map(len, rows))) != 1
-    ):
-        return None
-    surplus = len(rows) - expected[0], len(rows[0]) - expected[1]
-    if min(surplus) < 0 or not any(surplus):
-        return None
-    for out_rows, out_columns in _choices(tree, surplus):
-        return _without(tree, out_rows, out_columns), _left_out(out_rows, out_columns)
-    return None
-
-
-def _choices(tree: Array, surplus: tuple[int, int]) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
-    """Which rows and columns may be left out, the last first."""
-    entries = [list(row.entries) for row in tree.entries if isinstance(row, Array)]
-    rows = [place for place, row in enumerate(entries) if all(map(_is_zero, row))]
-    columns = [place for place in range(len(entries[0])) if all(_is_zero(row[place]) for row in entries)]
-    for out_rows in combinations(reversed(rows), surplus[0]):
-        for out_columns in combinations(reversed(columns), surplus[1]):
-            yield tuple(sorted(out_rows)), tuple(sorted(out_columns))
-
-
-def _without(tree: Array, rows: Sequence[int], columns: Sequence[int]) -> Array:
-    kept = [row for place, row in enumerate(tree.entries) if place not in rows and isinstance(row, Array)]
-    return replace(
-        tree,
-        entries=tuple(
-            replace(row, entries=tuple(one for place, one in enumerate(row.entries) if place not in columns))
-            for row in kept
-        ),
-    )
-
-
-def _is_zero(tree: Tree) -> bool:
-    return isinstance(tree, Number) and not tree.value
-
-
-def _left_out(rows: Sequence[int], columns: Sequence[int]) -> str:
-    named = ((rows, "row"), (columns, "column"))
-    parts = [f"{kind}{'s' if len(out) > 1 else ''} {', '.join(map(str, out))}" for out, kind in named if out]
-    return f"without {' and '.join(parts)}, which {'are' if len(rows) + len(columns) > 1 else 'is'} zero"

@@ -44,6 +44,7 @@ def _of_node(node: Tree, arrays: Mapping[str, Shape], shape: ShapeOf) -> Iterato
             yield Alternative(inner, "an extra inverse: {}", 1.1, (node,))
             yield from _turned_for_inverted(node, Call("transpose", (inner,)))
         case Product(factors):
+            yield from _turned(factors)
             yield from _reordered(factors, shape)
             yield from _longer(factors, arrays)
         case Sum(terms):
@@ -59,6 +60,14 @@ def _turned_for_inverted(node: Tree, other: Tree) -> Iterator[Alternative]:
 
 def _is_turned(node: Tree) -> bool:
     return isinstance(node, Call) and node.function == "transpose"
+
+
+def _turned(factors: tuple[Tree, ...]) -> Iterator[Alternative]:
+    """The product with one of the matrices that are written out in it transposed."""
+    for place, factor in enumerate(factors):
+        if isinstance(factor, Array) and isinstance(factor.entries[0], Array):
+            turned = (*factors[:place], _transposed(factor), *factors[place + 1 :])
+            yield Alternative(Product(turned), "a missing transpose: {}", 1.0, (factor,))
 
 
 def _reordered(factors: tuple[Tree, ...], shape: ShapeOf) -> Iterator[Alternative]:

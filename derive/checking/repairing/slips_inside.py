@@ -11,8 +11,9 @@ from radartrack.derive.algebra.equality import proved_equal
 from radartrack.derive.checking.question.conditions import under
 from radartrack.derive.checking.question.meaning import shape_of, tensor
 from radartrack.derive.checking.question.names import Names
+from radartrack.derive.checking.question.padding import trimmed
 from radartrack.derive.checking.question.printed_formula import Printed, printed
-from radartrack.derive.checking.question.printed_shape import reshaped, trimmed
+from radartrack.derive.checking.question.printed_shape import reshaped
 from radartrack.derive.checking.repairing.edit_search import Candidate
 from radartrack.derive.checking.repairing.reworked_edits import ENOUGH, MOST, SECONDS, processor_time, single_edits
 from radartrack.derive.checking.reporting.barrier import attempted

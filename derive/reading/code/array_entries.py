@@ -33,6 +33,8 @@ def entries_of(tree: Tree, shape: Shape, span: Span) -> Tensor[Tree]:
 
 def joined(blocks: Sequence[Sequence[Tensor[Tree]]]) -> Tensor[Tree] | None:
     """The matrix that rows of blocks make; None where they do not fit. A vector is a column, a number one entry."""
+    if not all(blocks):
+        return None
     rows: list[tuple[Tree, ...]] = []
     for row in blocks:
         matrices = [Tensor((*block.shape, 1, 1)[:2], block.entries) for block in row]

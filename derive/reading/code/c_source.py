@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from radartrack.derive.formula.error import FormulaError, Span
 from radartrack.derive.formula.limits import MAX_DEPTH
 from radartrack.derive.formula.tree import Place
 from radartrack.derive.reading.code.code_functions import applied, is_function
+from radartrack.derive.reading.code.matrix_classes import class_sizes, is_matrix_class, laid_out
 from radartrack.derive.reading.code.syntax_trees import Chain, field, first_error, named, parsed, text_of
 from radartrack.derive.reading.code.workspace import Value, Workspace
 
@@ -19,11 +21,11 @@ if TYPE_CHECKING:
 _EXPRESSION = "void f(){return (", "\n);}"
 _BLOCK = "void f(){", "\n;}"
 _FILE = "", "\n"
+_RETURN = re.compile(r"\s*return\b")
 _NUMBER = re.compile(r"(?P<digits>\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)(?P<suffix>[fFlLuU]*)")
 _WHOLE_TYPES = frozenset(
     ("int", "long", "short", "unsigned", "size_t", "char", "bool", "int32_t", "int64_t", "uint32_t", "uint64_t")
 )
-_SIZED = re.compile(r"(?:Eigen::)?(?:Matrix|Vector|Array)(?P<rows>\d)?(?:x(?P<columns>\d))?[dfi]")
 _OF_A_TYPE = {"Identity": "1", "Zero": "0"}  # what stands on the diagonal
 _SETTING = {"setIdentity": "1", "setZero": "0"}
 _UNREAD_OPERATORS = {
@@ -59,7 +61,8 @@ def read_c(text: str, language: str, space: Workspace, function: str = "") -> Va
     """
     statement = text.rstrip().removesuffix(";")
     fault: Span | None = None
-    for before, after in (_FILE,) if function else (_EXPRESSION, _BLOCK, _FILE):
+    forms = (_EXPRESSION, _BLOCK, _FILE) if not _RETURN.match(text) else (_BLOCK,)  # return (x)*y would be a call
+    for before, after in (_FILE,) if function else forms:
         root = parsed(language, before + (statement if before == _EXPRESSION[0] else text) + after)
         error = first_error(root)
         if error is not None:
@@ -194,11 +197,13 @@ class _CReader:
         kind = text_of(field(node, "type"))
         for declarator in node.children_by_field_name("declarator"):
             name, sizes = self._declared(declarator)
-            value = declarator.child_by_field_name("value")
+            value = _made_as(declarator.child_by_field_name("value"))
             self._types[name] = kind
             if value is None or value.type == "argument_list":
-                sizes = sizes or _eigen_sizes(kind) or self._constructed(value)
-                if sizes:
+                sizes = sizes or class_sizes(kind) or self._constructed(value)
+                if value is not None and is_matrix_class(kind) and not _are_places(named(value)):
+                    self._space.assign(name, self._laid(named(value), sizes, name, self._span(value)))
+                elif sizes:
                     self._space.declare(name, sizes)
             else:
                 self._call_entry(name, value)
@@ -274,25 +279,41 @@ class _CReader:
 
     def _fill(self, node: Node) -> None:
         """H << a, b, c, d; of Eigen: the entries row by row."""
+        target, entries = self._streamed(node)
+        name, span = text_of(target), self._span(node)
+        is_sized = self._space.is_defined(name)
+        shape = self._space.name(name, span).shape or () if is_sized else ()
+        self._space.assign(name, self._laid(entries, shape, name if is_sized else "", span))
+
+    def _streamed(self, node: Node) -> tuple[Node, list[Node]]:
+        """What stands before << and the entries behind it."""
         entries = list(_listed(node))
-        node = entries[0]
-        if node.type != "binary_expression" or text_of(field(node, "operator")) != "<<":
+        first = entries[0]
+        if first.type != "binary_expression" or text_of(field(first, "operator")) != "<<":
             raise FormulaError("a comma has no meaning here", span=self._span(node))
-        entries[0] = field(node, "right")
-        name, span = text_of(field(node, "left")), self._span(node)
+        return field(first, "left"), [field(first, "right"), *entries[1:]]
+
+    def _laid(self, entries: Sequence[Node], shape: tuple[int, ...], name: str, span: Span) -> Value:
+        """An array of entries row by row; of what has no name, or one of no known size, they tell the shape."""
+        if not shape and not name:
+            shape = laid_out([one.start_point[0] for one in entries])
+        count = math.prod(shape)
+        if count != len(entries):
+            raise FormulaError(f"{name or 'the array'} has {count} entries, here are {len(entries)}", span=span)
         values = [self.value(entry) for entry in entries]
-        shape = self._space.name(name, span).shape if self._space.is_defined(name) else (len(values),)
-        count = 1
-        for size in shape or ():
-            count *= size
-        if not shape or count != len(values):
-            raise FormulaError(f"{name} has {count} entries, here are {len(values)}", span=span)
-        if len(shape) == 1 or 1 in shape:
-            self._space.assign(name, self._space.array(values, span))
-            return
-        width = shape[1]
-        rows = [self._space.array(values[at : at + width], span) for at in range(0, len(values), width)]
-        self._space.assign(name, self._space.array(rows, span))
+        if len(shape) < 2 or 1 in shape:
+            return self._space.array(values, span)
+        rows = [self._space.array(values[at : at + shape[1]], span) for at in range(0, count, shape[1])]
+        return self._space.array(rows, span)
+
+    def _made(self, node: Node) -> Value:
+        """What (Matrix2d() << 1, dt, 0, 1) and OpenCV's (Mat_<float>(2, 2) << 1, dt, 0, 1) make."""
+        target, entries = self._streamed(node)
+        if not _is_made(target):
+            raise FormulaError("a comma has no meaning here", span=self._span(node))
+        kind = text_of(field(target, "function"))
+        shape = self._constructed(field(target, "arguments")) or class_sizes(kind)
+        return self._laid(entries, shape, "", self._span(node))
 
     def value(self, node: Node) -> Value:
         """What an expression is worth."""
@@ -325,8 +346,9 @@ class _CReader:
                 return self._call(node, span)
             case "cast_expression":
                 return self._cast(text_of(field(node, "type")), self.value(field(node, "value")), span)
-            case "initializer_list":
-                return self._space.array([self.value(one) for one in named(node)], span)
+            case "comma_expression" | "initializer_list":
+                is_list = node.type == "initializer_list"
+                return self._space.array([*map(self.value, named(node))], span) if is_list else self._made(node)
             case _:
                 raise FormulaError(self._unread(node), span=span)
 
@@ -372,6 +394,8 @@ class _CReader:
 
     def _member(self, node: Node, span: Span) -> Value:
         """plot.x and plot->x are plot_x, this->x is x, *x is x; std::numbers::pi is pi."""
+        if node.type == "pointer_expression" and field(node, "argument").type == "parenthesized_expression":
+            return self.value(field(node, "argument"))
         if node.type == "qualified_identifier":
             return self._space.name(text_of(node).rsplit("::", 1)[-1], span)
         name, _ = self._place(node)
@@ -413,6 +437,8 @@ class _CReader:
     def _call(self, node: Node, span: Span) -> Value:
         function = field(node, "function")
         arguments = named(field(node, "arguments"))
+        if _is_made(node):
+            return self._space.zeros(self._constructed(_arguments(node)) or class_sizes(text_of(function)), span)
         if function.type == "template_function":
             kind = text_of(field(function, "arguments")).strip("<>")
             if not text_of(field(function, "name")).endswith("_cast") or len(arguments) != 1:
@@ -423,7 +449,7 @@ class _CReader:
         if function.type == "field_expression":
             return self._method(function, arguments, span)
         owner, _, name = text_of(function).rpartition("::")
-        if name in _OF_A_TYPE and not arguments and (sizes := _eigen_sizes(owner)):
+        if name in _OF_A_TYPE and not arguments and (sizes := class_sizes(owner)):
             return self._space.of_kind(_OF_A_TYPE[name], sizes, span)
         if function.type == "identifier" and not is_function(name) and arguments and _are_places(arguments):
             return self._entry(node, span)
@@ -439,6 +465,8 @@ class _CReader:
             self._space.assign(target, made)
             return made
         own = self.value(field(function, "argument"))
+        if kind == "finished" and not arguments:
+            return own
         return applied(self._space, text_of(field(function, "field")), [own, *map(self.value, arguments)], span)
 
     def _cast(self, kind: str, value: Value, span: Span) -> Value:
@@ -480,10 +508,13 @@ def _are_places(arguments: Sequence[Node]) -> bool:
     return all(one.type == "number_literal" and text_of(one).isdigit() for one in arguments)
 
 
-def _eigen_sizes(kind: str) -> tuple[int, ...]:
-    """The sizes that a type of Eigen says: Matrix2d, Vector3f."""
-    found = _SIZED.fullmatch(kind)
-    if not found or not found["rows"]:
-        return ()
-    rows = int(found["rows"])
-    return (rows,) if "Vector" in kind else (rows, int(found["columns"] or rows))
+def _made_as(value: Node | None) -> Node | None:
+    """What a name is declared as; of H = MatrixXd(2, 4), which says the sizes alone, what is in the brackets."""
+    return field(value, "arguments") if value is not None and _is_made(value) else value
+
+
+def _is_made(node: Node) -> bool:
+    """Whether this makes an array of some size: MatrixXd(2, 4), or an empty Matrix2d()."""
+    if node.type != "call_expression":
+        return False
+    return is_matrix_class(text_of(field(node, "function"))) and _are_places(named(field(node, "arguments")))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from tree_sitter import Node
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_CONTINUED = re.compile(r"\.\.\.[^\S\n]*\n")  # what stands behind the dots is gone with the comments
 _ENTRYWISE = frozenset({".*"})
 _PRODUCTS = frozenset({"*", ".*", "/", "./"})
 _SKIPPED = frozenset({"comment", ";", ",", "\n", "line_continuation", "clear_statement"})
@@ -44,6 +45,7 @@ def read_matlab(text: str, space: Workspace, function: str = "") -> Value:
         FormulaError: for what formulas do not have, and what is not MATLAB.
     """
     offset = 0
+    text = _CONTINUED.sub(lambda found: " " * len(found.group()), text)
     root = parsed("matlab", text + "\n")
     if [node.type for node in named(root)] == ["command"]:  # x -1 is x with the option -1, unless in brackets
         offset = 1
@@ -77,10 +79,12 @@ class _MatlabReader:
         if output is None:
             return self._space.result()
         first = output.children[0]
-        first = named(first)[0] if first.type == "multioutput_variable" else first
-        if not self._space.is_defined(text_of(first)):
-            raise FormulaError(f"{text_of(first)} is not computed here", span=self._span(first))
-        return self._space.name(text_of(first), self._span(first))
+        outputs = named(first) if first.type == "multioutput_variable" else [first]
+        computed = [one for one in outputs if self._space.is_defined(text_of(one))]
+        if outputs[0] not in computed:
+            raise FormulaError(f"{text_of(outputs[0])} is not computed here", span=self._span(outputs[0]))
+        values = [self._space.name(text_of(one), self._span(one)) for one in computed]
+        return self._space.fitting(values) or values[0]
 
     def _block(self, statements: Sequence[Node]) -> Value | None:
         last: Value | None = None

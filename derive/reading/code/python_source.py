@@ -129,6 +129,8 @@ class _PythonReader:
         last: Value | None = None
         for node in self._taken(body):
             match node:
+                case ast.Return(ast.Tuple(entries) as value):
+                    return self._space.fitting([self.value(entry) for entry in entries]) or self.value(value)
                 case ast.Return(value) if value is not None:
                     return self.value(value)
                 case ast.Expr(ast.Constant(str())) | ast.FunctionDef() | ast.ClassDef():

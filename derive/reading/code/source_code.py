@@ -12,8 +12,8 @@ from radartrack.derive.code_languages import LANGUAGES, SPOKEN
 from radartrack.derive.formula.error import FormulaError
 from radartrack.derive.formula.limits import check_brackets
 from radartrack.derive.formula.shape import NO_SHAPES, Shape
-from radartrack.derive.formula.tree import Tree
-from radartrack.derive.formula.unknown_names import check_names
+from radartrack.derive.formula.tree import Name, Tree, parts
+from radartrack.derive.formula.unknown_names import check_names, unknown_name
 from radartrack.derive.reading.characters import check_characters
 from radartrack.derive.reading.code.c_source import read_c
 from radartrack.derive.reading.code.matlab_source import read_matlab
@@ -40,7 +40,7 @@ _COMMENTS = MappingProxyType(
         "python": re.compile(r"(?P<kept>\"\"\"[\s\S]*?\"\"\"|'''[\s\S]*?'''|\"[^\"\n]*\"|'[^'\n]*')|#[^\n]*"),
         "c": re.compile(r"(?P<kept>\"[^\"\n]*\")|//[^\n]*|/\*[\s\S]*?\*/"),
         "cpp": re.compile(r"(?P<kept>\"[^\"\n]*\")|//[^\n]*|/\*[\s\S]*?\*/"),
-        "matlab": re.compile(r"(?P<kept>\"[^\"\n]*\")|%[^\n]*"),
+        "matlab": re.compile(r"(?P<kept>\"[^\"\n]*\")|[%#][^\n]*"),  # Octave has both
     }
 )
 _BRACKETS = re.compile(r"[()\[\]{}]")
@@ -89,17 +89,26 @@ def read_code(
     (spoken, first), read = SPOKEN[language], _READERS[language]
     allowed = check_names(names or ())
     strangers = strangers or names is None
-    space = Workspace(spoken, first, allowed, shapes, strangers, wanted)
+    space = Workspace(spoken, first, allowed, shapes, wanted)
     try:
         plain = _plain(text, language, allowed)
         _check_nesting(plain)
         tree = read(plain, space, function).tree
+        if not strangers:  # lines on which the result does not rest may have what names they like
+            _check_known(tree, allowed)
         # Equal parts stay apart: each knows the line that it stands in.
         return ReadCode(check_tree(tree, shapes=shapes, strangers=strangers), tuple(space.remarks))
     except FormulaError as error:
         raise error.within(text) from None
     except RecursionError:
         raise FormulaError("the code is nested too deeply to be read") from None
+
+
+def _check_known(tree: Tree, names: frozenset[str]) -> None:
+    unknown = [node for node in parts(tree) if isinstance(node, Name) and node.name not in names]
+    if unknown:
+        first = min(unknown, key=lambda node: node.span or (0, 0))
+        raise FormulaError(unknown_name(first.name, names), span=first.span)
 
 
 def _plain(text: str, language: str, names: frozenset[str]) -> str:

@@ -27,7 +27,6 @@ from radartrack.derive.formula.tree import (
     Sum,
     Tree,
 )
-from radartrack.derive.formula.unknown_names import unknown_name
 from radartrack.derive.formula.written_out import array_of
 from radartrack.derive.language.tensor import Tensor, indices
 from radartrack.derive.reading.code.array_entries import changed, entries_of, entry_of
@@ -48,6 +47,7 @@ _BRANCHES = tuple(
     )
 )
 NOT_COMPARED = "this branch, for a divisor next to zero, is not compared"
+_BARE = re.compile(r"[A-Za-z_]\w*")  # if omega: it is not zero, where omega divides
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _PI = frozenset({"pi", "M_PI", "PI"})
 
@@ -90,7 +90,6 @@ class Workspace:
         first: the number of the first entry of an array.
         names: the symbols that are known.
         shapes: of those that stand for arrays.
-        strangers: whether other names are let through.
         wanted: how many numbers the code is to compute.
     """
 
@@ -98,7 +97,6 @@ class Workspace:
     first: int
     names: Collection[str]
     shapes: Mapping[str, Shape]
-    strangers: bool
     wanted: int = 1
     remarks: list[Remark] = field(default_factory=list)
     has_matrices: bool = False  # besides arrays
@@ -137,11 +135,7 @@ class Workspace:
         return Value(Constant(name, span=span))
 
     def name(self, name: str, span: Span, *, whole: bool = False) -> Value:
-        """What a name is worth; `whole` where it is declared as a whole number.
-
-        Raises:
-            FormulaError: for one that is not known, unless strangers are let through.
-        """
+        """What a name is worth; `whole` where it is declared as a whole number."""
         if name in self._values:
             self._used.add(name)
             return self._values[name]
@@ -155,8 +149,6 @@ class Workspace:
         """A name that means itself, whatever it is assigned later."""
         if name in SPELLINGS:
             raise FormulaError(f"{name} is a function: give its argument in brackets", span=span)
-        if name not in self.names and not self.strangers:
-            raise FormulaError(unknown_name(name, self.names), span=span)
         is_known = name in self.names
         self._free.add(name)
         return Value(Name(name, span=span), self.shapes.get(name, ()) if is_known else None, whole)
@@ -169,9 +161,12 @@ class Workspace:
         """
         found = ((is_first, form.fullmatch(condition[: LONGEST_CONDITION + 1])) for is_first, form in _BRANCHES)
         is_first, meant = next((one for one in found if one[1]), (False, None))
-        if meant is None or len(condition) > LONGEST_CONDITION:
+        bare = _BARE.fullmatch(condition.strip())
+        is_bare = bare is not None and re.search(rf"/\s*\(*\s*{bare.group()}\b", branches[0]) is not None
+        if (meant is None and not is_bare) or len(condition) > LONGEST_CONDITION:
             return None
-        words = set(_WORD.findall(meant["equal"] or ""))
+        is_first = is_first or is_bare
+        words = set(_WORD.findall(condition if meant is None else meant["equal"] or ""))
         if words and all(branches) and words.isdisjoint(_WORD.findall(branches[not is_first])):
             return None
         self.remarks.append(Remark(span, NOT_COMPARED))
@@ -384,6 +379,18 @@ class Workspace:
         known = [Value(one.tree, one.shape or (), size=one.size) for one in entries]  # what is not known is a number
         return self.made(Array(tuple(entry.tree for entry in entries), span=span), known)
 
+    def fitting(self, values: Sequence[Value]) -> Value | None:
+        """The one of several values that are computed together, a mean and its covariance, that may be meant.
+
+        None where they are the entries of one array.
+        """
+        sized = [self.sized(value) for value in values]
+        if len({value.shape for value in sized}) < 2 or not any(value.shape for value in sized):
+            return None
+        ranks = [len(value.shape or ()) for value in sized]
+        meant = [one for one in sized if one.shape == (self.wanted,)]
+        return meant[0] if meant else sized[ranks.index(max(ranks))]
+
     def call(self, function: str, arguments: Sequence[Value], span: Span) -> Value:
         """A function or a verb of formulas."""
         return self.made(Call(function, tuple(one.tree for one in arguments), span=span), arguments)
@@ -506,7 +513,7 @@ class Workspace:
             return self._matrix(self._last, (0, 0))
         numbers = {name: value for name, value in self._values.items() if not value.shape}
         meant = [list(numbers.values())[place] for place in results(list(numbers), self._used, self.wanted)]
-        if self.wanted > 1 and len(meant) == self.wanted and not self._last.shape:
+        if self.wanted != 1 and len(meant) == (self.wanted or max(len(meant), 2)) and not self._last.shape:
             spans = [value.tree.span or (0, 0) for value in meant]
             return self.array(meant, (spans[0][0], spans[-1][1]))
         return self._last

@@ -3,8 +3,8 @@ r"""Reads a formula in LaTeX, as papers print it: `\frac{1}{2}\sigma_\beta^2 r\c
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import cache, partial
 from itertools import pairwise
 
 from lark import Lark, Token, UnexpectedToken
@@ -34,7 +34,10 @@ from radartrack.derive.reading.tex.latex_equations import Equation, equations, w
 from radartrack.derive.reading.tex.latex_hints import refusal
 from radartrack.derive.reading.tex.latex_kronecker import with_kronecker
 from radartrack.derive.reading.tex.latex_letters import Letter, Names, full_name
+from radartrack.derive.reading.tex.latex_phases import power_of_which
+from radartrack.derive.reading.tex.latex_pieces import is_typed
 from radartrack.derive.reading.tex.latex_symmetric import with_mirrored
+from radartrack.derive.reading.tex.latex_times import raised_times
 from radartrack.derive.reading.tex.latex_tokens import WORDS, LatexTokens
 
 _ARRAY = re.compile(r"matrix\}|\{array\}|diag|\]\s*\^")
@@ -79,8 +82,10 @@ def read_latex(
         text = with_kronecker(with_mirrored(expanded(text, macros)))
         found = _with_plain_functions([part for one in equations(text) for part in _parted(one)])
         arrays = {**shapes, **{letter.base: () for one in found if (letter := _array_defined(one))}}
-        rights = [LatexTokens(one.right, allowed, arrays, strangers=strangers) for one in found]
-        lefts = [_letter(one.left, allowed) if len(found) > 1 else None for one in found]
+        raised = raised_times(one.left for one in found)
+        read = partial(LatexTokens, known=allowed, raised=raised, typed=is_typed(text))
+        rights = [read(one.right, shapes=arrays, strangers=strangers) for one in found]
+        lefts = [_letter(one.left, allowed, read) if len(found) > 1 else None for one in found]
         letters = [letter for tokens in rights for letter in tokens.letters]
         spelling = Names([*letters, *filter(None, lefts)], allowed, strangers=strangers)
         defined = [spelling.of(letter) if letter else "" for letter in lefts]
@@ -132,12 +137,12 @@ def latex_name(text: str) -> str | None:
     return full_name(letter) if letter else None
 
 
-def _letter(left: str, names: frozenset[str]) -> Letter | None:
+def _letter(left: str, names: frozenset[str], read: Callable[..., LatexTokens] = LatexTokens) -> Letter | None:
     """The letter that stands left of an equals sign, if nothing else does."""
     if not left.strip():
         return None
     try:
-        return LatexTokens(left, names, strangers=True).only_letter
+        return read(left, known=names, strangers=True).only_letter
     except FormulaError:
         return None  # a left side may say anything
 
@@ -170,11 +175,7 @@ class _LatexBuilder(TreeBuilder):
         argument = applied.arguments[-1]
         last = argument.factors[-1] if isinstance(argument, Product) else argument
         if isinstance(last, Power):
-            raise FormulaError(
-                f"this may be the power of \\{parts[0]} or of its argument: write \\{parts[0]}^{{n}} x for the first, "
-                f"\\{parts[0]}(x^{{n}}) for the second",
-                span=place(parts),
-            )
+            raise FormulaError(power_of_which(str(parts[0])), span=place(parts))
 
     def call_of_absolute(self, parts: Sequence[Part]) -> Tree:
         r"""A function of something between bars, \log|r|."""

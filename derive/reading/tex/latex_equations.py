@@ -40,6 +40,17 @@ RELATION = (
     r"\\stackrel\s*\{[^{}]*\}\s*\{\s*=\s*\} | \\(?:triangleq|coloneqq|coloneq|doteq|approx|equiv|simeq|cong|eqdef)"
     r"(?![A-Za-z]) | \\overset\s*\{[^{}]*\}\s*\{\s*=\s*\} | :\s*= | ="
 )
+_DOLLAR = re.compile(r"(?<![\\$])\$(?!\$)")
+_DELIMITED = re.compile(r"\\begin|\\\[|\$\$|\\\(")
+_RELATION = re.compile(RELATION, re.VERBOSE)
+_DEFINING = re.compile(
+    r"\n(?=\s*(?:\\[A-Za-z]+\s*\{?\s*\\?[A-Za-z]*\}?|[A-Za-z])'*(?:[_^](?:\{[^{}]*\}|[A-Za-z0-9]))*'*\s*&?\s*"
+    rf"(?:{RELATION}))",
+    re.VERBOSE,
+)
+_ENVIRONMENT = re.compile(r"\\begin\s*\{(?P<name>\w+)\}.*?\\end\s*\{(?P=name)\}", re.DOTALL)
+_GOES_ON = re.compile(r"(?:[-+*/=,;(\[&{^_]|\\(?:cdot|times|\\|q?quad))\s*$")
+_NESTING = ((r"(?<!\\)\{", r"(?<!\\)\}"), (r"\\begin", r"\\end"), (r"[(\[]", r"[)\]]"))
 _PART = re.compile(
     rf"""
     (?P<relation> {RELATION} )
@@ -119,14 +130,37 @@ def _without_setting(source: str) -> str:
             return "," + blank[1:]
         return "\\\\" + blank[2:] if found["end"] else blank
 
+    source = _without_words_between(source)
     source = _BRACED_DISPLAY.sub(
         lambda found: f"{' ' * len(found['open'])}{found['inside']}{' ' * len(found['close'])}", source
     )
-    bare = _SET.sub(replaced, source)
+    bare = _with_lines_parted(_SET.sub(replaced, source))
     bare = _without_braces(bare)
     sides = [found["side"] for found in _NULL.finditer(bare)]
     if sides.count("left") == sides.count("right"):  # brackets that go over two lines
         bare = _NULL.sub(lambda found: " " * len(found.group()), bare)
+    return bare
+
+
+def _without_words_between(source: str) -> str:
+    """Formulas of a sentence, each between two dollars, parted by a semicolon and without the words around them."""
+    places = [found.start() for found in _DOLLAR.finditer(source)]
+    if len(places) < 2 * 2 or len(places) % 2 or _DELIMITED.search(source):
+        return source
+    gaps = [(0, places[0]), *zip(places[1:-1:2], places[2::2], strict=True), (places[-1] + 1, len(source))]
+    bare = _overwritten(source, [(start, end + 1) for start, end in gaps])
+    for start, _ in gaps[1:-1]:
+        bare = f"{bare[:start]};{bare[start + 1 :]}"
+    return bare
+
+
+def _with_lines_parted(bare: str) -> str:
+    """Equations on a line each parted by a semicolon: a line that begins with what it defines goes on with none."""
+    for found in _DEFINING.finditer(bare):
+        before = _ENVIRONMENT.sub("0", bare[: found.start()])
+        is_inside = any(len(re.findall(one, before)) > len(re.findall(other, before)) for one, other in _NESTING)
+        if not is_inside and _RELATION.search(before.rsplit("\\\\", 1)[-1]) and not _GOES_ON.search(before):
+            bare = f"{bare[: found.start()]};{bare[found.start() + 1 :]}"
     return bare
 
 

@@ -7,13 +7,19 @@ from collections.abc import Sequence
 
 from lark import Token
 
+from radartrack.derive.formula.error import FormulaError
+
 TURNING = frozenset({"cos", "cot", "sin", "tan"})
 _RATE = re.compile(r"[oO]mega(?:_\w+)?")
 _TIME = re.compile(r"(?:Delta_)?[Tt](?:_\w+)?|(?:Delta_)?tau|dt|h")
 
 
 def with_phases(tokens: Sequence[Token]) -> list[Token]:
-    """The tokens with brackets around a phase that stands behind a function without any."""
+    r"""The tokens with brackets around a phase that stands behind a function without any.
+
+    Raises:
+        FormulaError: for \sin\omega(t - t_0)^2, which may be the power of the sine or of its argument.
+    """
     found: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -22,7 +28,7 @@ def with_phases(tokens: Sequence[Token]) -> list[Token]:
         if found[-1].type != "FUNCTION" or found[-1].value not in TURNING:
             continue
         first = behind_power(tokens, index)
-        end = _phase_end(tokens, first)
+        end = _phase_end(tokens, first, found[-1])
         if end:
             opened, closed = tokens[first], tokens[end - 1]
             found += tokens[index:first]
@@ -31,6 +37,14 @@ def with_phases(tokens: Sequence[Token]) -> list[Token]:
             found.append(Token.new_borrow_pos("RPAR", ")", closed))
             index = end
     return found
+
+
+def power_of_which(function: str) -> str:
+    r"""What to say of \sin\theta^2."""
+    return (
+        f"this may be the power of \\{function} or of its argument: write \\{function}^{{n}} x for the first, "
+        f"\\{function}(x^{{n}}) for the second"
+    )
 
 
 def behind_power(tokens: Sequence[Token], at: int) -> int:
@@ -43,12 +57,15 @@ def behind_power(tokens: Sequence[Token], at: int) -> int:
     return at
 
 
-def _phase_end(tokens: Sequence[Token], first: int) -> int:
+def _phase_end(tokens: Sequence[Token], first: int, function: Token) -> int:
     """Where a rate times a time ends, perhaps with a number before them; 0 where none begins there."""
     rate = first + 1 if first < len(tokens) and tokens[first].type == "NUMBER" else first
     end = _time_end(tokens, rate + 1)
     if not end or tokens[rate].type != "NAME" or not _RATE.fullmatch(tokens[rate].value):
         return 0
+    if end < len(tokens) and (tokens[end - 1].type, tokens[end].type) == ("RPAR", "RAISED"):
+        span = function.start_pos or 0, tokens[end].end_pos or 0
+        raise FormulaError(power_of_which(str(function)), span=span)
     behind = [*(token.type for token in tokens[end : end + 2]), "", ""][:2]
     divides = behind == ["SLASH", "NAME"] and tokens[end + 1].value == tokens[rate].value  # sin ωT/ω
     is_open = tokens[end - 1].type != "RPAR" and not divides

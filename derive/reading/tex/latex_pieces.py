@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from radartrack.derive.formula.error import FormulaError, Span
@@ -58,6 +58,7 @@ _SAME = MappingProxyType(
     {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\lbrack": "[", "\\rbrack": "]", "\\lparen": "(", "\\rparen": ")"}
 )
 _BEGIN = "\\begin"
+_STAR = re.compile(r"[\w)\]}]\s*\*(?!\s*[{}])")  # between factors, not that of align* or of x^*
 _DOUBLE = frozenset({"\\|", "\\Vert"})
 _BRACKETS = frozenset(CLOSERS) | frozenset(CLOSERS.values())
 
@@ -137,12 +138,18 @@ _UNREAD = MappingProxyType(
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A piece of LaTeX: what it is, what it says, where it stands, whether it is set bold."""
+    """A piece of LaTeX: what it is, what it says, where it stands, whether it is set bold, or is a word of letters."""
 
     kind: str
     text: str
     span: Span
     is_bold: bool = False
+    is_typed: bool = False
+
+
+def is_typed(source: str) -> bool:
+    """Whether factors are parted by `*`, as whoever types code writes them."""
+    return _STAR.search(source) is not None
 
 
 def pieces(source: str) -> list[Piece]:
@@ -179,6 +186,34 @@ def _piece(found: re.Match[str]) -> Piece:
     return Piece(kind, text, found.span())
 
 
+def with_typed_words(found: Sequence[Piece], names: Collection[str]) -> list[Piece]:
+    r"""The pieces with px and atan as words, as they stand in code.
+
+    Letters that are known one by one stay a product.
+    """
+    result: list[Piece] = []
+    for piece in found:
+        before = result[-1] if result else None
+        goes_on = before is not None and before.kind in {"letter", "typed"} and before.span[1] == piece.span[0]
+        if before and goes_on and (piece.kind == "letter" or (piece.kind == "digit" and piece.text != ".")):
+            result[-1] = Piece("typed", before.text + piece.text, (before.span[0], piece.span[1]))
+        else:
+            result.append(piece)
+    whole = (one.kind == "typed" and (one.text in names or not set(one.text) <= set(names)) for one in result)
+    return [
+        part
+        for one, is_word in zip(result, whole, strict=True)
+        for part in ([replace(one, kind="word", is_typed=True)] if is_word else _one_by_one(one))
+    ]
+
+
+def _one_by_one(piece: Piece) -> list[Piece]:
+    if piece.kind != "typed":
+        return [piece]
+    places = enumerate(piece.text, piece.span[0])
+    return [Piece("digit" if sign.isdigit() else "letter", sign, (at, at + 1)) for at, sign in places]
+
+
 def sided(found: Iterable[Piece]) -> Iterator[Piece]:
     """Tell plain bars apart: one closes when the innermost open bracket is a plain bar, else it opens.
 
@@ -199,4 +234,4 @@ def sided(found: Iterable[Piece]) -> Iterator[Piece]:
         elif kind == "close" and waiting:
             waiting.pop()
         before = kind
-        yield Piece(kind, text, piece.span)
+        yield replace(piece, kind=kind, text=text)

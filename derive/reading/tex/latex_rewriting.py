@@ -32,6 +32,7 @@ def rewritten(found: list[Piece]) -> list[Piece]:
         _with_degrees,
         _with_bars,
         _with_rows,
+        _without_last_columns,
         _without_fonts,
         _without_braces,
         _with_decorations,
@@ -121,6 +122,22 @@ def _with_rows(found: list[Piece]) -> list[Piece]:
         for mark in marks:
             result[mark] = replace(found[mark], kind="newline" if found[mark].kind == "semicolon" else "column")
     return result
+
+
+def _without_last_columns(found: list[Piece]) -> list[Piece]:
+    r"""a & b & \\\\ without the last column of a matrix, where all its rows end so."""
+    last: dict[int, list[int]] = {}  # by where a matrix opens, the signs before what ends its rows
+    opened: list[int] = []
+    for index, piece in enumerate(found):
+        if opened and (piece.kind == "newline" or (piece.kind == "close" and found[index - 1].kind != "newline")):
+            last.setdefault(opened[-1], []).append(index - 1)
+        if piece.kind == "open":
+            opened.append(index)
+        elif piece.kind == "close" and opened:
+            opened.pop()
+    empty = (ends for ends in last.values() if all(found[end].kind == "column" for end in ends))
+    dropped = {end for ends in empty for end in ends}
+    return [piece for index, piece in enumerate(found) if index not in dropped] if dropped else found
 
 
 def _parting(found: Sequence[Piece]) -> dict[int, list[int]]:

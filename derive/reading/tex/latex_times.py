@@ -1,18 +1,21 @@
 r"""Times in brackets: x(k) is x, and where a formula speaks of several times, x(k) and x(k-1) are x_{k} and x_{k-1}.
 
+Times that are raised are lowered, x^{k+1} = x^k + v^k: nobody defines a power.
+
 A bracket behind a letter is a factor otherwise: k(k+1) where k is a symbol, or stands elsewhere too.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from radartrack.derive.reading.tex.latex_pieces import Piece
 
 _INDEX = r"[kntij](?:[+-]\d+)?"
 _TIME = re.compile(rf"{_INDEX}(?:[|/]{_INDEX})?|\d")
+_RAISED = re.compile(rf"[^=]*\^\s*(?:\{{\s*\(?\s*{_INDEX.replace('[+-]', '(?: *[+-] *)')}\s*\)?\s*\}}|[knij])\s*")
 _LETTERS = frozenset("kntij")
 _COUNTS = _LETTERS - {"t"}  # which a bracket behind multiplies: k(k+1)
 _PERIODS, _DIFFERENCES = frozenset({"T", "\\tau"}), frozenset({"\\Delta", "\\delta"})
@@ -30,13 +33,25 @@ class _Time:
     said: str
 
 
-def with_times(found: list[Piece], names: Collection[str]) -> list[Piece]:
-    """The pieces of a formula without times in brackets.
+def raised_times(defined: Iterable[str]) -> frozenset[str]:
+    """The letters that are raised as times where something is defined: k in x^{k+1} = x^k + v^k.
+
+    Args:
+        defined: what stands left of the equals signs.
+    """
+    ends = (left.rsplit("^", 1)[-1] for left in defined if _RAISED.fullmatch(left))
+    return frozenset(letter for end in ends for letter in end if letter in _LETTERS)
+
+
+def with_times(found: list[Piece], names: Collection[str], raised: Collection[str] = ()) -> list[Piece]:
+    """The pieces of a formula without times in brackets, and with times below that are raised.
 
     Args:
         found: the pieces; bars are not told apart yet.
         names: the symbols that are known.
+        raised: letters that are times where they are raised.
     """
+    found = _lowered(found, raised) if raised else found
     times = [time for index in range(1, len(found)) if (time := _time(found, index))]
     if not times:
         return found
@@ -51,6 +66,27 @@ def with_times(found: list[Piece], names: Collection[str]) -> list[Piece]:
         if not is_one:
             _lower(result, time.letter, found[time.first + 1 : time.last])
     return result
+
+
+def _lowered(found: Sequence[Piece], raised: Collection[str]) -> list[Piece]:
+    """The pieces with raised times below the letters, with what stands there."""
+    result = list(found)
+    for at in reversed(range(1, len(found))):
+        letter = _letter_before(found, at) if found[at].kind == "raised" else -1
+        end = _end_of_argument(found, at)
+        time = [piece for piece in found[at + 1 : end] if piece.text not in {"{", "}", "(", ")"}]
+        said = "".join(piece.text for piece in time)
+        if letter >= 0 and time and time[0].text in raised and _TIME.fullmatch(said) and found[letter].text != "e":
+            del result[at:end]
+            _lower(result, letter, time)
+    return result
+
+
+def _end_of_argument(found: Sequence[Piece], at: int) -> int:
+    """Where what is raised or lowered at this place ends."""
+    if at + 1 >= len(found) or found[at + 1].text != "{":
+        return at + 2
+    return next((end + 1 for end in range(at + 2, len(found)) if _start(found, end) == at + 1), len(found))
 
 
 def _time(found: Sequence[Piece], index: int) -> _Time | None:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import cached_property
+from itertools import takewhile
 
 from lark import Token
 
@@ -31,7 +32,7 @@ from radartrack.derive.reading.tex.latex_letters import (
     spelled,
 )
 from radartrack.derive.reading.tex.latex_phases import with_phases
-from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces, sided
+from radartrack.derive.reading.tex.latex_pieces import FUNCTIONS, VERB_WORDS, Piece, pieces, sided, with_typed_words
 from radartrack.derive.reading.tex.latex_rewriting import partners, rewritten
 from radartrack.derive.reading.tex.latex_times import with_times
 
@@ -62,6 +63,10 @@ _OPERANDS = frozenset({"CONSTANT", "EULER", "FRACTION", "FUNCTION", "LBAR", "NAM
 _INVISIBLE = frozenset({"{", "}"})
 _IN_SUBSCRIPTS = frozenset({"letter", "digit", "greek", "accent", "word"})
 _OF_INDICES = frozenset({"given", "plus", "minus", "slash"})  # k|k-1, k/k
+_PARTING_WORDS = frozenset({"comma", "lowered"})  # in a subscript
+_FACTORS_END = frozenset({"NAME", "RPAR"})
+_TAKE_GROUPS = frozenset({"FRACTION", "RAISED", "ROOT"})
+_FACTORS_BEGIN = frozenset({"letter", "greek", "word", "accent", "fraction", "function"})
 _COORDINATES = frozenset("xyz")
 MOST_ACCENTS = 4  # over one letter
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
@@ -76,15 +81,25 @@ class LatexTokens:
         known: the symbols that are known.
         shapes: of those that stand for arrays.
         strangers: whether other names are let through.
+        raised: letters that are times where they are raised.
+        typed: whether letters side by side are a word, as in code.
 
     Raises:
         FormulaError: for what is not read, and for brackets without partners.
     """
 
     def __init__(
-        self, source: str, known: frozenset[str], shapes: Mapping[str, Shape] = NO_SHAPES, *, strangers: bool = False
+        self,
+        source: str,
+        known: frozenset[str],
+        shapes: Mapping[str, Shape] = NO_SHAPES,
+        *,
+        strangers: bool = False,
+        raised: Collection[str] = (),
+        typed: bool = False,
     ) -> None:
-        found = list(sided(with_times(pieces(source), known)))
+        found = with_typed_words(pieces(source), known) if typed else pieces(source)
+        found = list(sided(with_times(found, known, raised)))
         self._tokenizer = _Tokenizer(rewritten(found), known, shapes, strangers=strangers)
         self._tokens = self._tokenizer.run()
         self._strangers = strangers
@@ -216,8 +231,33 @@ class _Tokenizer:
         span = (self.pieces[index].span[0], self.pieces[after - 1].span[1])
         if not _NUMBER.fullmatch(text):
             raise FormulaError(f"{text[:40]} is no number: leave out punctuation after the formula", span=span)
+        if self._is_coefficient(index, after):
+            self._emit("TIMES", "\\cdot", (span[0], span[0]))
         self._emit("NUMBER", text, span)
         return after
+
+    def _is_coefficient(self, index: int, after: int) -> bool:
+        r"""Whether a number stands apart behind a factor and before another one: \sigma^2 2\alpha."""
+        stands_apart = not self._touches(index) or self.pieces[index - 1].text == "}"
+        is_behind = self._has_factor and index not in self.alone
+        return is_behind and stands_apart and self._kind(after) in _FACTORS_BEGIN and not self._has_open_function
+
+    @property
+    def _has_factor(self) -> bool:
+        """Whether what was emitted last ends a factor; of groups in braces, the sign that takes them tells."""
+        depth, takes = 0, _FACTORS_END
+        for token in reversed(self.tokens):
+            depth += (token.type == "RBRACE") - (token.type == "LBRACE")
+            takes = _TAKE_GROUPS if token.type == "RBRACE" else takes
+            if not depth and token.type not in {"LBRACE", "RBRACE"}:
+                return token.type in takes
+        return False
+
+    @property
+    def _has_open_function(self) -> bool:
+        """Whether a function without brackets stands in the same term, whose argument may go on."""
+        before = takewhile(lambda token: token.type not in {"PLUS", "MINUS", "AMPERSAND"}, reversed(self.tokens))
+        return any(token.type in {"FUNCTION", "SLASH"} for token in before)
 
     def _letter(self, index: int) -> int:
         """A letter is a symbol, unless the letters around it spell something that print would set upright."""
@@ -294,7 +334,7 @@ class _Tokenizer:
             _as_name(below),
             tuple(decorations),
             (piece.span[0], max(self.pieces[after - 1].span[1], piece.span[1])),
-            is_upright=piece.kind == "word",
+            is_upright=piece.kind == "word" and not piece.is_typed,
             is_applied=self._kind(after) == "open",
             is_bold=piece.is_bold,
         )
@@ -361,7 +401,7 @@ class _Tokenizer:
         return base, [*decorations, *over], below, after
 
     def _subscript(self, index: int, decorations: list[str]) -> tuple[str, int]:
-        """What a subscript says, and where it ends: letters side by side are a word, commas part words.
+        """What a subscript says, and where it ends: letters side by side are a word, commas part words, as in a_x.
 
         What stands over its letters decorates the letter that it is below.
         """
@@ -376,9 +416,9 @@ class _Tokenizer:
                 decorations += over
                 continue
             is_bracket = piece.text in {"(", ")"}
-            if piece.kind not in _OF_INDICES | {"comma"} and piece.text not in _INVISIBLE and not is_bracket:
+            if piece.kind not in _OF_INDICES | _PARTING_WORDS and piece.text not in _INVISIBLE and not is_bracket:
                 raise FormulaError("a subscript is made of letters, digits and commas", span=piece.span)
-            said += piece.text if piece.kind in _OF_INDICES else "_" if piece.kind == "comma" else ""
+            said += piece.text if piece.kind in _OF_INDICES else "_" if piece.kind in _PARTING_WORDS else ""
             index += 1
         return said, end
 

@@ -337,3 +337,33 @@ def test_a_sine_of_a_rate_and_a_time_is_divided_by_the_rate() -> None:
 def test_what_else_stands_behind_a_sine_is_ambiguous(formula: str) -> None:
     with pytest.raises(FormulaError, match="ambiguous"):
         read_latex(formula, None)
+
+
+@pytest.mark.parametrize(
+    ("formula", "text"),
+    [
+        (r"\sigma^2 2\alpha", "sigma**2*2*alpha"),
+        (r"\sigma_m^{2}2\alpha T", "sigma_m**2*2*alpha*T"),
+        (r"\sqrt{x} 2 \cos y", "sqrt(x)*2*cos(y)"),
+        (r"(x + y) 2 \frac{x}{y}", "(x + y)*2*(x/y)"),
+        (r"\frac 12 x", "1/2*x"),
+        (r"\sum_{j=1}^{k} 2 j", "sum(2*j, j, 1, k)"),
+        (r"\int_0^T 2 s\, ds", "integral(2*s, s, 0, T)"),
+    ],
+)
+def test_a_number_apart_between_factors_is_one(formula: str, text: str) -> None:
+    assert to_text(read_latex(formula, None)) == text
+
+
+@pytest.mark.parametrize("formula", ["x2y", r"x^2 2", r"\cos x 2 y", r"x/y 2 z"])
+def test_a_number_that_touches_a_letter_or_ends_a_term_is_refused(formula: str) -> None:
+    with pytest.raises(FormulaError):
+        read_latex(formula, None)
+
+
+@pytest.mark.parametrize(
+    "formula", [r"\sin\omega(t - t_0)^2", r"\cos 2\omega(t_2 - t_1)^{2}", r"\sin^2\omega(t - t_0)^2"]
+)
+def test_a_power_behind_a_time_in_brackets_may_be_that_of_the_sine(formula: str) -> None:
+    with pytest.raises(FormulaError, match="may be the power of"):
+        read_latex(formula, None)

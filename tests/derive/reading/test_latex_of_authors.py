@@ -456,3 +456,73 @@ def test_arrays_of_two_times_are_told_apart():
     shapes = {"J": (2, 2), "J_k": (2, 2)}
     assert to_text(read_latex("J_k J^T", shapes, shapes)) == "J_k*J.T"
     assert to_text(read_latex("J_n J_k", {"J"}, {"J": (2, 2)}, strangers=True)) == "J_n*J_k"
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"vx * cos(theta) + atan \frac{py}{px}", "vx*cos(theta) + atan(py/px)"),
+        (r"\frac{py(py*vx - px*vy)}{rho^3}", "py*(py*vx - px*vy)/rho**3"),
+        (r"q*dt^3/3", "q*dt**3/3"),
+        (r"x1*y2", "x1*y2"),
+        (r"qr * x^*", "q*r*x"),
+    ],
+)
+def test_letters_side_by_side_are_words_where_factors_are_starred(latex: str, text: str):
+    names = ("px", "py", "vx", "vy", "rho", "theta", "q", "r", "x", "dt", "x1", "y2")
+    assert echo(latex, *names) == text
+
+
+@pytest.mark.parametrize("before", [r"\begin{align*} x &=", "x^* ="])
+def test_other_stars_make_no_words(before: str):
+    assert echo(before + r" qr \cos\theta" + (r"\end{align*}" if "align" in before else "")) == "q*r*cos(theta)"
+
+
+@pytest.mark.parametrize("time", ["k", "{k}", "{(k)}"])
+@pytest.mark.parametrize("later", ["{k+1}", "{k + 1}", "{(k+1)}"])
+def test_times_that_are_raised_are_no_powers(time: str, later: str):
+    step = rf"p_x^{later} = p_x^{time} + T v_x^{time}"
+    assert to_text(read_latex(step, None)) == "p_x_k + T*v_x_k"
+    system = rf"\begin{{align}} {step} \\ v_x^{later} &= v_x^{time} \end{{align}}"
+    assert to_text(read_latex(system, None)) == "[p_x_k + T*v_x_k, v_x_k]"
+
+
+def test_powers_are_no_times_where_nothing_is_defined_at_one():
+    assert echo(r"y = x^k + r") == "x**k + r"
+    assert to_text(read_latex(r"x^{k+1} = e^{k} x^{k}", None)) == "e**k*x_k"
+
+
+@pytest.mark.parametrize(
+    ("latex", "name"), [(r"\sigma_{a_x}^2", "sigma_a_x"), (r"\sigma^2_{\theta_{m}}", "sigma_theta_m")]
+)
+def test_a_subscript_may_have_one(latex: str, name: str):
+    assert to_text(read_latex(latex, None)) == f"{name}**2"
+
+
+def test_a_column_that_is_empty_in_every_row_is_none():
+    assert echo(r"\begin{bmatrix} x & y & \\ 0 & r & \\ \end{bmatrix}") == "[[x, y], [0, r]]"
+    assert refusal(r"\begin{bmatrix} x & y & \\ 0 & r \end{bmatrix}")
+
+
+@pytest.mark.parametrize(
+    "system",
+    [
+        "x = r\\cos\\theta\ny = r\\sin\\theta",
+        "x = r\\cos\\theta\n\n  y &= r\\sin\\theta",
+        r"$x = r\cos\theta$ and $y = r\sin\theta$",
+        r"where $x = r\cos\theta$, with the height $y = r\sin\theta$ above it.",
+        "$x = r\\cos\\theta$\n\n$y = r\\sin\\theta$",
+    ],
+)
+def test_equations_on_lines_and_in_sentences_are_all_read(system: str):
+    assert to_text(read_latex(system, KNOWN, wanted=2)) == "[r*cos(theta), r*sin(theta)]"
+
+
+def test_a_line_behind_a_matrix_may_use_it():
+    lines = "F = \\begin{bmatrix} 1 & T \\\\ 0 & 1 \\end{bmatrix}\nQ = q F F^T"
+    assert to_text(read_latex(lines, KNOWN)) == "q*[[1, T], [0, 1]]*[[1, T], [0, 1]].T"
+
+
+@pytest.mark.parametrize("formula", ["x = r\n\\cos\\theta", "y = x +\n r = r\\cos\\theta", "x = y\n = r\\cos\\theta"])
+def test_a_line_that_goes_on_is_one_with_the_line_before(formula: str):
+    assert echo(formula) == READ

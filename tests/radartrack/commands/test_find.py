@@ -17,6 +17,18 @@ from radartrack.cli import app
         (["|c|"], 1, "No quantity"),
         (["[1, t2 - t1; 0, 1]"], 0, "motion.constant_velocity.transition with T for t2 - t1: proved"),
         (["--latex", r"e^{-\alpha(t_k-t_{k-1})}"], 0, "motion.singer.transition[2,2] with T for t_k - t_km1: proved"),
+        (["--code", "matlab", "x = rho*cos(theta);\ny = rho*sin(theta);"], 0, "polar.map: proved"),
+        (["--code", "c", "p = (4 + L - sqrt(8*L + L*L))/4; a = 1 - p*p; b = 4 - 2*a - 4*p;"], 0, "alpha_beta.gain: "),
+        (
+            ["[[a*T^3/3, a*T^2/2, 0, 0], [a*T^2/2, a*T, 0, 0], [0, 0, b*T^3/3, b*T^2/2], [0, 0, b*T^2/2, b*T]]"],
+            0,
+            "motion.constant_velocity.process_noise.continuous for each of 2 axes, others with b for a: proved",
+        ),
+        (
+            ["[1, 0, T, 0, 0; 0, 1, 0, T, 0; 0, 0, 1, 0, 0; 0, 0, 0, 1, 0; 0, 0, 0, 0, 1]"],
+            0,
+            "without what never changes, 4",
+        ),
         (["r*cos("], 2, "( is never closed"),
     ],
 )

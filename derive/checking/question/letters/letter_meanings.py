@@ -89,7 +89,7 @@ class Meanings:
 
 _STRONG = {
     "range": "r R rho rng range dist distance rg slant_range slantrange rtrue varrho",
-    "azimuth": "beta az azi azimuth theta th phi ph bearing brg bearing_angle vartheta varphi",
+    "azimuth": "beta az azi azimuth theta th phi ph bearing brg brng bearing_angle vartheta varphi",
     "elevation": "epsilon eps el elev elevation varepsilon theta th phi ph vartheta varphi",
     "range_rate": "rdot rhodot range_rate rangerate rrate rr doppler rng_rate v_r vr dotr rho_dot r_dot Rdot",
     "u": "u",
@@ -100,7 +100,8 @@ _STRONG = {
     "vx": "vx v_x xdot x_dot dotx vel_x velx Vx",
     "vy": "vy v_y ydot y_dot doty vel_y vely Vy",
     "vz": "vz v_z zdot z_dot dotz vel_z velz Vz",
-    "period": "T dt Dt DT Ts T_s tau delta_t deltat Delta_t Deltat period scan_period dT Delta_T DeltaT",
+    "period": "T dt Dt DT Ts T_s tau delta_t deltat Delta_t Deltat period scan_period dT Delta_T DeltaT "
+    "Te T_e time_step timestep time_interval sample_time sampling_time deltaTime delta_time",
     "intensity": "q q_c qc psd q_tilde qtilde spectral_density spectral_intensity noise_density noise_intensity "
     "noise_diff_coeff noise_diff",
     "count": "k",
@@ -143,7 +144,7 @@ _WEAK = {
 # What a name says of how it was got, or in which unit: target_range, az_rad and rngTrue are ranges and azimuths.
 _LITTLE = (
     "angle value val meas measured measurement true truth target tgt radar sensor obs observed est estimated raw rad "
-    "radians deg degrees meters metres polar"
+    "radians deg degrees meters metres polar update sampling sample"
 )
 _SAYS_LITTLE = frozenset(_LITTLE.split())
 _INDICES = frozenset("ijklmnt")  # of a scan, a plot or what is measured

@@ -32,7 +32,8 @@ from radartrack.derive.checking.question.letters.assignments import (
 from radartrack.derive.checking.question.letters.dependent_letters import Dependent, dependents
 from radartrack.derive.checking.question.letters.elapsed_time import ORIGIN, Elapsed, elapsed
 from radartrack.derive.checking.question.letters.letter_meanings import alike, is_word, meaning_of, means, says_degrees
-from radartrack.derive.checking.question.printed_shape import reshaped, trimmed, wrong_shape
+from radartrack.derive.checking.question.padding import trimmed
+from radartrack.derive.checking.question.printed_shape import reshaped, wrong_shape
 from radartrack.derive.evaluation.floating_point import RoughEvaluator
 from radartrack.derive.evaluation.points import Point, generic_points
 from radartrack.derive.evaluation.tree_values import Program, close

@@ -225,3 +225,44 @@ def test_covariances_with_what_points_down_change_their_sign(name: str) -> None:
     verdict = check(name, shown(turned))
     assert verdict.convention == "with z downwards"
     assert check("spherical.map[2]", "-r*sin(el)").suggestions[0].formula == "r*sin(el)"
+
+
+COMPASS = "pi/2 - heading for heading and -omega for omega: headings counted from the y axis, clockwise"
+NORTH = "[x + v/w*(cos(h) - cos(h + w*T)), y + v/w*(sin(h + w*T) - sin(h)), v, h + w*T, w]"
+
+
+def test_a_heading_of_the_state_may_be_one_of_a_compass() -> None:
+    verdict = check("motion.ctrv.map", NORTH)
+    assert (verdict.verdict, verdict.suggestions) == (Outcome.DIFFERS, ())
+    assert f"but equal with {COMPASS}" in verdict.reason
+    wrong = check("motion.ctrv.map", NORTH.replace("- sin(h)", "+ sin(h)"))
+    assert (wrong.convention, wrong.suggestions[0].entry) == (f"with {COMPASS}", (1,))
+
+
+def test_derivatives_by_the_heading_of_a_compass_are_told_too() -> None:
+    verdict = check("motion.ctrv.jacobian", f"jacobian({NORTH}, [x, y, v, h, w])")
+    assert f"but equal with {COMPASS}" in verdict.reason
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "words"),
+    [
+        (
+            "fusion.variance.two",
+            "s_1*s_2/sqrt(s_1^2 + s_2^2)",
+            "with its root: the deviation of what is a variance here",
+        ),
+        ("fusion.variance.two", "1/s_1^2 + 1/s_2^2", "with its inverse: the information of what is a variance here"),
+        ("finite_sample.degree1.range.covariance[1, 1]", "sigma_r/T*sqrt(12/(k*(k^2 - 1)))", "with its root"),
+        ("line.position_std", "(sigma_x^2 + sigma_y^2)/2", "with its square: the variance of what is a deviation"),
+    ],
+)
+def test_a_deviation_for_a_variance_is_told_as_that(name: str, formula: str, words: str) -> None:
+    verdict = check(name, formula)
+    assert verdict.verdict is Outcome.WRONG_DIMENSIONS
+    assert f"but equal {words}" in verdict.reason
+
+
+def test_a_slip_in_a_deviation_for_a_variance_is_told_in_it() -> None:
+    verdict = check("fusion.variance.two", "s_1*s_2/sqrt(s_1^2 - s_2^2)")
+    assert verdict.suggestions[0].formula == "s_1*s_2/sqrt(s_1**2 + s_2**2)"

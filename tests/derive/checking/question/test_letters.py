@@ -218,6 +218,9 @@ def test_a_word_that_means_nothing_here_is_asked_for_and_never_taken_for_what_fi
     [
         ("polar.map", "[targetRange*cos(azimuthAngle), targetRange*sin(azimuthAngle)]", "azimuthAngle for beta"),
         ("motion.constant_velocity.process_noise.piecewise[1,1]", "dt^2*sigma_acc^2", "sigma_acc for sigma_w"),
+        ("motion.constant_velocity.transition[0,1]", "update_period", "update_period for T"),
+        ("motion.constant_velocity.process_noise.continuous[1,1]", "Te*q", "Te for T"),
+        ("polar.map", "[rngMeas*cos(brngMeas), rngMeas*sin(brngMeas)]", "brngMeas for beta"),
         ("motion.singer.transition[1,2]", "tau_m*(1 - exp(-dt/tau_m))", "tau_m for 1/alpha"),
         ("fusion.variance.two", "P1*P2/(P1 + P2)", "P1 for sigma_1**2"),
         ("motion.turn.known_rate.transition[0,1]", "sin(turn_rate*dt)/turn_rate", "turn_rate for omega"),

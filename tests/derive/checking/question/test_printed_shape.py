@@ -45,10 +45,45 @@ def test_a_matrix_with_the_same_block_for_each_axis_is_compared_as_one(order: st
 
 
 @pytest.mark.parametrize("order", ORDERS)
-def test_axes_that_differ_are_told_where(order: str) -> None:
+def test_an_axis_that_differs_is_compared_alone(order: str) -> None:
     other = [TRANSITION[0], ["0", "1", "2*T"], TRANSITION[2]]
-    with pytest.raises(FormulaError, match=r"in entry \[1, 2\] the axes differ: T and 2\*T"):
-        checked([TRANSITION, other], order)
+    wrong = checked([TRANSITION, other], order)
+    assert (wrong.verdict, wrong.suggestions[0].entry) == (Outcome.DIFFERS, (1, 2))
+    assert "read for axis 2 of 2" in wrong.remarks
+
+
+def noise(letter: str, half: str = "1/2") -> list[list[str]]:
+    return [[f"{letter}*T**4/4", f"{half}*{letter}*T**3"], [f"{half}*{letter}*T**3", f"{letter}*T**2"]]
+
+
+def checked_noise(blocks: list[list[list[str]]], **let: str) -> Verdict:
+    return check("motion.constant_velocity.process_noise.piecewise", text(spread(blocks, ORDERS[1])), let=let)
+
+
+def test_letters_may_differ_by_axis() -> None:
+    right = checked_noise([noise("q_x"), noise("q_y"), noise("q_z")])
+    assert right.verdict is Outcome.EQUAL
+    assert any("one axis of 3" in remark and "q_y for q_x, q_z for q_x" in remark for remark in right.remarks)
+    wrong = checked_noise([noise("q_x", "1/3"), noise("q_y", "1/3")])
+    assert (wrong.verdict, wrong.suggestions[0].entry) == (Outcome.DIFFERS, (0, 1))
+    other = checked_noise([noise("q_x"), noise("q_y", "1/3")])
+    assert other.verdict is Outcome.DIFFERS
+
+
+def test_letters_that_are_known_stand_for_no_others() -> None:
+    both = {"a": "sigma_w^2", "b": "sigma_w^2"}
+    assert checked_noise([noise("a"), noise("b")], **both).verdict is Outcome.EQUAL
+    wrong = checked_noise([noise("a"), noise("b")], **{**both, "b": "2*sigma_w^2"})
+    assert wrong.verdict is Outcome.DIFFERS
+    with pytest.raises(FormulaError, match="noise_x is no name that is known here"):
+        checked_noise([noise("noise_x"), noise("noise_y")])
+
+
+def test_blocks_between_axes_have_letters_of_their_own() -> None:
+    blocks = {place: [[f"R{place}", f"R{place}/T"], [f"R{place}/T", f"2*R{place}/T^2"]] for place in (11, 12, 22)}
+    rows = [[*blocks[11][i], *blocks[12][i]] for i in (0, 1)] + [[*blocks[12][i], *blocks[22][i]] for i in (0, 1)]
+    found = check("initiation.two_plots.covariance", text(rows), given={"first_covariance": "second_covariance"})
+    assert found.verdict is Outcome.EQUAL
 
 
 def test_a_column_for_each_axis_is_a_vector() -> None:

@@ -46,6 +46,13 @@ def test_a_slip_in_a_product_of_matrices_is_told_first(quantity: tuple[str, dict
     assert all(one.formula != printed for one in verdict.suggestions)
 
 
+def test_a_transpose_that_is_missing_is_told_where_the_matrices_are_written_out() -> None:
+    name, let, _ = SANDWICH
+    verdict = check(name, f"{let['J']}*{let['K']}*{let['J']}")
+    assert verdict.suggestions[0].formula.endswith(".T")
+    assert "a missing transpose" in verdict.suggestions[0].edit
+
+
 def test_a_slip_in_a_matrix_of_a_product_is_told_there() -> None:
     name, let, right = SANDWICH
     verdict = check(name, right, let=let | {"J": let["J"].replace("-r", "r")})

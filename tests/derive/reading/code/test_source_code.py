@@ -59,10 +59,24 @@ def refusal(code: str, language: str) -> FormulaError:
         ("cpp", "Hj(2,0) = std::pow(py, 2);", "py**2"),
         ("cpp", "MatrixXd H(2,2);\nH << x, 0,\n  1, y;", "[[x, 0], [1, y]]"),
         ("cpp", "Matrix2d F; F(0,1) = dt; F(0,0) = 1; F(1,1) = 1;", "[[1, dt], [0, 1]]"),
+        ("cpp", "ekf_.F_ << 1, dt,\n  0, 1;", "[[1, dt], [0, 1]]"),
+        ("cpp", "F << 1, dt, x, 0, 1, dt, 0, 0, 1;", "[[1, dt, x], [0, 1, dt], [0, 0, 1]]"),
+        ("cpp", "h << r,\n  atan2(y, x), x;", "[r, atan2(y, x), x]"),
+        ("cpp", "h << r,\n  x;", "[r, x]"),
+        ("cpp", "MatrixXd F = MatrixXd(2, 2); F << 1, dt, 0, 1;", "[[1, dt], [0, 1]]"),
+        ("cpp", "Eigen::Matrix<double, 2, 2> F; F.setIdentity(); F(0, 1) = dt;", "[[1, dt], [0, 1]]"),
+        ("cpp", "Matrix<T, 2, 2> F = Matrix<T, 2, 2>::Identity(); F(0, 1) = dt;", "[[1, dt], [0, 1]]"),
+        ("cpp", "return (Eigen::Vector2d() << x, y).finished();", "[x, y]"),
+        ("cpp", "cv::Mat F = (cv::Mat_<float>(2, 2) << 1, dt, 0, 1);", "[[1, dt], [0, 1]]"),
+        ("cpp", "F = *(Mat_<float>(2, 2) << 1, dt, 0, 1);", "[[1, dt], [0, 1]]"),
+        ("cpp", "return (x)*cos(b);", "x*cos(b)"),
         ("cpp", "auto c = std::cos(b); const double s = sin(b); return c*s;", "cos(b)*sin(b)"),
         ("cpp", "Eigen::Matrix2d R = Eigen::Vector2d(x*x, y*y).asDiagonal();", "diag([x*x, y*y])"),
         ("cpp", "A.transpose()*B.inverse()", "A.T*inv(B)"),
         ("matlab", "F = [1 dt; 0 1]", "[[1, dt], [0, 1]]"),
+        ("matlab", "F = [...\n 1 dt;... % position\n 0 1];", "[[1, dt], [0, 1]]"),
+        ("matlab", "y = 2*x; # as Octave says it\ny + 1", "2*x + 1"),
+        ("matlab", "% what follows ...\nz = x + ...\n y;", "x + y"),
         ("matlab", "x(1).*cos(x(2))", "x_1*cos(x_2)"),
         ("matlab", "cosd(b) + atan2d(y, x)", "cos(b*pi/180) + atan2(y, x)*180/pi"),
         ("matlab", "A = [x, y]; A(2)^2", "y**2"),
@@ -128,6 +142,8 @@ def test_reading(language: str, code: str, text: str):
         ("python", "x[-1]", "an entry is picked by a whole number"),
         ("matlab", "x(0)", "entries are counted from 1 in MATLAB"),
         ("cpp", "MatrixXd H(2,2); H << x, y;", "H has 4 entries, here are 2"),
+        ("cpp", "F = (Mat_<float>(2, 2) << x, y);", "the array has 4 entries, here are 2"),
+        ("cpp", "F = (x, y);", "a comma has no meaning here"),
     ],
     ids=str,
 )
@@ -243,7 +259,7 @@ def test_a_branch_against_a_division_by_zero_is_passed_over_and_told(language: s
         )
         for conditions, first, other in (
             (("abs(x) < 1e-4", "fabs(x) <= EPS", "x == 0", "x == 0.0", "abs(x) < tol"), "2", "1/x"),
-            (("abs(x) > 1e-4", "fabs(x) >= EPS", "abs(x) > 0", "x != 0"), "1/x", "2"),
+            (("abs(x) > 1e-4", "fabs(x) >= EPS", "abs(x) > 0", "x != 0", "x"), "1/x", "2"),
         )
         for condition in conditions
         if not (language == "matlab" and "!=" in condition)
@@ -255,7 +271,7 @@ def test_of_two_branches_the_one_away_from_a_division_by_zero_is_compared(langua
     assert [remark.words for remark in read.remarks] == ["this branch, for a divisor next to zero, is not compared"]
 
 
-@pytest.mark.parametrize("condition", ["mode == 0", "mode != 0", "x > 1e-4", "abs(x) > 1", "x < epsilon"])
+@pytest.mark.parametrize("condition", ["mode", "mode == 0", "mode != 0", "x > 1e-4", "abs(x) > 1", "x < epsilon"])
 def test_no_branch_is_chosen_by_a_switch_or_a_size(condition: str):
     for language, code in (("python", f"y = r if {condition} else z"), ("c", f"y = {condition} ? r : z;")):
         assert refusal(code, language).message.startswith("formulas have no cases")
@@ -475,3 +491,23 @@ def test_what_is_unpacked_is_an_array_though_a_symbol_is_called_so(state: str, k
 @pytest.mark.parametrize("code", ["a = 2\npx, py = a\npx", "np.block([x, y])", "np.block([[np.array([x, y]), 1]])"])
 def test_what_is_no_array_is_not_unpacked_and_vectors_are_no_blocks(code: str):
     assert refusal(code, "python").message.startswith(("as many values as names", "block takes rows of matrices"))
+
+
+TWO = {
+    "python": "def f(r, b, s):\n    z = np.array([r*np.cos(b), r*np.sin(b)])\n    R = np.diag([s, q])\n    return z, R",
+    "matlab": "function [z, R] = f(r, b, s)\nz = [r*cos(b); r*sin(b)];\nR = diag([s, q]);\nend",
+}
+
+
+@pytest.mark.parametrize("language", TWO)
+def test_of_a_mean_and_its_covariance_the_one_that_is_wanted_is_read(language: str):
+    mean = read_code(TWO[language], language, ["r", "b"], wanted=2)
+    assert to_text(mean.tree) == "[r*cos(b), r*sin(b)]"
+    assert to_text(read_code(TWO[language], language, None).tree) == "diag([s, q])"
+
+
+def test_names_of_lines_that_do_not_matter_are_let_through():
+    lines = "dt = (stamp - before)/1e6\nx = r*np.cos(b)"
+    assert to_text(read_code(lines, "python", ["r", "b"]).tree) == "r*cos(b)"
+    with pytest.raises(FormulaError, match="b is not a name here"):
+        read_code(lines, "python", ["r"])
