@@ -45,7 +45,7 @@ ALIASES: dict[str, tuple[str, ...]] = {
 }
 DEVIATION = ("sigma", "sig", "std", "stddev", "deviation", "s", "sd", "stdev", "noise")
 VARIANCE = ("var", "variance", "sigma2", "sigmasq", "sig2", "cov")
-DEGREES = ("deg", "degree", "degrees")
+DEGREES = ("deg", "degs", "degree", "degrees", "dps")  # the last: degrees a second
 PREDICTED = ("predicted", "pred", "p", "prior")
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+")
 
@@ -59,6 +59,11 @@ def meanings(parameter: str, symbols: Sequence[Variable]) -> list[str]:
     joined = "".join(words)
     same = [symbol.name for symbol in symbols if _joined(symbol.name) == joined]
     return same or [symbol.name for symbol in symbols if _may_mean(words, joined, symbol)]
+
+
+def is_same_name(parameter: str, symbol: str) -> bool:
+    """Whether it is the symbol's own, but for how words are joined: `sigma2` of sigma_2 is no square."""
+    return _joined(parameter) == _joined(symbol)
 
 
 def is_variance(parameter: str) -> bool:
