@@ -534,7 +534,7 @@ class Examination:
         # Of what another form has lost nothing is known beyond ordinary points.
         expected = reading.wanted.ordinary(SCREENING) if reading.form else reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
-        found = excused(reading, expected, found)
+        found = self._excused(reading, expected, found)
         epsilon = self._epsilon(reading)
         undefined = list(where_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
@@ -547,12 +547,12 @@ class Examination:
         errors *= DOUBLE / epsilon
         changing = list(self._changing(reading))
         undefined += changing
-        worst = worst_point(expected, found, errors) if errors.size else None
+        worst = worst_point(expected, found, errors) if computed.any() else None
         indefinite = where_indefinite(reading.wanted, expected, found)
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=plain and not undefined,
-            ulp=float(errors.max(initial=0.0)),
+            ulp=float(errors.max()) if computed.any() else None,  # a table may have no point in the convention
             worst=worst,
             lost_digits=None if changing else lost_digits(expected, errors, epsilon),
             convention=reading.words,
@@ -564,9 +564,14 @@ class Examination:
     def _right_when_coarse(self, reading: Reading) -> tuple[Expected, Array, npt.NDArray[np.bool_]] | None:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
-        found = excused(reading, expected, self._values(reading, expected)[1])
+        found = self._excused(reading, expected, self._values(reading, expected)[1])
         wrong = self._wrong_there(reading, expected, found, self._epsilon(reading))
         return (expected, found, wrong) if wrong.any() else None
+
+    def _excused(self, reading: Reading, expected: Expected, found: Array) -> Array:
+        """Without what rounding of arguments makes; of a table it cannot be seen whether an error is erratic."""
+        unit = self._epsilon(reading) / DOUBLE
+        return excused(reading, expected, found, unit, arguments_in_single=self._table is not None and reading.single)
 
     def _at(self, reading: Reading, points: Points) -> Array:
         calls = called(self._function, reading.binding, points, reading.wanted.shape)

@@ -296,7 +296,7 @@ def test_a_state_all_of_whose_angles_are_in_degrees_has_its_rate_in_degrees_a_se
         ({"degrees": True, "variances": True}, ""),
     ],
 )
-def test_beside_a_convention_that_is_said_another_is_found(stated: dict[str, bool], words: str) -> None:
+def test_beside_a_convention_that_is_said_another_is_found(stated: dict[str, Any], words: str) -> None:
     def of_degrees(r: float, az: float, p: float, q: float) -> Any:
         return own.linear(r, math.radians(az), math.sqrt(p), math.radians(math.sqrt(q)))
 
