@@ -92,8 +92,9 @@ class Model:
                 raise ValueError(f"correlations must join two different measured quantities, given {pair}")
             if pair[::-1] in self.correlations:
                 raise ValueError(f"correlations must name each pair once; given {pair} and {pair[::-1]}")
-        for symbols in ((*self.arguments, *self.noise_symbols), self.symbols):  # what is predicted is named after both
-            require_names("a symbol's name", [symbol.name for symbol in symbols])
+        declared = (*self.arguments, *self.noise_symbols)
+        require_names("a symbol's name", [symbol.name for symbol in declared])
+        require_names("a symbol's name", [symbol.name for symbol in self.symbols])
 
     def _require_errors(self) -> None:
         """Deviations and correlations of the right units and signs."""

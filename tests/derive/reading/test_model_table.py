@@ -359,7 +359,7 @@ def test_a_sum_over_scans_is_written_out(formula: str, meant: str):
     ],
 )
 def test_what_cannot_be_summed_is_refused_with_a_word(formula: str, said: str):
-    with pytest.raises(TableError, match="outputs.x") as caught:
+    with pytest.raises(TableError, match=r"outputs\.x") as caught:
         read_models(summing(formula))
     assert said in str(caught.value)
 
@@ -369,5 +369,5 @@ def test_a_deviation_that_two_errors_share_is_told_by_its_own_name():
     data["symbols"]["theta"] = {"unit": "m"}
     data["model"][0] |= {"outputs": {"x": "S + theta + L"}, "units": {"x": "m"}, "correlations": {}}
     data["model"][0]["deviations"] = {"S": "sigma", "theta": "sigma"}
-    with pytest.raises(TableError, match="must occur once; given S, theta, L, sigma, sigma$"):
+    with pytest.raises(TableError, match=r"must occur once; given S, theta, L, sigma, sigma$"):
         read_models(data)
