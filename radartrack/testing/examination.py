@@ -16,7 +16,7 @@ import numpy.typing as npt
 from radartrack.derive.catalogue import family
 from radartrack.derive.language.quantity import Quantity
 from radartrack.testing.calling.argument_bindings import ANY_NAMES, CUSTOMARY, bindings, correlated_pairs, declared
-from radartrack.testing.calling.argument_names import is_degrees, is_same_name, is_variance
+from radartrack.testing.calling.argument_names import is_degrees, is_same_name, is_variance, meanings
 from radartrack.testing.calling.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
 from radartrack.testing.calling.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip
@@ -255,7 +255,20 @@ class Examination:
                 found += self._read(one.wanted, one.plain, change)
         return sorted(found, key=lambda one: one.cost)
 
+    def _not_taken(self) -> list[str]:
+        """The symbols that no parameter takes, where the names of all parameters say what they take."""
+        names = [place[0] for place in declared(self._function) or () if place != ANY_NAMES]
+        meant = [meanings(name, self._wanted.symbols) for name in names]
+        taken = {one[0] for one in meant if len(one) == 1}
+        if not names or len(taken) < len(names) or self._arguments:
+            return []
+        needed = [symbol.name for symbol in self._wanted.symbols if not symbol.is_correlation]
+        return [name for name in needed if name not in taken and name in self._wanted.needed]
+
     def _why(self) -> str:
+        if absent := self._not_taken():
+            own = ", ".join(f'"{name}": ...' for name in absent)
+            return f"the function takes no {' and no '.join(absent)}; say the value it has: given={{{own}}}"
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(place[0] for place in declared(self._function) or () if place != ANY_NAMES)

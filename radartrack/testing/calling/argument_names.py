@@ -89,7 +89,7 @@ def _is_called(words: list[str], joined: str, name: str, symbol: Variable) -> bo
     if not is_deviation(symbol):
         kept = [word for word in words if word not in DEGREES]
         return bool(kept) and _is_alias("".join(kept), name)
-    of = name.removeprefix("sigma_")
+    of = symbol.deviation_of
     marks = {*DEVIATION, *VARIANCE}
     dropped = {*DEGREES} if of == "2" else {*DEGREES, "2"}  # sigma2_r is a square, sigma_2 the second
     kept = [word for word in words if word not in {*marks, *dropped}]
