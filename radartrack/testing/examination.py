@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -272,8 +273,9 @@ class Examination:
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(place[0] for place in declared(self._function) or () if place != ANY_NAMES)
-            if isinstance(self._function, type):
-                return f"{self._function.__name__} is a class: hand over an object of it that is called, or a method"
+            own_class = inspect.unwrap(self._function)
+            if isinstance(own_class, type):
+                return f"{own_class.__name__} is a class: hand over an object of it that is called, or a method"
             if taken.partition(", ")[0] in {"self", "cls"}:
                 return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""
