@@ -32,7 +32,7 @@ def critical_parts(expression: Expr) -> Iterator[tuple[Expr, Expr]]:
     """Parts that lack derivatives somewhere, and what vanishes there."""
     for part in parts(expression):
         if is_power(part) and part.base.free_symbols:
-            if part.exp < sp.Integer(0) or not part.exp.is_integer:
+            if part.exp < sp.Integer(0) or not isinstance(part.exp, sp.Integer):
                 yield part, part.base
         elif isinstance(part, sp.log):
             yield part, part.args[0]

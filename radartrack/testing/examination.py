@@ -671,6 +671,10 @@ class Examination:
         )
 
     def _unexplained(self, reading: Reading) -> Diagnosis:
+        model = self._wanted.quantity.model
+        absent = self._not_taken()
+        if model is not None and absent and set(absent) <= {symbol.name for symbol in model.parameters}:
+            raise CannotDiagnose(self._why())  # a state in which one of them stands is none
         expected = reading.wanted.ordinary(SCREENING)
         calls, found = self._values(reading, expected)
         wrong = self._wrong(calls, found, expected)

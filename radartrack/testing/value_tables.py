@@ -63,8 +63,10 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.floatin
     shape = wanted.shape if len(entries) == len(wanted.places) else (len(entries),)
     values = [[_number(line[place], number) for place in entries] for _, line, number in placed]
     cells = [[line[place] for place in entries] for _, line, _ in placed]
-    kind = np.float32 if _are_single(values, cells) else np.float64
-    known = {row: np.array(one, kind).reshape(shape) for (row, *_), one in zip(placed, values, strict=True)}
+    kind: type[np.floating] = np.float32 if _are_single(values, cells) else np.float64
+    known: dict[Row, npt.NDArray[np.floating]] = {
+        row: np.array(one).astype(kind).reshape(shape) for (row, *_), one in zip(placed, values, strict=True)
+    }
 
     def look_up(*arguments: float) -> npt.NDArray[np.floating]:
         if tuple(arguments) not in known:

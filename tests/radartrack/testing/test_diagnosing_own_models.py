@@ -114,7 +114,7 @@ def test_a_name_that_may_mean_a_symbol_leaves_it_to_the_parameter_that_has_its_n
 
 def test_a_symbol_that_a_function_has_as_a_constant_is_named() -> None:
     def moved(x: float, v: float, T: float) -> Any:
-        return math.fsum([x, v * 10 * (1 - math.exp(-T / 10))]), math.fsum([v * math.exp(-T / 10)])
+        return x + v * 10 * (1 - math.exp(-T / 10)), v * math.exp(-T / 10)
 
     with pytest.raises(CannotDiagnose, match=r'the function takes no a; say the value it has: given=\{"a": \.\.\.\}'):
         diagnose(moved, "decay.map", models=DECAY)

@@ -139,14 +139,14 @@ def test_double_precision_in_few_digits_is_not_taken_for_single() -> None:
     assert found.remarks == ("the values are written with 9 digits, in units of whose last one errors are told",)
 
 
-def linear(r: float, beta: float, sigma_r: float, sigma_beta: float, _: float) -> list[float]:
+def linear(r: float, beta: float, sigma_r: float, sigma_beta: float) -> list[float]:
     (xx, xy), (_, yy) = own.linear(r, beta, sigma_r, sigma_beta)
     return [xx, xy, yy]
 
 
 def test_of_a_covariance_one_triangle_is_enough() -> None:
     wanted = wanted_by("polar.covariance.linear", {"rho": 0.0})
-    found = diagnosed(wanted, filled_with(wanted, lambda *at: linear(*at, 0.0), "r", columns=3))
+    found = diagnosed(wanted, filled_with(wanted, linear, "r", columns=3))
     assert found.agrees, str(found)
     jacobian = wanted_by("polar.jacobian", {})
     with pytest.raises(CannotDiagnose, match="the table has 3 columns"):
