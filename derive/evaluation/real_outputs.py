@@ -11,6 +11,7 @@ import mpmath
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.evaluation.many_digits import Evaluator
+from radartrack.derive.evaluation.vanishing_parts import critical_parts, vanishing_points
 from radartrack.derive.language.model_outputs import is_power, parts, shown
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
@@ -19,6 +20,7 @@ from radartrack.derive.symbolic import Expr
 CORNERS = 512
 INSIDE = 128
 HALVINGS = 60
+NEAR = 1e-9  # of a domain
 
 
 def require_real(
@@ -26,7 +28,8 @@ def require_real(
 ) -> None:
     """Check that outputs and their first two derivatives are real numbers, at the corners of the domain and inside.
 
-    Points inside seldom meet a pole; it is between two points at which a divisor has different signs.
+    Points inside seldom meet a pole; it is between two points at which a divisor has different signs. What is
+    only touched, as the end of an arc cosine by acos(cos(b)), is looked for along lines.
 
     Raises:
         ValueError: naming the part that is none, and where.
@@ -43,6 +46,16 @@ def require_real(
             pole = _zero(Evaluator(Tensor((), (divisor,)), symbols), points)
             if pole is not None:
                 raise ValueError(f"output {output}: {shown(part)} has no value{_where(part, symbols, pole)}")
+        critical = dict(critical_parts(expression))
+        for number, place in vanishing_points(list(critical.values()), symbols):
+            part, point = list(critical)[number], [_plain(place[symbol], symbol) for symbol in symbols]
+            raise ValueError(f"output {output}: {_lack(part, point, symbols)}")
+
+
+def _plain(value: mpmath.mpf, symbol: Variable) -> float:
+    """A value as it is told: zero, where it is that beside the domain."""
+    width = symbol.high - symbol.low
+    return 0.0 if abs(value) < NEAR * width else float(value)
 
 
 def _culprit(expression: Expr, symbols: Sequence[Variable], measured: Sequence[Variable], point: list[float]) -> str:
@@ -55,6 +68,16 @@ def _culprit(expression: Expr, symbols: Sequence[Variable], measured: Sequence[V
         if not all(_real(Evaluator(Tensor((), (slope,)), symbols), point) for slope in slopes):
             return f"{shown(part)} has no derivative{_where(part, symbols, point)}"
     return f"{shown(expression)} has no second derivative{_where(expression, symbols, point)}"
+
+
+def _lack(part: Expr, point: list[float], symbols: Sequence[Variable]) -> str:
+    """What a part has not, where what it is taken of ends."""
+    is_pole = isinstance(part, sp.tan) or (is_power(part) and part.exp < sp.Integer(0))
+    if not is_pole and not _real(Evaluator(Tensor((), (part,)), symbols), point):
+        lack = "is no real number"
+    else:
+        lack = "has no value" if is_pole or isinstance(part, sp.log) else "lacks derivatives"
+    return f"{shown(part)} {lack}{_where(part, symbols, point)}"
 
 
 def _divisors(expression: Expr) -> Iterator[tuple[Expr, Expr]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.language.identifiers import MODULES, require_names, require_text
@@ -58,6 +59,8 @@ class Model:
     def __post_init__(self) -> None:
         self._require_words()
         self._require_errors()
+        errors = zip(self.measured, self.deviations, strict=False)
+        object.__setattr__(self, "deviations", tuple(sigma.as_deviation_of(of) for of, sigma in errors))
         exact = {name: self._exact(name, value) for name, value in self.outputs.items()}
         object.__setattr__(self, "outputs", exact)
         for (output, expression), unit in zip(exact.items(), self.units, strict=True):
@@ -92,6 +95,8 @@ class Model:
                 raise ValueError(f"correlations must join two different measured quantities, given {pair}")
             if pair[::-1] in self.correlations:
                 raise ValueError(f"correlations must name each pair once; given {pair} and {pair[::-1]}")
+        declared = (*self.arguments, *self.noise_symbols)
+        require_names("a symbol's name", [symbol.name for symbol in declared])
         require_names("a symbol's name", [symbol.name for symbol in self.symbols])
 
     def _require_errors(self) -> None:
@@ -168,5 +173,5 @@ class Model:
 def predicted(symbol: Variable) -> Variable:
     """The symbol of a prediction's own deviation or correlation."""
     meaning = symbol.meaning.replace("the error", "the prediction").replace("the errors", "the predictions")
-    domain = symbol.low, symbol.high
-    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, *domain, is_correlation=symbol.is_correlation)
+    kind: dict[str, Any] = {"is_correlation": symbol.is_correlation, "deviation_of": symbol.deviation_of}
+    return Variable(f"predicted_{symbol.name}", meaning, symbol.unit, symbol.low, symbol.high, **kind)

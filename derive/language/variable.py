@@ -9,6 +9,9 @@ from radartrack.derive.language.identifiers import require_text
 from radartrack.derive.symbolic import Symbol
 from radartrack.derive.units import METRE, METRE_PER_SECOND, ONE, RADIAN, Unit
 
+PREDICTED, DEVIATION = "predicted_", "sigma_"  # how names of deviations begin, but for those of one's own
+KIND = ("whole", "least", "at_most", "is_correlation", "deviation_of")
+
 
 class Variable(Symbol):
     """A real symbol with its meaning, unit and domain.
@@ -22,6 +25,7 @@ class Variable(Symbol):
         least: of a whole number, the least that it can be at all; the domain may begin above it.
         at_most: a symbol that it never exceeds.
         is_correlation: whether it is the correlation of two errors.
+        deviation_of: of a standard deviation, the name of that whose error it is of; empty of anything else.
     """
 
     meaning: str
@@ -32,6 +36,7 @@ class Variable(Symbol):
     least: int
     at_most: Variable | None
     is_correlation: bool
+    deviation_of: str
     _kind: str  # the unit as text, which SymPy asks for whenever it compares
 
     def __new__(
@@ -46,6 +51,7 @@ class Variable(Symbol):
         least: int = 1,
         at_most: Variable | None = None,
         is_correlation: bool = False,
+        deviation_of: str = "",
     ) -> Self:
         """Declare a symbol; one whose domain is above zero is positive in the algebra too.
 
@@ -68,11 +74,13 @@ class Variable(Symbol):
             at_most,
             is_correlation,
         )
+        of, named, by_name = name.removeprefix(PREDICTED).partition(DEVIATION)
+        variable.deviation_of = deviation_of or (by_name if named and not of else "")
         return variable
 
     def below(self, high: float) -> Self:
         """The same symbol with a domain that ends there at the latest, which is what bounds it then."""
-        kind: dict[str, Any] = {"whole": self.whole, "least": self.least, "is_correlation": self.is_correlation}
+        kind: dict[str, Any] = {name: getattr(self, name) for name in KIND if name != "at_most"}
         return type(self)(self.name, self.meaning, self.unit, self.low, min(self.high, high), **kind)
 
     def on(self, low: float, high: float) -> Variable:
@@ -81,6 +89,12 @@ class Variable(Symbol):
         other: Variable = Symbol.__xnew__(type(self), self.name, **{sign: True})
         other.__dict__.update(self.__dict__)
         other.low, other.high = low, high
+        return other
+
+    def as_deviation_of(self, of: Variable) -> Variable:
+        """The same symbol as the standard deviation of an error, whatever its name is."""
+        other = self.on(self.low, self.high)
+        other.deviation_of = of.name
         return other
 
     def _hashable_content(self) -> tuple[Any, ...]:
@@ -103,7 +117,7 @@ class Variable(Symbol):
         return Symbol(self.name)
 
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        kind = {name: getattr(self, name) for name in ("whole", "least", "at_most", "is_correlation")}
+        kind = {name: getattr(self, name) for name in KIND}
         return (self.name, self.meaning, self.unit, self.low, self.high), kind
 
 

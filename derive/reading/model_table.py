@@ -20,7 +20,7 @@ from radartrack.derive.formula.functions import SPELLINGS
 from radartrack.derive.formula.limits import check_size
 from radartrack.derive.formula.magnitude import magnitudes
 from radartrack.derive.formula.printing import to_text
-from radartrack.derive.formula.to_expression import to_expression
+from radartrack.derive.formula.to_expression import Expression, Reader
 from radartrack.derive.formula.tree import Name, Tree, names
 from radartrack.derive.formula.unknown_names import unusable
 from radartrack.derive.language.model import Model
@@ -330,7 +330,7 @@ class _Definitions:
             FormulaError: where it cannot be read, or a definition in it.
             TableError: where it is no text, and for one that is too large.
         """
-        found = to_expression(self._tree(text), self._symbols)
+        found = Reader(self._symbols, {"sum": _written_out})(self._tree(text))
         if isinstance(found, tuple):
             raise TableError("must be one number, and is a vector or matrix")
         if terms(found) > MOST_TERMS:
@@ -343,7 +343,7 @@ class _Definitions:
         if len(str(text)) > MOST_CHARACTERS:
             raise TableError(f"must have at most {MOST_CHARACTERS} characters, given {len(str(text))}")
         tree = read_text(str(text), self._symbols.keys() | self._texts.keys())
-        inner = {name: self._definition(name) for name in names(tree) if name not in self._symbols}
+        inner = {name: self._definition(name) for name in names(tree) & self._texts.keys() - self._symbols.keys()}
         whole = rebuild(tree, lambda node: inner.get(node.name, node) if isinstance(node, Name) else node)
         check_size(whole)
         magnitudes()(whole)
@@ -363,6 +363,25 @@ class _Definitions:
                 raise FormulaError(f"let {name}: {error.message}", error.source, error.span) from None
             self._open.pop()
         return self._trees[name]
+
+
+def _written_out(arguments: Sequence[Expression]) -> Expr:
+    """The sum of a term over a few whole numbers.
+
+    Raises:
+        FormulaError: its ends are no whole numbers, or it is too large.
+    """
+    term, index, first, last = arguments
+    if not isinstance(index, sp.Symbol):
+        raise FormulaError(f"sum wants a symbol where {index} stands: a name that is defined is no symbol")
+    if not (isinstance(first, sp.Integer) and isinstance(last, sp.Integer)):
+        raise FormulaError("the sum of a model goes from one whole number to another: sum(x*j, j, 1, 5)")
+    if isinstance(term, tuple):
+        raise FormulaError("the sum of a model is that of numbers")
+    count = max(int(last) - int(first) + 1, 0)
+    if count * terms(term) > MOST_TERMS:
+        raise FormulaError(f"the sum is too large: written out it has more than {MOST_TERMS} terms")
+    return sp.Add(*(term.xreplace({index: first + sp.Integer(place)}) for place in range(count)))
 
 
 def data_of(model: Model) -> dict[str, Any]:

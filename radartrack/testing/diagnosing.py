@@ -45,7 +45,7 @@ def diagnose(
         name: of the quantity, `polar.covariance.linear`, or of one entry, `polar.covariance.linear[0, 1]`.
         arguments: parameter → the symbol that it takes, or the symbols of the vector that it takes, where names and
             trial do not tell.
-        degrees: whether angles and their deviations are passed in degrees; or the symbols that are.
+        degrees: whether angles, their rates and the deviations of both are passed in degrees; or the symbols that are.
         variances: whether variances are passed in place of deviations; or the symbols of the deviations.
         given: symbol → its value, for symbols that the function takes for known: {"rho": 0}.
         models: of one's own, whose quantities may be named.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -16,14 +17,16 @@ import numpy.typing as npt
 from radartrack.derive.catalogue import family
 from radartrack.derive.language.quantity import Quantity
 from radartrack.testing.calling.argument_bindings import ANY_NAMES, CUSTOMARY, bindings, correlated_pairs, declared
-from radartrack.testing.calling.argument_names import is_degrees, is_variance
+from radartrack.testing.calling.argument_names import is_degrees, is_same_name, is_variance, meanings
 from radartrack.testing.calling.called_function import RETURNS, Array, Binding, Calls, Parameter, Precision, called
 from radartrack.testing.calling.compiled_function import NotCallable, as_called
 from radartrack.testing.diagnosis import CHANGING, Diagnosis, Slip
 from radartrack.testing.function_conventions import (
     AS_ASKED,
+    LONGEST,
     ArgumentChange,
     Arrangements,
+    against_names,
     angles_of,
     argument_changes,
     as_variances,
@@ -32,6 +35,7 @@ from radartrack.testing.function_conventions import (
     in_degrees,
     is_direction,
     passed_as,
+    steps,
 )
 from radartrack.testing.lost_digits import DOUBLE, SINGLE, is_erratic, is_rounding, lost_digits
 from radartrack.testing.reading import CannotDiagnose, Reading
@@ -245,19 +249,33 @@ class Examination:
         if not found:
             raise CannotDiagnose(self._why())
         found.sort(key=lambda one: one.cost)
-        ways = {one.binding.parameters: one for one in reversed(found) if not one.binding.changes}
+        ways = {one.binding.parameters: one for one in reversed(found) if not one.plain.changes}
         bare = [found[0], *(one for one in reversed(ways.values()) if one is not found[0])][:WAYS]
         for one in bare:
-            for change in argument_changes(one.wanted.symbols):
-                found += self._read(one.wanted, one.binding, change)
+            for change in argument_changes(one.taken):
+                found += self._read(one.wanted, one.plain, change)
         return sorted(found, key=lambda one: one.cost)
 
+    def _not_taken(self) -> list[str]:
+        """The symbols that no parameter takes, where the names of all parameters say what they take."""
+        names = [place[0] for place in declared(self._function) or () if place != ANY_NAMES]
+        meant = [meanings(name, self._wanted.symbols) for name in names]
+        taken = {one[0] for one in meant if len(one) == 1}
+        if not names or len(taken) < len(names) or self._arguments:
+            return []
+        needed = [symbol.name for symbol in self._wanted.symbols if not symbol.is_correlation]
+        return [name for name in needed if name not in taken and name in self._wanted.needed]
+
     def _why(self) -> str:
+        if absent := self._not_taken():
+            own = ", ".join(f'"{name}": ...' for name in absent)
+            return f"the function takes no {' and no '.join(absent)}; say the value it has: given={{{own}}}"
         if not self._troubles:
             names = ", ".join(symbol.name for symbol in self._wanted.symbols)
             taken = ", ".join(place[0] for place in declared(self._function) or () if place != ANY_NAMES)
-            if isinstance(self._function, type):
-                return f"{self._function.__name__} is a class: hand over an object of it that is called, or a method"
+            own_class = inspect.unwrap(self._function)
+            if isinstance(own_class, type):
+                return f"{own_class.__name__} is a class: hand over an object of it that is called, or a method"
             if taken.partition(", ")[0] in {"self", "cls"}:
                 return f"the function takes {taken}: it is the method of a class; hand over that of an object"
             own = f", for it takes {taken}" if taken else ""
@@ -277,9 +295,10 @@ class Examination:
             if (symbol.is_correlation or symbol.name in CUSTOMARY) and symbol.name not in binding.symbols
         ]
         wanted = self._without(absent)
-        implied = self._implied(binding)
-        for change in dict.fromkeys((implied, AS_ASKED)):
-            yield from self._read(wanted, replace(binding, changes=change.changes), AS_ASKED)
+        said, unmeant = self._implied(binding)
+        yield from self._read(wanted, replace(binding, changes=said.changes), AS_ASKED)
+        if said.changes:
+            yield from self._read(wanted, binding, unmeant)
 
     def _without(self, absent: Sequence[str]) -> Wanted:
         key = tuple(absent)
@@ -289,20 +308,20 @@ class Examination:
             self._tried[key] = wanted, wanted.ordinary(FEW)
         return self._tried[key][0]
 
-    def _implied(self, binding: Binding) -> ArgumentChange:
-        """What names of parameters say: `az_deg`, `var_r`."""
-        said = AS_ASKED
-        singles = [(one.name, *one.symbols) for one in binding.parameters if len(one.symbols) == 1]
-        singles = [(name, symbol) for name, symbol in singles if name != symbol]
-        degrees = [symbol for name, symbol in singles if is_degrees(name) and symbol in angles_of(self._wanted.symbols)]
-        variances = [
-            symbol for name, symbol in singles if is_variance(name) and symbol in deviations_of(self._wanted.symbols)
-        ]
-        if degrees and not set(degrees) & set(self._stated.changes):
-            said = said.beside(in_degrees(degrees))
-        if variances and not set(variances) & set(self._stated.changes):
-            said = said.beside(as_variances(variances))
-        return said
+    def _implied(self, binding: Binding) -> tuple[ArgumentChange, ArgumentChange]:
+        """What names of parameters say, `az_deg` and `var_r`, and what it is when they do not mean it."""
+        singles = [(one.name, one.symbols[0]) for one in binding.parameters if len(one.symbols) == 1]
+        singles = [one for one in singles if not is_same_name(*one)]
+        angles, deviations = angles_of(self._wanted.symbols), deviations_of(self._wanted.symbols)
+        degrees = {symbol: name for name, symbol in singles if is_degrees(name) and symbol in angles}
+        variances = {symbol: name for name, symbol in singles if is_variance(name) and symbol in deviations}
+        said = unmeant = AS_ASKED
+        for names, words, change in ((degrees, "degrees", in_degrees), (variances, "a variance", as_variances)):
+            if names and not names.keys() & self._stated.changes.keys():
+                said = said.beside(change(list(names)))
+                own = [(symbol, name) for symbol, name in names.items() if name not in self._arguments]
+                unmeant = unmeant.beside(against_names(own, words))
+        return said, unmeant
 
     def _read(self, wanted: Wanted, binding: Binding, change: ArgumentChange) -> Iterator[Reading]:
         """Readings in one convention of arguments; none where the function cannot be called so."""
@@ -323,7 +342,7 @@ class Examination:
         def readings(close: float, *, single: bool) -> list[Reading]:
             tolerance = self._tolerance(close, expected)[known]
             found = arrangements.best(calls.values[known], expected.values[known], tolerance)
-            read = [Reading(wanted, bound, change, one, wrong, single=single) for wrong, one in found]
+            read = [Reading(wanted, bound, change, one, wrong, binding, single=single) for wrong, one in found]
             return [replace(one, form=self._form, first=calls.values) for one in read]
 
         found = readings(CLOSE_SINGLE if calls.single else CLOSE, single=calls.single)
@@ -358,8 +377,7 @@ class Examination:
         )
 
     def _arrangements(self, wanted: Wanted, binding: Binding) -> Arrangements:
-        vectors = [one.symbols for one in binding.parameters if one.is_vector and one.correlated is None]
-        passed = vectors[0] if len(vectors) == 1 else ()
+        passed = binding.symbols if max(wanted.shape, default=0) > LONGEST else ()  # of few, all orders are tried
         if (wanted, passed) not in self._arranged:
             self._arranged[wanted, passed] = Arrangements(wanted, self._stated_order, passed)
         return self._arranged[wanted, passed]
@@ -403,7 +421,7 @@ class Examination:
         self._tried[quantity.name,] = wanted, wanted.ordinary(FEW)
         bare = replace(first.binding, changes={})
         as_asked = list(self._read(wanted, bare, AS_ASKED))
-        changed = (one for change in argument_changes(wanted.symbols) for one in self._read(wanted, bare, change))
+        changed = (one for change in argument_changes(first.taken) for one in self._read(wanted, bare, change))
         exact = next((one for one in (*as_asked, *changed) if one.wrong == 0 and one.change.cost <= 1), None)
         best = exact or min(as_asked, key=lambda one: one.cost, default=None)
         return None if best is None else replace(best, other=True)
@@ -464,7 +482,7 @@ class Examination:
         _, found_there = self._values(reading, confirming)
         share = self._share(calls, reading)
         search = SlipSearch(screening, found, confirming, found_there, share)
-        in_degrees = frozenset(name for name, one in reading.binding.changes.items() if one is math.degrees)
+        in_degrees = frozenset(name for name, one in reading.binding.changes.items() if math.degrees in steps(one))
         of_argument = argument_slip(screening, found, confirming, found_there, in_degrees)
         slips = self._of_entries(search, self._wrong(calls, found, screening), found, reading)
         if of_argument is not None and (slips is None or len(slips) > 1 or of_argument.cost < _cost(slips)):
@@ -531,7 +549,7 @@ class Examination:
         # Of what another form has lost nothing is known beyond ordinary points.
         expected = reading.wanted.ordinary(SCREENING) if reading.form else reading.wanted.domain(DOMAIN)
         calls, found = self._values(reading, expected)
-        found = excused(reading, expected, found)
+        found = self._excused(reading, expected, found)
         epsilon = self._epsilon(reading)
         undefined = list(where_undefined(calls, found, expected))
         computed = np.all(np.isfinite(found), axis=1)
@@ -544,12 +562,12 @@ class Examination:
         errors *= DOUBLE / epsilon
         changing = list(self._changing(reading))
         undefined += changing
-        worst = worst_point(expected, found, errors) if errors.size else None
+        worst = worst_point(expected, found, errors) if computed.any() else None
         indefinite = where_indefinite(reading.wanted, expected, found)
         return Diagnosis(
             quantity=self._wanted.name,
             agrees=plain and not undefined,
-            ulp=float(errors.max(initial=0.0)),
+            ulp=float(errors.max()) if computed.any() else None,  # a table may have no point in the convention
             worst=worst,
             lost_digits=None if changing else lost_digits(expected, errors, epsilon),
             convention=reading.words,
@@ -561,9 +579,14 @@ class Examination:
     def _right_when_coarse(self, reading: Reading) -> tuple[Expected, Array, npt.NDArray[np.bool_]] | None:
         """Points with large errors at which the function is wrong, if any."""
         expected = reading.wanted.coarse(CONFIRMING)
-        found = excused(reading, expected, self._values(reading, expected)[1])
+        found = self._excused(reading, expected, self._values(reading, expected)[1])
         wrong = self._wrong_there(reading, expected, found, self._epsilon(reading))
         return (expected, found, wrong) if wrong.any() else None
+
+    def _excused(self, reading: Reading, expected: Expected, found: Array) -> Array:
+        """Without what rounding of arguments makes; of a table it cannot be seen whether an error is erratic."""
+        unit = self._epsilon(reading) / DOUBLE
+        return excused(reading, expected, found, unit, arguments_in_single=self._table is not None and reading.single)
 
     def _at(self, reading: Reading, points: Points) -> Array:
         calls = called(self._function, reading.binding, points, reading.wanted.shape)
@@ -648,6 +671,10 @@ class Examination:
         )
 
     def _unexplained(self, reading: Reading) -> Diagnosis:
+        model = self._wanted.quantity.model
+        absent = self._not_taken()
+        if model is not None and absent and set(absent) <= {symbol.name for symbol in model.parameters}:
+            raise CannotDiagnose(self._why())  # a state in which one of them stands is none
         expected = reading.wanted.ordinary(SCREENING)
         calls, found = self._values(reading, expected)
         wrong = self._wrong(calls, found, expected)

@@ -45,10 +45,10 @@ class ArgumentChange:
     cost: int = 0
 
     def beside(self, other: ArgumentChange) -> ArgumentChange:
-        """Both; of a symbol that both change, the other is applied last."""
+        """Both."""
         both = dict(self.changes)
         for name, change in other.changes.items():
-            both[name] = _after(change, both[name]) if name in both else change
+            both[name] = _together(both[name], change) if name in both else change
         words = " and ".join(filter(None, (self.words, other.words)))
         return ArgumentChange(words, both, self.cost + other.cost)
 
@@ -66,9 +66,15 @@ def as_variances(names: Sequence[str]) -> ArgumentChange:
     return ArgumentChange(f"variances in place of {_listed(names)}", dict.fromkeys(names, _squared), 1)
 
 
+def against_names(taken: Sequence[tuple[str, str]], words: str) -> ArgumentChange:
+    """Symbols that are taken as they are by parameters whose names say another convention: `az_deg`."""
+    said = [f"{symbol} itself for {parameter}, which says {words}" for symbol, parameter in taken]
+    return ArgumentChange(" and ".join(said), {}, 1) if said else AS_ASKED
+
+
 def angles_of(symbols: Sequence[Variable]) -> list[str]:
-    """Angles and deviations of angles."""
-    return [symbol.name for symbol in symbols if symbol.unit == RADIAN]
+    """What may be in degrees: angles, their rates, and deviations of both."""
+    return [symbol.name for symbol in symbols if symbol.unit.radian == 1]
 
 
 def deviations_of(symbols: Sequence[Variable]) -> list[str]:
@@ -77,7 +83,7 @@ def deviations_of(symbols: Sequence[Variable]) -> list[str]:
 
 
 def argument_changes(symbols: Sequence[Variable]) -> list[ArgumentChange]:
-    """Single conventions of arguments, then two of different kinds together."""
+    """Single conventions of the arguments that are taken, then two of different kinds together."""
     kinds = [list(_degrees(symbols)), list(_variances(symbols)), list(_other_axes(symbols))]
     units = list(_other_units(symbols))
     singles = [change for kind in (*kinds, units, _reciprocals(symbols), _opposite(symbols)) for change in kind]
@@ -116,10 +122,12 @@ def _reciprocals(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
 
 
 def _degrees(symbols: Sequence[Variable]) -> Iterator[ArgumentChange]:
-    every = angles_of(symbols)
-    spread = [name for name in every if name in deviations_of(symbols)]
-    directions = [name for name in every if name not in spread]
-    for names in dict.fromkeys(map(tuple, (every, directions, spread))):
+    """Everything, without rates, and directions, deviations or rates alone."""
+    every, errors = angles_of(symbols), deviations_of(symbols)
+    rates = [symbol.name for symbol in symbols if symbol.name in every and symbol.unit != RADIAN]
+    plain = [name for name in every if name not in rates]
+    directions, spread = ([name for name in plain if (name in errors) is chosen] for chosen in (False, True))
+    for names in dict.fromkeys(map(tuple, (every, plain, directions, spread, rates))):
         if names:
             yield in_degrees(names)
 
@@ -202,7 +210,7 @@ class Arrangements:
     Args:
         wanted: the quantity.
         stated: the order of the state, where the user says it: the columns of a derivative follow it.
-        passed: the order in which a vector of the state is passed, which results may have as well.
+        passed: what is passed, in its order: results may have the order of a state as well.
     """
 
     def __init__(self, wanted: Wanted, stated: Sequence[str] = (), passed: Sequence[str] = ()) -> None:
@@ -267,8 +275,8 @@ class Arrangements:
         own = tuple(range(self._size))
         found: dict[tuple[int, ...], tuple[str, float]] = {own: ("", 0)}
         state = [symbol.name for symbol in self._wanted.quantity.symbols]
-        order = tuple(place for place in map(state.index, self._passed) if place < len(self._passed))
-        orders = [order] if sorted(order) == list(range(len(self._passed))) else []
+        passed = [state.index(name) for name in self._passed]
+        orders = [tuple(place for place in passed if place < size) for size in dict.fromkeys(shape)]
         as_asked = {f"the {axis} in the order {', '.join(self._stated)}" for axis in ("columns", "entries")}
         for words, moved, cost in _moves(shape, self._names, orders):
             if self._stated and words in as_asked:
@@ -407,7 +415,7 @@ class _Triangle:
 
 def _orders(size: int, more: Sequence[tuple[int, ...]] = ()) -> Iterator[tuple[int, ...]]:
     """All orders of few things; of many, what stands by turns: positions and velocities, or axis by axis."""
-    yield from (order for order in more if len(order) == size)
+    yield from (order for order in more if len(order) == size)  # of all of them, as no place is there twice
     if size <= LONGEST:
         yield from permutations(range(size))
         return
@@ -431,8 +439,30 @@ def _listed(names: Sequence[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def _after(last: Change, first: Change) -> Change:
-    return lambda value: last(first(value))
+@dataclass(frozen=True)
+class _Steps:
+    """Several changes of one value, one after the other."""
+
+    changes: tuple[Change, ...]
+
+    def __call__(self, value: float) -> float:
+        for change in self.changes:
+            value = change(value)
+        return value
+
+
+def steps(change: Change) -> tuple[Change, ...]:
+    """The single changes of which it is made."""
+    return change.changes if isinstance(change, _Steps) else (change,)
+
+
+def _together(one: Change, other: Change) -> Change:
+    """An angle is counted from another axis first, then told in its unit, and a deviation in its unit is squared."""
+    return _Steps(tuple(sorted((*steps(one), *steps(other)), key=_turn)))
+
+
+def _turn(change: Change) -> int:
+    return 0 if change in {_complement, _negative} else 2 if change is _squared else 1
 
 
 def _squared(value: float) -> float:
@@ -462,4 +492,13 @@ PASSED_AS: Mapping[Change, str] = {
 
 def passed_as(changes: Mapping[str, Change]) -> dict[str, str]:
     """Symbol → what is passed for it, in words, where a word says it."""
-    return {name: PASSED_AS[change].format(name) for name, change in changes.items() if change in PASSED_AS}
+    return {
+        name: _spoken_change(name, change) for name, change in changes.items() if set(steps(change)) <= set(PASSED_AS)
+    }
+
+
+def _spoken_change(name: str, change: Change) -> str:
+    words = name
+    for step in steps(change):
+        words = PASSED_AS[step].format(words if words.isidentifier() else f"({words})")
+    return words

@@ -71,6 +71,7 @@ def main() -> None:
     watched = _Watched(request["function"], request["timeout"], answers)
     try:
         function = watched(loaded(Path(request["file"]), request["function"]))
+        printed.count = 0  # what its file prints is another thing
         answer = _answer(function, request)
         if printed.count:
             answer["remarks"] = [*answer["remarks"], PRINTS]

@@ -31,6 +31,7 @@ ALLOWANCE = 2.0**12  # units of rounding of the sizes of the terms that a textbo
 DOUBLE, SINGLE = 2.0**-52, 2.0**-23
 CLEAR = 0.3  # correlation of the error with a symbol from which it is said to grow with it
 LONG = 100
+MORE = 2  # digits that are lost beyond those that cancel: by the terms' own rounding
 MOSTLY = 0.8  # of the points on one side, at which digits are lost there
 FEWEST, STEADY = 5, 2.0  # points, and decades of the numbers whose rounding an error is
 # By which arguments are moved, in units of a scale; steps that are whole numbers meet a regular staircase alike.
@@ -100,7 +101,7 @@ def lost_digits(expected: Expected, errors: Array, epsilon: float) -> LostDigits
     return LostDigits(
         digits,
         _where(expected, errors.max(axis=1), int(place)),
-        _subtraction(expected.wanted.entries[int(entry)], expected, int(place))
+        _subtraction(expected.wanted.entries[int(entry)], expected, int(place), digits - MORE)
         or next(filter(None, (_what_is_subtracted(expected, errors, one) for one in _worst_first(errors))), ""),
         f"radartrack.generated.{quantity.module}.{quantity.function}" if quantity.name in catalogue() else "",
     )
@@ -142,9 +143,9 @@ def _sizes(expected: Expected) -> dict[str, npt.NDArray[np.float64]]:
     return found
 
 
-def _subtraction(entry: Expr, expected: Expected, place: int) -> str:
-    """The sum of the derived formula whose terms cancel most there."""
-    worst, found = 3.0, ""
+def _subtraction(entry: Expr, expected: Expected, place: int, least: float) -> str:
+    """The sum of the derived formula whose terms cancel most there, and by so many digits as are to be explained."""
+    worst, found = max(3.0, least), ""
     point = list(expected.point(place).values())
     for total in _sums(entry):
         try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from radartrack.derive.language.variable import Variable
 from radartrack.testing.calling.called_function import Array, Binding
 from radartrack.testing.function_conventions import ArgumentChange, Arrangement
 from radartrack.testing.wanted import Wanted
@@ -20,6 +21,7 @@ class Reading:
     Attributes:
         wanted: what it is compared with, another quantity too.
         binding: how it is called.
+        plain: the same without what the user stated and without the change.
         change: in which convention of arguments, beyond what was asked for.
         arrangement: in which order and units of results.
         wrong: how many different entries are wrong then.
@@ -34,10 +36,16 @@ class Reading:
     change: ArgumentChange
     arrangement: Arrangement
     wrong: int
+    plain: Binding
     other: bool = False
     single: bool = False
     form: str = ""
     first: Array | None = field(default=None, compare=False)
+
+    @property
+    def taken(self) -> list[Variable]:
+        """The symbols that the function takes."""
+        return [symbol for symbol in self.wanted.symbols if symbol.name in self.binding.symbols]
 
     @property
     def cost(self) -> float:

@@ -14,7 +14,7 @@ from radartrack.testing.reading import Reading
 from radartrack.testing.unexplained_difference import region
 from radartrack.testing.wanted import Expected, Wanted
 
-EXCUSED = 8.0  # ulp beyond which it is asked whether the convention makes them
+EXCUSED = 8.0  # units of its errors beyond which it is asked whether the convention makes them
 INDEFINITE = -1e-3  # an eigenvalue of a correlation matrix that rounding of one that is right does not reach
 TURNED = 2.0**-50  # radians that an angle loses when it is turned
 SINGLE = np.finfo(np.float32)
@@ -44,15 +44,27 @@ def beyond_single(found: Array, exact: Array) -> npt.NDArray[np.bool_]:
     return np.asarray(overflown | (vanished & (exact != 0)))
 
 
-def excused(reading: Reading, expected: Expected, found: Array) -> Array:
-    """What a function has, without what rounding of arguments in its convention makes: it cannot know better."""
-    changed = [symbol for symbol in reading.wanted.symbols if symbol.name in reading.binding.changes]
+def excused(
+    reading: Reading, expected: Expected, found: Array, unit: float, *, arguments_in_single: bool = False
+) -> Array:
+    """What a function has, without what rounding of arguments in its convention makes: it cannot know better.
+
+    Args:
+        reading: the convention.
+        expected: the exact values.
+        found: what the function has.
+        unit: in which its errors are told, in ulp of double precision.
+        arguments_in_single: whether all arguments may be rounded to single precision.
+    """
+    changed = reading.binding.changes
+    symbols = [one for one in reading.wanted.symbols if arguments_in_single or one.name in changed]
     found = found.copy()
     finite = np.where(np.isfinite(found), found, 0.0)
-    for place in np.flatnonzero((expected.errors(finite) > EXCUSED).any(axis=1)) if changed else ():
+    for place in np.flatnonzero((expected.errors(finite) > EXCUSED * unit).any(axis=1)) if symbols else ():
         exact, point, slack = expected.values[place], expected.point(int(place)), np.zeros(found.shape[1])
-        for symbol in changed:
-            step = TURNED * (max(abs(point[symbol.name]), symbol.is_angle))
+        for symbol in symbols:
+            step = TURNED * max(abs(point[symbol.name]), symbol.is_angle) if symbol.name in changed else 0.0
+            step += float(SINGLE.eps) * abs(point[symbol.name]) * arguments_in_single
             moved = reading.wanted.at(
                 {name: np.array([value]) for name, value in point.items()}
                 | {symbol.name: np.array([point[symbol.name] + step])}

@@ -20,6 +20,7 @@ from radartrack.testing.wanted import Wanted
 CLOSE = 1e-9  # of an argument that another program has written again
 FEWEST = 0.5  # of the points, which a table must have
 WRITTEN = re.compile(r"[-+]?\d*(?:\.(?P<decimals>\d*))?(?:[eEdD](?P<power>[-+]?\d+))?")
+DIGITS_OF_SINGLE = 7
 MOST = 50_000_000  # characters of a table
 
 Row = tuple[float, ...]
@@ -34,7 +35,7 @@ def points_table(wanted: Wanted) -> str:
     return text.getvalue()
 
 
-def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64]]:
+def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.floating]]:
     """A table as a function of the symbols, in their order.
 
     Args:
@@ -42,7 +43,7 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
         text: a line of names, then a line a point, in the order in which they were written; separated by commas, by
             semicolons (then numbers may have decimal commas) or tabulators. The columns that are called as symbols are
             compared with the points, and where they are there, lines may be missing; the others are the entries, row
-            by row.
+            by row, or those of one triangle of a covariance.
 
     Raises:
         CannotDiagnose: it is no such table.
@@ -52,25 +53,34 @@ def tabulated(wanted: Wanted, text: str) -> Callable[..., npt.NDArray[np.float64
     names, lines = _columns(text)
     own = [symbol.name for symbol in wanted.symbols]
     entries = [place for place, name in enumerate(names) if name not in own]
-    if lines and len(entries) != len(wanted.places):
+    if lines and len(entries) not in _sizes(wanted):
         raise CannotDiagnose(
             f"beside {', '.join(own)} the table has {len(entries)} columns; "
             f"{wanted.name} has {len(wanted.places)} entries"
         )
     given = {name: names.index(name) for name in own if name in names}
     placed = list(_placed(list(_rows(wanted)), lines, own, given, wanted))
-    known = {
-        row: np.array([_number(line[place], number) for place in entries]).reshape(wanted.shape)
-        for row, line, number in placed
+    shape = wanted.shape if len(entries) == len(wanted.places) else (len(entries),)
+    values = [[_number(line[place], number) for place in entries] for _, line, number in placed]
+    cells = [[line[place] for place in entries] for _, line, _ in placed]
+    kind: type[np.floating] = np.float32 if _are_single(values, cells) else np.float64
+    known: dict[Row, npt.NDArray[np.floating]] = {
+        row: np.array(one).astype(kind).reshape(shape) for (row, *_), one in zip(placed, values, strict=True)
     }
 
-    def look_up(*arguments: float) -> npt.NDArray[np.float64]:
+    def look_up(*arguments: float) -> npt.NDArray[np.floating]:
         if tuple(arguments) not in known:
             raise NotKnown
         return known[tuple(arguments)]
 
-    look_up.table = _precision([[line[place] for place in entries] for _, line, _ in placed])  # type: ignore[attr-defined]
+    look_up.table = _precision(cells)  # type: ignore[attr-defined]
     return look_up
+
+
+def _sizes(wanted: Wanted) -> set[int]:
+    """How many columns of entries there may be: of a covariance one triangle says all."""
+    rows = wanted.shape[0] if wanted.quantity.is_covariance and len(wanted.shape) == 2 else 0
+    return {len(wanted.places), *([rows * (rows + 1) // 2] if rows else [])}
 
 
 def _columns(text: str) -> tuple[list[str], list[list[str]]]:
@@ -131,6 +141,16 @@ def _half_unit(cell: str) -> float:
     if match is None:
         return 0.0
     return 0.5 * 10.0 ** (int(match["power"] or 0) - len(match["decimals"] or ""))
+
+
+def _are_single(values: Sequence[Sequence[float]], cells: Sequence[Sequence[str]]) -> bool:
+    """Whether all are numbers of single precision, written with more digits than it holds."""
+    found = np.array(values, np.float64).ravel()
+    written = [cell for line in cells for cell in line]
+    with np.errstate(over="ignore", invalid="ignore"):
+        away = np.abs(found - found.astype(np.float32))
+    fitting = ~np.isfinite(found) | (away <= 1.01 * np.array([_half_unit(cell) for cell in written]))
+    return bool(fitting.all()) and any(_digits(cell) > DIGITS_OF_SINGLE for cell in written)
 
 
 def _precision(cells: Sequence[Sequence[str]]) -> Precision:

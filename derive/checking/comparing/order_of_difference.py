@@ -10,7 +10,7 @@ from radartrack.derive.evaluation.many_digits import Evaluator
 from radartrack.derive.evaluation.points import generic_points
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.language.variable import Variable
-from radartrack.derive.symbolic import Expr, Symbol
+from radartrack.derive.symbolic import Expr
 
 HALVINGS = (40, 41)  # of the deviations: so small that only the leading order is left, one halving apart to read it
 DIGITS = 400  # forty halvings to the twentieth order cost 240
@@ -33,9 +33,9 @@ def orders(difference: Expr, quantity: Expr, symbols: Sequence[Variable]) -> tup
     return (known[0], known[1]) if len(known) == 2 else None
 
 
-def is_deviation(symbol: Symbol) -> bool:
+def is_deviation(symbol: Variable) -> bool:
     """Whether a symbol is the standard deviation of an error or of a prediction."""
-    return symbol.name.removeprefix("predicted_").startswith("sigma_")
+    return bool(symbol.deviation_of)
 
 
 def _order(expression: Expr, symbols: Sequence[Variable], deviations: Sequence[Variable]) -> int | None:

@@ -30,20 +30,16 @@ def working(symbols: Sequence[Variable]) -> list[Variable]:
 
 def works(symbols: Sequence[Variable], point: Point) -> bool:
     """Whether a radar measures a length as well, and as badly, as this."""
-    lengths = ((s.name, s.name.replace("sigma_", "")) for s in symbols if _is_deviation(s) and s.unit == METRE)
+    lengths = ((s.name, s.deviation_of) for s in symbols if s.deviation_of and s.unit == METRE)
     low, high = _SHARE
     return all(low * point[of] <= point[name] <= high * point[of] for name, of in lengths if point.get(of, 0.0) > 0)
 
 
 def _narrowed(symbol: Variable) -> Variable:
-    known = _DEVIATIONS.get(symbol.unit, _OF_NO_UNIT) if _is_deviation(symbol) else _POSITIVE.get(symbol.unit)
+    known = _DEVIATIONS.get(symbol.unit, _OF_NO_UNIT) if symbol.deviation_of else _POSITIVE.get(symbol.unit)
     if known is None or symbol.low <= 0 or symbol.at_most or symbol.whole:
         return symbol
     low, high = max(symbol.low, known[0]), min(symbol.high, known[1])
     if low >= high:
         return symbol
-    return type(symbol)(symbol.name, symbol.meaning, symbol.unit, low, high)
-
-
-def _is_deviation(symbol: Variable) -> bool:
-    return symbol.name.removeprefix("predicted_").startswith("sigma_")
+    return symbol.on(low, high)

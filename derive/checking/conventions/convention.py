@@ -348,7 +348,7 @@ def _divided_gains(asked: Asked) -> Iterator[Convention]:
 
 def _variances(asked: Asked) -> Iterator[Convention]:
     """Variances where deviations are meant: of all errors, or of one."""
-    found = [one for one in asked.reference.symbols if one.name.startswith("sigma_") and one in _used(asked)]
+    found = [one for one in asked.reference.symbols if one.deviation_of and one in _used(asked)]
     for chosen in (found, *([one] for one in found if len(found) > 1)):
         if chosen:
             words = tuple(f"{one}**2 for {one}" for one in chosen)

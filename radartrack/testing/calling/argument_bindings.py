@@ -186,8 +186,11 @@ def _scalars(
     if any(not isinstance(one, str) for one in stated.values()):
         return
     names = [symbol.name for symbol in symbols]
+    taken_by_name = {name for name, _, _ in places} & set(names)
     options = [
-        [str(stated[name])] if name in stated else _unless(meanings(name, symbols), set(stated.values()))
+        [str(stated[name])]
+        if name in stated
+        else _unless(meanings(name, symbols), {*stated.values(), *taken_by_name} - {name})
         for name, _, _ in places
     ]
     is_told = False
@@ -215,10 +218,11 @@ def _vectors(
     if not 0 < len(places) <= len(names):
         return
     known: dict[str, tuple[str, ...]] = {}
+    taken_by_name = {name for name, _, _ in places} & set(names)  # which no other parameter means: tau beside T
     for name, _, _ in places:
         if name in stated:
             known[name] = (stated[name],) if isinstance(stated[name], str) else tuple(stated[name])  # type: ignore[assignment]
-        elif len(places) > 1 and len(found := meanings(name, symbols)) == 1:
+        elif len(places) > 1 and len(found := _unless(meanings(name, symbols), taken_by_name - {name})) == 1:
             known[name] = (found[0],)
     fewer = list(_fewer(known, stated))
     for part in (slice(0, USUAL), slice(USUAL, None)):
@@ -274,24 +278,27 @@ def _filled(
     known: Mapping[str, tuple[str, ...]],
     stated: Mapping[str, str | Sequence[str]],
 ) -> Iterator[Binding]:
-    """Vectors of the symbols that no parameter takes by its name."""
+    """Vectors of the symbols that no parameter takes by its name; one alone is rather a number."""
     count = sum(place[0] not in known for place in places)
     taken = {name for one in known.values() for name in one}
     for orders in _orders([name for name in names if name not in taken]):
         for groups in _groups(orders, count):
             left = iter(groups)
             filled = [(place, known.get(place[0]) or next(left)) for place in places]
-            yield Binding(
-                tuple(
-                    Parameter(
-                        name,
-                        tuple(group),
-                        is_vector=name not in known or not isinstance(stated.get(name, ""), str),
-                        is_keyword=by_name,
+            single = {name for (name, _, _), group in filled if len(group) == 1 and name not in known}
+            for numbers in dict.fromkeys((frozenset(single if len(places) > 1 else ()), frozenset[str]())):
+                yield Binding(
+                    tuple(
+                        Parameter(
+                            name,
+                            tuple(group),
+                            is_vector=name not in numbers
+                            and (name not in known or not isinstance(stated.get(name, ""), str)),
+                            is_keyword=by_name,
+                        )
+                        for (name, _, by_name), group in filled
                     )
-                    for (name, _, by_name), group in filled
                 )
-            )
 
 
 def _orders(free: Sequence[str]) -> Iterator[tuple[str, ...]]:

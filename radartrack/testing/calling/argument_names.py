@@ -45,7 +45,7 @@ ALIASES: dict[str, tuple[str, ...]] = {
 }
 DEVIATION = ("sigma", "sig", "std", "stddev", "deviation", "s", "sd", "stdev", "noise")
 VARIANCE = ("var", "variance", "sigma2", "sigmasq", "sig2", "cov")
-DEGREES = ("deg", "degree", "degrees")
+DEGREES = ("deg", "degs", "degree", "degrees", "dps")  # the last: degrees a second
 PREDICTED = ("predicted", "pred", "p", "prior")
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+")
 
@@ -59,6 +59,11 @@ def meanings(parameter: str, symbols: Sequence[Variable]) -> list[str]:
     joined = "".join(words)
     same = [symbol.name for symbol in symbols if _joined(symbol.name) == joined]
     return same or [symbol.name for symbol in symbols if _may_mean(words, joined, symbol)]
+
+
+def is_same_name(parameter: str, symbol: str) -> bool:
+    """Whether it is the symbol's own, but for how words are joined: `sigma2` of sigma_2 is no square."""
+    return _joined(parameter) == _joined(symbol)
 
 
 def is_variance(parameter: str) -> bool:
@@ -84,7 +89,7 @@ def _is_called(words: list[str], joined: str, name: str, symbol: Variable) -> bo
     if not is_deviation(symbol):
         kept = [word for word in words if word not in DEGREES]
         return bool(kept) and _is_alias("".join(kept), name)
-    of = name.removeprefix("sigma_")
+    of = symbol.deviation_of
     marks = {*DEVIATION, *VARIANCE}
     dropped = {*DEGREES} if of == "2" else {*DEGREES, "2"}  # sigma2_r is a square, sigma_2 the second
     kept = [word for word in words if word not in {*marks, *dropped}]

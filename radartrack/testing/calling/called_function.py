@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Coroutine, Iterator, Mapping, ValuesView
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
 from itertools import islice
@@ -269,8 +269,10 @@ def as_array(result: Any) -> npt.NDArray[Any] | None:
 
 
 def _drained(result: Any) -> Any:
-    """The values of an iterator, which are computed only now; anything else as it is."""
-    return list(islice(result, MOST)) if isinstance(result, Iterator) else result
+    """The values of an iterator, which are computed only now, or of a dict; anything else as it is."""
+    if isinstance(result, Coroutine):
+        result.close()  # nothing waits for it
+    return list(islice(result, MOST)) if isinstance(result, Iterator | ValuesView) else result
 
 
 def _array(result: Any) -> npt.NDArray[Any] | None:

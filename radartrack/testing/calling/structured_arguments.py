@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, get_type_hints
 
+from radartrack.derive.checking.comparing.order_of_difference import is_deviation
 from radartrack.derive.language.variable import Variable
 from radartrack.testing.calling.argument_names import meanings
 from radartrack.testing.calling.called_function import Made, Parameter
@@ -61,8 +62,13 @@ def structured(
     if kind is not None and (order := _fields(kind, taken)) is not None:
         yield replace(parameter, made=Made(f"a {kind.__name__}", partial(_constructed, kind, order)))
     yield replace(parameter, made=Made("a record", partial(Record, taken)))
-    if len(taken) == 2 and taken[0].unit == taken[1].unit:
+    if len(taken) == 2 and all(_is_coordinate(one) for one in taken) and taken[0].unit == taken[1].unit:
         yield replace(parameter, made=Made("the complex number", _complex, is_ordered=True))
+
+
+def _is_coordinate(symbol: Variable) -> bool:
+    """Whether it is a position or one of its derivatives, two of which a plane's point has."""
+    return symbol.unit.metre == 1 and symbol.unit.radian == 0 and not is_deviation(symbol)
 
 
 def _annotated(function: Callable[..., Any], parameter: str) -> type | None:

@@ -182,3 +182,14 @@ def test_code_printers_take_a_variable_for_a_symbol(printed: Callable[[sympy.Exp
 def test_formulas_lambdify():
     function = sympy.lambdify(POLAR.measured, list(POLAR.map), "numpy", cse=True)
     assert function(2.0, 0.0) == [2.0, 0.0]
+
+
+def test_a_deviation_is_known_by_what_the_model_says_and_by_its_name() -> None:
+    spread = length("s", "spread of the range")
+    model = replace(POLAR, name="mine", deviations=(spread, POLAR.deviations[1]))
+    assert [sigma.deviation_of for sigma in model.deviations] == ["r", "beta"]
+    assert [predicted(sigma).deviation_of for sigma in model.deviations] == ["r", "beta"]
+    assert model.deviations[0] == spread
+    assert spread.deviation_of == ""
+    again = pickle.loads(pickle.dumps(model.deviations[0]))  # noqa: S301 - our own
+    assert (again.deviation_of, again.on(1.0, 2.0).deviation_of, again.below(3.0).deviation_of) == ("r", "r", "r")

@@ -9,6 +9,7 @@ from typing import Any
 
 import mpmath
 import pytest
+import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -311,3 +312,62 @@ def test_the_same_table_gives_the_same_model_each_time_and_its_quantities_are_it
     assert quantities_of(first) == quantities_of(first)
     assert quantities_of(first)[0] is quantities_of(first)[0]
     assert quantities_of(first)[0] != quantities_of(second)[0]  # what is kept of one never serves the other
+
+
+def summing(formula: str) -> dict[str, Any]:
+    """A model of one output."""
+    return tomllib.loads(f"""
+        [symbols]
+        x = {{ unit = "m" }}
+        v = {{ unit = "m/s" }}
+        T = {{ unit = "s" }}
+        [let]
+        k = "2"
+        [[model]]
+        name = "sums"
+        measured = ["x", "v"]
+        parameters = ["T"]
+        outputs = {{ x = "{formula}" }}
+        units = {{ x = "m" }}
+    """)
+
+
+@pytest.mark.parametrize(
+    ("formula", "meant"),
+    [
+        ("sum(x + v*T*j, j, 1, 5)/5", "x + 3*v*T"),
+        ("sum(sum(v*T*i*j, i, 1, 2), j, 1, 3)", "18*v*T"),
+        ("sum(x*cos(v*T*j/x), j, 0, 2)", "x + x*cos(v*T/x) + x*cos(2*v*T/x)"),
+        ("x + sum(x, j, 3, 1)", "x"),
+    ],
+)
+def test_a_sum_over_scans_is_written_out(formula: str, meant: str):
+    (one,), (other,) = read_models(summing(formula)), read_models(summing(meant))
+    assert sympy.expand(one.outputs["x"] - other.outputs["x"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("formula", "said"),
+    [
+        ("sum(x*j, j, 1, T)", "goes from one whole number to another"),
+        ("sum(x*j, j, 1, 10^6)", "the sum is too large"),
+        ("sum(sum(sum(x*cos(i*j*k1), i, 1, 99), j, 1, 99), k1, 1, 99)", "the sum is too large"),
+        ("sum(x*k, k, 1, 3)", "a name that is defined is no symbol"),
+        ("sum([x, x], j, 1, 3)", "that of numbers"),
+        ("integral(x*t, t, 0, 1)", "integral is not read here"),
+        ("limit(x*t, t, 1)", "limit is not read here"),
+    ],
+)
+def test_what_cannot_be_summed_is_refused_with_a_word(formula: str, said: str):
+    with pytest.raises(TableError, match=r"outputs\.x") as caught:
+        read_models(summing(formula))
+    assert said in str(caught.value)
+
+
+def test_a_deviation_that_two_errors_share_is_told_by_its_own_name():
+    data = bistatic()
+    data["symbols"]["theta"] = {"unit": "m"}
+    data["model"][0] |= {"outputs": {"x": "S + theta + L"}, "units": {"x": "m"}, "correlations": {}}
+    data["model"][0]["deviations"] = {"S": "sigma", "theta": "sigma"}
+    with pytest.raises(TableError, match=r"must occur once; given S, theta, L, sigma, sigma$"):
+        read_models(data)

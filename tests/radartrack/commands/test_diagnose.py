@@ -85,6 +85,20 @@ def test_what_a_function_prints_does_not_mix_with_the_diagnosis(source: Path) ->
     assert "it prints while it is called" in record["remarks"]
 
 
+def test_what_its_file_prints_and_what_it_is_are_not_said_of_the_function(tmp_path: Path) -> None:
+    path = tmp_path / "own.py"
+    path.write_text(
+        "import math\nprint('begins')\n"
+        "def to_xy(r, az):\n    return r*math.cos(az), r*math.sin(az)\n"
+        "async def later(r, az):\n    return to_xy(r, az)\n"
+        "class Converter:\n    pass\n"
+    )
+    found = run(f"{path}:to_xy", "polar.map", "--json")
+    assert json.loads(found.stdout)["remarks"] == []
+    assert "it returns a coroutine" in run(f"{path}:later", "polar.map").output
+    assert "Converter is a class" in run(f"{path}:Converter", "polar.map").output
+
+
 @pytest.mark.parametrize(
     ("what", "words"),
     [("{}", "FILE.py:FUNCTION"), ("nowhere.py:right", "there is no file nowhere.py")],

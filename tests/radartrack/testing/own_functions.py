@@ -321,3 +321,31 @@ def of_a_time_constant(T: float, tau: float) -> Any:
 def turning_in_another_order(x: Any, dt: float) -> Any:
     found = turning([x[0], x[1], x[3], x[2], x[4]], dt)
     return [found[0], found[1], found[3], found[2], found[4]]
+
+
+def turned(state: Any, dt: float, slow: float = 0.0) -> Any:
+    """Position, speed, heading and rate of a turn, a period later; a straight line where it is slow."""
+    x, y, v, heading, omega = state
+    later = heading + omega * dt
+    if abs(omega) <= slow:
+        return x + v * dt * math.cos(heading), y + v * dt * math.sin(heading), v, later, omega
+    dx, dy = math.sin(later) - math.sin(heading), math.cos(heading) - math.cos(later)
+    return x + v / omega * dx, y + v / omega * dy, v, later, omega
+
+
+def straight_where_slow(state: Any, dt: float) -> Any:
+    """As code does that would divide by zero."""
+    return turned(state, dt, 1e-4)
+
+
+def turned_in_degrees(state: Any, dt: float) -> Any:
+    """The same with all angles of the state in degrees."""
+    x, y, v, heading, omega = state
+    x, y, v, heading, omega = turned([x, y, v, math.radians(heading), math.radians(omega)], dt)
+    return x, y, v, math.degrees(heading), math.degrees(omega)
+
+
+def from_zenith(r: float, az: float, zenith: float) -> Any:
+    """East, north and up of a range, an azimuth from north and an angle from the zenith."""
+    ground = r * math.sin(zenith)
+    return ground * math.sin(az), ground * math.cos(az), r * math.cos(zenith)

@@ -32,6 +32,7 @@ SAMPLE = (
 RIGHT = ("polar.covariance.averaged", "observe.spherical.jacobian", "fusion.variance.three")
 SHARE = 0.95
 JACOBIAN = "observe.polar_doppler.jacobian"
+WEIGHTS = "fusion.weights.two"
 WRONG = {"slip", "differs", "undefined"}
 
 
@@ -244,11 +245,100 @@ def test_what_is_passed_in_another_unit_is_said_where_it_is_passed() -> None:
     assert found.arguments == ("r: r", "az_deg: beta in degrees")
 
 
-def test_iterators_are_what_they_yield() -> None:
+@pytest.mark.parametrize(
+    ("function", "name", "words"),
+    [
+        (
+            lambda r, az_deg: (r * math.cos(az_deg), r * math.sin(az_deg)),
+            "polar.map",
+            "beta itself for az_deg, which says degrees",
+        ),
+        (
+            lambda r, az, var_r, sigma_az: np.array(own.linear(r, az, var_r, sigma_az)),
+            "polar.covariance.linear",
+            "sigma_r itself for var_r, which says a variance",
+        ),
+    ],
+)
+def test_a_parameter_that_is_not_what_its_name_says_is_told(function: Function, name: str, words: str) -> None:
+    found = diagnose(function, name, given={"rho": 0} if "linear" in name else None)
+    assert found.verdict == "convention"
+    assert found.convention == words
+
+
+def test_a_name_that_a_symbol_has_itself_says_no_convention_and_the_user_knows_better() -> None:
+    assert_derived(lambda sigma2, sigma1: [sigma2**2, sigma1**2] / (sigma1**2 + sigma2**2 + np.zeros(2)), WEIGHTS)
+    in_radians = lambda r, az_deg: (r * math.cos(az_deg), r * math.sin(az_deg))  # noqa: E731 - as a stranger writes
+    assert_derived(in_radians, "polar.map", arguments={"az_deg": "beta"})
+    assert_derived(lambda r, deg: own.to_xy(r, math.radians(deg)), "polar.map", arguments={"deg": "beta"})
+
+
+def test_iterators_and_the_values_of_a_dict_are_what_they_hold() -> None:
     def to_xy(r: float, az: float) -> Any:
         yield from own.to_xy(r, az)
 
     assert_derived(to_xy, "polar.map")
+    assert_derived(lambda r, az: dict(zip("xy", own.to_xy(r, az), strict=True)).values(), "polar.map")
+
+
+def test_a_state_all_of_whose_angles_are_in_degrees_has_its_rate_in_degrees_a_second() -> None:
+    function = own.turned_in_degrees
+    assert diagnose(function, "motion.ctrv.map").convention == "heading and omega in degrees and the result in degrees"
+    assert diagnose(function, "motion.ctrv.map", degrees=True).convention == "the result in degrees"
+    assert diagnose(function, "motion.ctrv.map", degrees="heading").convention.startswith("omega in degrees")
+
+
+@pytest.mark.parametrize(
+    ("stated", "words"),
+    [
+        ({"degrees": True}, "variances in place of sigma_r and sigma_beta"),
+        ({"variances": True}, "beta and sigma_beta in degrees"),
+        ({"degrees": True, "variances": True}, ""),
+    ],
+)
+def test_beside_a_convention_that_is_said_another_is_found(stated: dict[str, Any], words: str) -> None:
+    def of_degrees(r: float, az: float, p: float, q: float) -> Any:
+        return own.linear(r, math.radians(az), math.sqrt(p), math.radians(math.sqrt(q)))
+
+    found = diagnose(of_degrees, "polar.covariance.linear", given={"rho": 0}, **stated)
+    assert found.verdict == ("convention" if words else "agrees")
+    assert found.convention == words
+
+
+def test_an_angle_is_turned_before_it_is_told_in_degrees() -> None:
+    def of_zenith(r: float, az: float, zenith: float) -> Any:
+        return own.from_zenith(r, math.radians(az), math.radians(zenith))
+
+    found = diagnose(of_zenith, "spherical.map", degrees=True)
+    assert found.convention == "epsilon counted from the zenith (pi/2 - epsilon)"
+    assert "zenith: (pi/2 - epsilon) in degrees" in found.arguments
+
+
+def test_results_in_the_order_in_which_a_state_is_passed_are_a_convention_whether_it_is_a_vector_or_not() -> None:
+    def moved(x: float, y: float, heading: float, speed: float, omega: float, dt: float) -> Any:
+        px, py, v, psi, rate = own.turned([x, y, speed, heading, omega], dt)
+        return px, py, psi, v, rate
+
+    assert diagnose(moved, "motion.ctrv.map").convention == "the entries in the order 0, 1, 3, 2, 4"
+
+
+def test_variances_are_said_of_what_is_taken_alone() -> None:
+    found = diagnose(
+        lambda r, b, s: [r * math.exp(s / 2) * f(b) for f in (math.cos, math.sin)], "polar.unbiased.estimate"
+    )
+    assert found.convention == "variances in place of sigma_beta"
+
+
+def test_two_covariances_are_no_complex_number() -> None:
+    with pytest.raises(CannotDiagnose, match="it returns an array"):
+        diagnose(lambda R, T: np.block([[R, R / T], [R / T, 2 * R / T**2]]), "initiation.two_plots.covariance")
+
+
+def test_a_straight_line_in_place_of_a_slow_turn_is_not_told_as_a_subtraction_that_loses_less() -> None:
+    lost = diagnose(own.straight_where_slow, "motion.ctrv.map").lost_digits
+    assert lost is not None
+    assert lost.digits > 8
+    assert not lost.why
 
 
 def test_a_state_in_which_x_and_y_are_exchanged_is_not_taken_for_right() -> None:

@@ -37,6 +37,21 @@ units = { v = "1" }
 deviations = { p = "s_p" }
 """
 MODELS = read_models(tomllib.loads(TOML))
+DECAY = read_models(
+    tomllib.loads("""
+[symbols]
+x = { unit = "m", low = -1e4, high = 1e4 }
+v = { unit = "m/s", low = -300, high = 300 }
+a = { unit = "1/s", low = 0.01, high = 1 }
+T = { unit = "s", low = 0.1, high = 10 }
+[[model]]
+name = "decay"
+measured = ["x", "v"]
+parameters = ["a", "T"]
+outputs = { x1 = "x + v*(1 - exp(-a*T))/a", v1 = "v*exp(-a*T)" }
+units = { x1 = "m", v1 = "m/s" }
+""")
+)
 COVARIANCE = "flat.covariance.linear"
 
 
@@ -67,3 +82,40 @@ def test_digits_that_are_lost_where_a_wave_vanishes_are_told_without_a_warning_a
     assert found.lost_digits is not None
     assert found.lost_digits.instead == ""
     assert "keeps" not in str(found)
+
+
+def flat_covariance(z: Any, R: Any) -> Any:
+    r, b = z
+    jacobian = np.array([[math.cos(b), -r * math.sin(b)], [math.sin(b), r * math.cos(b)], [0, 0]])
+    return jacobian @ R @ jacobian.T
+
+
+def test_deviations_of_any_name_are_passed_as_a_covariance_matrix_and_slips_in_it_are_found() -> None:
+    found = diagnose(flat_covariance, COVARIANCE, models=MODELS)
+    assert found.agrees, str(found)
+    assert found.arguments[1] == "R: the covariance matrix of s_r, s_b"
+
+    def slipped(r: float, b: float, std_r: float, std_b: float) -> Any:
+        return flat_covariance((r, b), np.diag([std_r**2, std_b]))
+
+    assert diagnose(slipped, COVARIANCE, models=MODELS).convention == "variances in place of s_b"
+
+
+def test_a_name_that_may_mean_a_symbol_leaves_it_to_the_parameter_that_has_its_name() -> None:
+    """tau is a period where nothing else is; beside T it is a time constant."""
+
+    def moved(state: Any, tau: float, T: float) -> Any:
+        return np.array([[1, tau * (1 - math.exp(-T / tau))], [0, math.exp(-T / tau)]]) @ state
+
+    found = diagnose(moved, "decay.map", models=DECAY)
+    assert found.convention == "1/a in place of a"
+    assert found.arguments == ("state: (x, v)", "tau: 1/a", "T: T")
+
+
+def test_a_symbol_that_a_function_has_as_a_constant_is_named() -> None:
+    def moved(x: float, v: float, T: float) -> Any:
+        return x + v * 10 * (1 - math.exp(-T / 10)), v * math.exp(-T / 10)
+
+    with pytest.raises(CannotDiagnose, match=r'the function takes no a; say the value it has: given=\{"a": \.\.\.\}'):
+        diagnose(moved, "decay.map", models=DECAY)
+    assert diagnose(moved, "decay.map", models=DECAY, given={"a": 0.1}).verdict in {"agrees", "loses_digits"}

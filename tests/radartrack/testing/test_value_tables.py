@@ -22,22 +22,35 @@ WANTED = wanted_by("polar.map", {})
 
 
 def filled(wanted: Wanted, formula: Callable[..., Any], spelled: str = "r") -> str:
-    """The table with values in two more columns, written by another program."""
+    """The table with values in more columns, written by another program, which writes the points again."""
+    return _table(wanted, formula, len(wanted.places), lambda value: _spelled(value, spelled), spelled)
+
+
+def filled_with(wanted: Wanted, formula: Callable[..., Any], spelled: str, columns: int = 0) -> str:
+    """The same by one that leaves the points as they are."""
+    return _table(wanted, formula, columns or len(wanted.places), repr, spelled)
+
+
+def _table(
+    wanted: Wanted, formula: Callable[..., Any], columns: int, again: Callable[[float], str], spelled: str
+) -> str:
     rows = list(csv.reader(io.StringIO(points_table(wanted))))
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow([*rows[0], *(f"entry {n}" for n, _ in enumerate(wanted.places))])
+    writer.writerow([*rows[0], *(f"entry {n}" for n in range(columns))])
     for row in rows[1:]:
-        writer.writerow([_spelled(value, spelled) for value in (*map(float, row), *formula(*map(float, row)))])
+        at = [*map(float, row)]
+        writer.writerow([*map(again, at), *(_spelled(value, spelled) for value in formula(*at))])
     return text.getvalue()
 
 
 def _spelled(value: float, spelled: str) -> str:
-    return repr(value) if spelled == "r" else format(value, spelled)
+    return repr(float(value)) if spelled == "r" else format(value, spelled)
 
 
 def diagnosed(wanted: Wanted, text: str) -> Diagnosis:
-    return Examination(tabulated(wanted, text), wanted, {"argument 1": "r", "argument 2": "beta"}, AS_ASKED).diagnosis()
+    places = {f"argument {place}": symbol.name for place, symbol in enumerate(wanted.symbols, start=1)}
+    return Examination(tabulated(wanted, text), wanted, places, AS_ASKED).diagnosis()
 
 
 def right(r: float, beta: float) -> tuple[float, float]:
@@ -104,6 +117,53 @@ def test_a_table_that_another_form_has_lost_digits_in_is_right() -> None:
     taken = {f"argument {place + 1}": symbol.name for place, symbol in enumerate(wanted.symbols)}
     found = Examination(tabulated(wanted, text), wanted, taken, AS_ASKED).diagnosis()
     assert found.verdict == "loses_digits", str(found)
+
+
+def single(r: float, beta: float) -> tuple[float, float]:
+    range_, azimuth = np.float32(r), np.float32(beta)
+    return float(range_ * np.cos(azimuth)), float(range_ * np.sin(azimuth))
+
+
+@pytest.mark.parametrize("spelled", [".7g", ".8g", ".7e", ".9g", ".12g", ".17g"])
+def test_single_precision_is_right_with_however_many_digits_it_is_written(spelled: str) -> None:
+    found = diagnosed(WANTED, filled_with(WANTED, single, spelled))
+    assert found.agrees, str(found)
+    assert found.lost_digits is None
+    wrong = diagnosed(WANTED, filled_with(WANTED, lambda r, beta: single(r, -beta), spelled))
+    assert not wrong.agrees
+
+
+def test_double_precision_in_few_digits_is_not_taken_for_single() -> None:
+    found = diagnosed(WANTED, filled_with(WANTED, right, ".9g"))
+    assert found.agrees
+    assert found.remarks == ("the values are written with 9 digits, in units of whose last one errors are told",)
+
+
+def linear(r: float, beta: float, sigma_r: float, sigma_beta: float) -> list[float]:
+    (xx, xy), (_, yy) = own.linear(r, beta, sigma_r, sigma_beta)
+    return [xx, xy, yy]
+
+
+def test_of_a_covariance_one_triangle_is_enough() -> None:
+    wanted = wanted_by("polar.covariance.linear", {"rho": 0.0})
+    found = diagnosed(wanted, filled_with(wanted, linear, "r", columns=3))
+    assert found.agrees, str(found)
+    jacobian = wanted_by("polar.jacobian", {})
+    with pytest.raises(CannotDiagnose, match="the table has 3 columns"):
+        tabulated(jacobian, filled_with(jacobian, lambda *_: (1.0, 0.0, 1.0), "r", columns=3))
+
+
+def test_of_a_convention_in_which_no_point_was_computed_no_error_is_told() -> None:
+    wanted = wanted_by("polar.covariance.linear[0, 0]", {})
+
+    def of_variance(r: float, beta: float, variance: float, sigma_beta: float, rho: float) -> list[float]:
+        radial, across = math.sqrt(variance) * math.cos(beta), r * sigma_beta * math.sin(beta)
+        return [radial**2 + across**2 - 2 * rho * radial * across]
+
+    found = diagnosed(wanted, filled(wanted, of_variance))
+    assert found.convention == "variances in place of sigma_r"
+    assert (found.ulp, found.worst) == (None, None)
+    assert "nan" not in str(found)
 
 
 def test_degrees_and_slips_are_found_in_tables() -> None:
