@@ -1,6 +1,6 @@
 """Conversions over arrays; mean, shape (..., n), and covariance, shape (..., n, n), are filled.
 
-Written by radartrack regenerate, generator 1, derivation 324b767bdbd7a6aa; not to be edited.
+Written by radartrack regenerate, generator 1, derivation f035e07357f24eb6; not to be edited.
 """
 
 import numpy as np
@@ -3464,8 +3464,8 @@ def spherical_averaged(
     term_2 = np.expm1(-0.5 * sigma_epsilon_squared)
     shortfall_epsilon = -term_2
     sum_1 = (1.0 - shortfall_epsilon) * shortfall_beta + shortfall_epsilon
-    product_21 = attenuation_beta * attenuation_epsilon
-    part_0_cos_epsilon_sin_beta = -product_21 * r * sum_1
+    product_16 = attenuation_beta * attenuation_epsilon
+    part_0_cos_epsilon_sin_beta = -product_16 * r * sum_1
     attenuation_beta_2 = np.exp(-sigma_beta_squared)
     attenuation_beta_less_one = term_1
     sum_2 = 2.0 + attenuation_beta_less_one
@@ -3495,307 +3495,284 @@ def spherical_averaged(
     sum_12 = 66.0 * attenuation_beta_2 - 36.0 * shortfall_beta_2
     sum_13 = attenuation_epsilon_2 * sum_11 + shortfall_epsilon_2_squared * sum_12
     del sum_5, sum_9, sum_11, sum_12
-    product_29 = shortfall_beta_2_squared * sum_8
-    sum_14 = attenuation_beta_2 * sum_13 - product_29
+    product_27 = shortfall_beta_2_squared * sum_8
+    sum_14 = attenuation_beta_2 * sum_13 - product_27
     sum_15 = 54.0 * attenuation_beta_2 - 12.0 * shortfall_beta_2
     sum_16 = attenuation_beta_2 * sum_15 - 3.0 * shortfall_beta_2_squared
     sum_17 = attenuation_epsilon_2 * sum_14 + product_3 * sum_16
-    del sum_8, sum_13, sum_14, sum_16
-    product_28 = product_4 * sum_6
-    sum_18 = attenuation_beta_2 * sum_17 - product_28
+    del sum_8, sum_13, sum_15, sum_14, sum_16
+    product_25 = product_4 * sum_6
+    sum_18 = attenuation_beta_2 * sum_17 - product_25
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
     sum_19 = attenuation_epsilon_2 * sum_18 + product_2
     sum_20 = 1.0 + attenuation_beta_2
-    sum_21 = 1.0 - attenuation_epsilon_2 * sum_20
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_22 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_21
+    product_17 = attenuation_beta_2 * attenuation_epsilon_2
+    sum_21 = 1.0 - product_17
+    sum_22 = 1.0 + attenuation_epsilon_2_squared * sum_21
     del sum_6, sum_17, sum_18, sum_21
-    sum_23 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_22
-    sum_24 = 1.0 - attenuation_epsilon_2 * sum_23 + attenuation_beta_2 * sum_20
+    sum_23 = attenuation_beta_2 - attenuation_epsilon_2 * sum_22
     attenuation_epsilon_2_squared_squared = attenuation_epsilon_2_squared**2
     r_squared = r**2
-    sum_25 = 1.0 + attenuation_beta_2 * sum_24 + attenuation_epsilon_2_squared_squared
-    del sum_22, sum_20, sum_23, sum_24
-    sum_26 = 2.0 + 2.0 * attenuation_beta_2
-    sum_27 = 1.0 - attenuation_epsilon_2 * sum_26
-    sum_28 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_27
-    sum_29 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_28
-    product_5 = attenuation_beta_2 * sum_26
-    sum_30 = 2.0 - attenuation_epsilon_2 * sum_29 + product_5
-    del sum_27, sum_28, sum_26, sum_29
-    sum_31 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_30
-    sum_32 = 0.25 * r_squared * sum_25 + 0.25 * sigma_r_squared * sum_31
-    product_16 = rho_squared * sigma_beta_squared
-    del sum_30, sum_25, sum_31, rho_squared, sigma_beta_squared
-    product_19 = attenuation_beta_2 * product_16
-    product_31 = product_19 * sigma_r_squared
-    part_00_cos_beta2_cos_epsilon2 = 0.25 * product_31 * sum_19 + shortfall_beta_2 * sum_32
-    sum_33 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_34 = attenuation_epsilon_2 * sum_33 + shortfall_epsilon_2_squared
-    sum_35 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
-    sum_36 = 3.0 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_35
-    sum_37 = 24.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
-    sum_38 = 44.0 * attenuation_epsilon_2 + 66.0 * shortfall_epsilon_2
-    sum_39 = attenuation_beta_2 * sum_38 - shortfall_beta_2 * sum_37
-    del sum_19, sum_32, sum_37, sum_38
-    sum_40 = attenuation_epsilon_2 * sum_39 + shortfall_epsilon_2_squared * sum_15
-    sum_41 = attenuation_beta_2 * sum_40 - shortfall_beta_2_squared * sum_36
-    del sum_15, sum_39, sum_36, sum_40
-    sum_42 = attenuation_beta_2 * sum_41 - product_4 * sum_34
-    sum_43 = 16.0 * product_1 * product_3 + attenuation_epsilon_2 * sum_42
-    del product_4, sum_34, sum_41, sum_42
-    product_6 = attenuation_epsilon_2 * (1.0 + attenuation_epsilon_2)
-    sum_44 = 1.0 + product_6
-    product_7 = attenuation_epsilon_2 * sum_44
-    product_8 = attenuation_epsilon_2 * attenuation_epsilon_2_squared
-    sum_45 = 1.0 + attenuation_beta_2 * (1.0 + product_7) + product_8
-    sum_46 = 1.0 + attenuation_beta_2 * sum_45 + product_8
-    sum_47 = 1.0 + attenuation_beta_2 * sum_46 + product_7
-    sum_48 = 2.0 + 2.0 * attenuation_epsilon_2
-    sum_49 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_48
-    sum_50 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_49
-    del sum_45, product_7, sum_46, sum_49
-    sum_51 = 1.0 + 2.0 * attenuation_epsilon_2
-    product_9 = attenuation_epsilon_2 * sum_51
-    sum_52 = 1.0 + attenuation_beta_2 * sum_50 + product_9
-    sum_53 = 2.0 + attenuation_epsilon_2 * sum_52 + product_5
-    del sum_51, sum_50, product_5, sum_52
-    product_10 = attenuation_epsilon_2 * sum_48
-    sum_54 = 2.0 + product_10
-    sum_55 = 2.0 + attenuation_beta_2 * sum_53 + attenuation_epsilon_2 * sum_54
-    sum_56 = 0.25 * r_squared * sum_47 + 0.25 * sigma_r_squared * sum_55
-    del sum_48, sum_53, sum_47, sum_55
-    sum_57 = 0.25 * product_31 * sum_43 + shortfall_beta_2 * sum_56
-    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_57
-    del product_31, sum_43, sum_56, sum_57
-    attenuation_beta_2_squared_squared = attenuation_beta_2_squared**2
-    sum_58 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
-    sum_59 = attenuation_epsilon_2 * sum_58 + 0.5 * shortfall_epsilon_2_squared
-    sum_60 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_61 = attenuation_epsilon_2 * sum_60 + shortfall_epsilon_2_squared
-    sum_62 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_63 = attenuation_beta_2 * sum_62 + shortfall_beta_2 * sum_62
-    sum_64 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
-    sum_65 = attenuation_epsilon_2 * sum_63 + shortfall_epsilon_2_squared * sum_64
-    del sum_58, sum_62, sum_63, sum_64
-    sum_66 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
-    sum_67 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_66
-    sum_68 = attenuation_beta_2 * sum_65 + shortfall_beta_2_squared * sum_67
-    sum_69 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
-    sum_70 = attenuation_beta_2 * sum_69 + shortfall_beta_2_squared
-    del sum_66, sum_65, sum_67, sum_69
-    sum_71 = attenuation_epsilon_2 * sum_68 + product_3 * sum_70
-    sum_72 = 1.5 * attenuation_beta_2 + shortfall_beta_2
-    sum_73 = attenuation_beta_2 * sum_72 + 0.25 * shortfall_beta_2_squared
-    sum_74 = attenuation_epsilon_2 * sum_71 + shortfall_epsilon_2_squared_squared * sum_73
-    del sum_68, sum_70, sum_72, sum_71, sum_73
-    sum_75 = product_1 * shortfall_epsilon_2_squared * sum_61 + shortfall_beta_2 * sum_74
-    sum_76 = (
-        attenuation_beta_2_squared_squared * shortfall_epsilon_2_squared * sum_59
-        + shortfall_beta_2 * sum_75
-    )
-    del sum_61, sum_74, sum_59, sum_75
-    sum_77 = 16.0 * attenuation_epsilon_2 + 32.0 * shortfall_epsilon_2
-    sum_78 = attenuation_beta_2 * sum_77 - shortfall_beta_2 * sum_10
-    sum_79 = 72.0 * attenuation_beta_2 - 18.0 * shortfall_beta_2
-    sum_80 = attenuation_epsilon_2 * sum_78 + shortfall_epsilon_2_squared * sum_79
-    del sum_10, sum_77, sum_78, sum_79
-    sum_81 = attenuation_beta_2 * sum_80 + product_29
-    sum_82 = 56.0 * attenuation_beta_2 - 6.0 * shortfall_beta_2
-    sum_83 = 3.0 * shortfall_beta_2_squared + attenuation_beta_2 * sum_82
-    del product_29, sum_80, shortfall_beta_2_squared, sum_82
-    sum_84 = attenuation_epsilon_2 * sum_81 + product_3 * sum_83
-    sum_85 = attenuation_beta_2 * sum_84 + product_28
-    del sum_81, sum_83, product_28, sum_84
-    sum_86 = attenuation_epsilon_2 * sum_85 + product_2
-    sum_87 = 0.25 - 0.5 * attenuation_beta_2 * attenuation_epsilon_2
-    sum_88 = 0.25 + attenuation_epsilon_2_squared * sum_87
-    sum_89 = 0.25 + attenuation_beta_2_squared * sum_88 + 0.25 * attenuation_epsilon_2_squared
-    del product_2, sum_85, sum_87, sum_88
-    sum_90 = 0.5 * product_1 - attenuation_epsilon_2 * sum_89
-    sum_91 = (
+    sum_24 = 1.0 + attenuation_beta_2 * sum_23 + attenuation_epsilon_2_squared_squared
+    sum_25 = 1.0 - 2.0 * product_17
+    sum_26 = 1.0 + attenuation_epsilon_2_squared * sum_25
+    sum_27 = 2.0 * attenuation_beta_2 - attenuation_epsilon_2 * sum_26
+    del sum_22, sum_23, sum_25, sum_26
+    sum_28 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_27
+    sum_29 = 0.25 * r_squared * sum_24 + 0.25 * sigma_r_squared * sum_28
+    product_26 = shortfall_beta_2 * sum_20
+    del sum_27, sum_24, sum_28, sum_20
+    product_11 = rho_squared * sigma_beta_squared
+    product_14 = attenuation_beta_2 * product_11
+    product_30 = product_14 * sigma_r_squared
+    part_00_cos_beta2_cos_epsilon2 = product_26 * sum_29 + 0.25 * product_30 * sum_19
+    del rho_squared, sigma_beta_squared, sum_19, sum_29
+    sum_30 = attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_31 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_32 = 12.0 * attenuation_epsilon_2 + 12.0 * shortfall_epsilon_2
+    sum_33 = 22.0 * attenuation_epsilon_2 + 22.0 * shortfall_epsilon_2
+    sum_34 = attenuation_beta_2 * sum_33 - shortfall_beta_2 * sum_32
+    sum_35 = attenuation_beta_2 * sum_34 - shortfall_beta_2_squared * sum_31
+    sum_36 = attenuation_beta_2 * sum_35 - product_4 * sum_30
+    del sum_32, sum_33, sum_34, product_4, sum_30, sum_35
+    product_23 = product_1 * shortfall_epsilon_2_squared
+    sum_37 = 16.0 * product_23 + attenuation_epsilon_2 * sum_36
+    sum_38 = 1.0 + attenuation_epsilon_2_squared
+    sum_39 = attenuation_beta_2 * sum_38 - attenuation_epsilon_2
+    sum_40 = 1.0 + attenuation_beta_2 * sum_39 + attenuation_epsilon_2_squared
+    sum_41 = 2.0 + 2.0 * attenuation_epsilon_2_squared
+    sum_42 = attenuation_beta_2 * sum_41 - attenuation_epsilon_2
+    sum_43 = 2.0 + 2.0 * attenuation_epsilon_2_squared + attenuation_beta_2 * sum_42
+    sum_44 = 0.25 * r_squared * sum_40 + 0.25 * sigma_r_squared * sum_43
+    del sum_36, sum_38, sum_41, sum_40, sum_43
+    sum_45 = 1.0 + attenuation_epsilon_2
+    sum_46 = product_26 * sum_44 + 0.25 * product_30 * sum_37
+    del product_26, product_30, sum_37, sum_44
+    product_29 = shortfall_epsilon_2 * sum_45
+    part_00_cos_beta2_sin_epsilon2 = product_29 * sum_46
+    sum_47 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
+    sum_48 = attenuation_epsilon_2 * sum_47 + 0.5 * shortfall_epsilon_2_squared
+    sum_49 = attenuation_epsilon_2 * sum_31 + shortfall_epsilon_2_squared
+    sum_50 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_51 = attenuation_beta_2 * sum_50 + shortfall_beta_2 * sum_50
+    sum_52 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
+    sum_53 = attenuation_epsilon_2 * sum_51 + shortfall_epsilon_2_squared * sum_52
+    del sum_46, sum_47, sum_50, sum_51, sum_52
+    sum_54 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_55 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_54
+    sum_56 = attenuation_beta_2 * sum_53 + shortfall_beta_2_squared * sum_55
+    sum_57 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
+    sum_58 = attenuation_beta_2 * sum_57 + shortfall_beta_2_squared
+    del sum_54, sum_53, sum_55, sum_57
+    sum_59 = attenuation_epsilon_2 * sum_56 + product_3 * sum_58
+    sum_60 = 1.5 * attenuation_beta_2 + shortfall_beta_2
+    sum_61 = attenuation_beta_2 * sum_60 + 0.25 * shortfall_beta_2_squared
+    sum_62 = attenuation_epsilon_2 * sum_59 + shortfall_epsilon_2_squared_squared * sum_61
+    del sum_56, sum_58, sum_60, sum_59, sum_61
+    sum_63 = product_23 * sum_49 + shortfall_beta_2 * sum_62
+    sum_64 = attenuation_beta_2_squared**2 * shortfall_epsilon_2_squared * sum_48 + shortfall_beta_2 * sum_63
+    del product_23, sum_49, sum_62, sum_48, sum_63
+    sum_65 = 16.0 * attenuation_epsilon_2 + 32.0 * shortfall_epsilon_2
+    sum_66 = attenuation_beta_2 * sum_65 - shortfall_beta_2 * sum_10
+    sum_67 = 72.0 * attenuation_beta_2 - 18.0 * shortfall_beta_2
+    sum_68 = attenuation_epsilon_2 * sum_66 + shortfall_epsilon_2_squared * sum_67
+    del sum_10, sum_65, sum_66, sum_67
+    sum_69 = attenuation_beta_2 * sum_68 + product_27
+    sum_70 = 56.0 * attenuation_beta_2 - 6.0 * shortfall_beta_2
+    sum_71 = 3.0 * shortfall_beta_2_squared + attenuation_beta_2 * sum_70
+    del product_27, sum_68, shortfall_beta_2_squared, sum_70
+    sum_72 = attenuation_epsilon_2 * sum_69 + product_3 * sum_71
+    sum_73 = attenuation_beta_2 * sum_72 + product_25
+    del sum_69, sum_71, product_25, sum_72
+    sum_74 = attenuation_epsilon_2 * sum_73 + product_2
+    sum_75 = 0.25 - 0.5 * product_17
+    sum_76 = 0.25 + attenuation_epsilon_2_squared * sum_75
+    del product_2, sum_73, product_17, sum_75
+    sum_77 = 0.25 + attenuation_beta_2_squared * sum_76 + 0.25 * attenuation_epsilon_2_squared
+    sum_78 = 0.5 * product_1 - attenuation_epsilon_2 * sum_77
+    sum_79 = (
         0.5
-        - 0.25 * product_19 * sum_86
-        + attenuation_beta_2 * sum_90
+        - 0.25 * product_14 * sum_74
+        + attenuation_beta_2 * sum_78
         + 0.5 * attenuation_epsilon_2_squared_squared
     )
-    del sum_89, attenuation_epsilon_2_squared_squared, sum_86, sum_90
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_76 + sigma_r_squared * sum_91
-    sum_92 = 1.0 - attenuation_beta_2 * sum_44 + attenuation_epsilon_2
-    sum_93 = 1.0 + attenuation_beta_2_squared * sum_92 + attenuation_epsilon_2
-    sum_94 = 1.0 - attenuation_beta_2 * sum_93 + product_6
-    del sum_76, sum_91, sum_92, product_6, sum_93
-    sum_95 = 1.0 + attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_94
-    sum_96 = 16.0 + 16.0 * attenuation_epsilon_2
-    sum_97 = 16.0 + attenuation_epsilon_2 * sum_96
-    sum_98 = 9.0 - attenuation_beta_2 * sum_97 + 9.0 * attenuation_epsilon_2
-    sum_99 = 1.0 - attenuation_beta_2_squared * sum_98 + attenuation_epsilon_2
-    del sum_94, sum_96, sum_97, sum_98
-    sum_100 = 16.0 * product_1 + attenuation_epsilon_2 * sum_99
-    sum_101 = 1.0 - attenuation_beta_2 * sum_54 + attenuation_epsilon_2
-    sum_102 = 1.0 + attenuation_beta_2_squared * sum_101 + attenuation_epsilon_2
-    del sum_99, sum_54, attenuation_beta_2_squared, sum_101
-    sum_103 = 2.0 - attenuation_beta_2 * sum_102 + product_10
-    sum_104 = (
+    del sum_76, sum_77, attenuation_epsilon_2_squared_squared, sum_74, sum_78
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_64 + sigma_r_squared * sum_79
+    sum_80 = attenuation_beta_2_squared * sum_39 - attenuation_epsilon_2
+    sum_81 = 1.0 + attenuation_beta_2 * sum_80 + attenuation_epsilon_2_squared
+    del sum_64, sum_79, sum_39, sum_80
+    sum_82 = 16.0 + 16.0 * attenuation_epsilon_2_squared
+    sum_83 = attenuation_beta_2 * sum_82 - 9.0 * attenuation_epsilon_2
+    sum_84 = attenuation_beta_2_squared * sum_83 + attenuation_epsilon_2
+    sum_85 = attenuation_beta_2_squared * sum_42 - attenuation_epsilon_2
+    del sum_82, sum_83, attenuation_beta_2_squared, sum_42
+    sum_86 = (
         0.5
-        - 0.25 * product_19 * sum_100
-        + 0.5 * attenuation_beta_2_squared_squared
-        + 0.25 * attenuation_epsilon_2 * sum_103
+        - 0.25 * product_14 * sum_84
+        + 0.25 * attenuation_beta_2 * sum_85
+        + 0.5 * attenuation_epsilon_2_squared
     )
-    del product_10, sum_102, attenuation_beta_2_squared_squared, product_19, sum_100, sum_103
-    sum_105 = 0.25 * r_squared * sum_95 + sigma_r_squared * sum_104
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_105
-    sum_106 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
-    sum_107 = attenuation_beta_2 * sum_60 - shortfall_beta_2 * sum_106
-    del sum_104, sum_95, sum_105, sum_106, sum_60
-    sum_108 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_107
-    sum_109 = 2.0 * product_8 * shortfall_beta_2 + shortfall_epsilon_2 * sum_108
-    product_24 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
-    product_11 = product_24
-    sum_110 = product_11 - attenuation_epsilon_2 * sum_109
-    del sum_107, sum_108, shortfall_epsilon_2_squared_squared, sum_109
-    sum_111 = 18.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
-    sum_112 = 14.0 * attenuation_epsilon_2 + 28.0 * shortfall_epsilon_2
-    sum_113 = attenuation_beta_2 * sum_112 - shortfall_beta_2 * sum_111
-    sum_114 = 69.0 * attenuation_beta_2 - 27.0 * shortfall_beta_2
-    sum_115 = attenuation_epsilon_2 * sum_113 + shortfall_epsilon_2_squared * sum_114
-    del sum_111, sum_112, sum_113, sum_114
-    sum_116 = 55.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
-    sum_117 = attenuation_epsilon_2 * sum_115 + product_3 * sum_116
-    sum_118 = 16.0 * product_24 + attenuation_epsilon_2 * sum_117
-    product_12 = attenuation_beta_2 * sum_4
-    sum_119 = product_12 - shortfall_beta_2 * sum_4
-    sum_120 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
-    sum_121 = attenuation_epsilon_2 * sum_119 + shortfall_epsilon_2_squared * sum_120
-    del sum_115, sum_117, sum_4, sum_119, sum_120
-    sum_122 = 7.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_123 = attenuation_epsilon_2 * sum_121 + product_3 * sum_122
-    sum_124 = 0.5 * attenuation_epsilon_2 * sum_123 - 0.5 * product_16 * sum_118 + product_11
-    del sum_121, product_11, sum_118, sum_123
-    sum_125 = 0.5 * r_squared * sum_110 + sigma_r_squared * sum_124
-    part_01_cos_beta_cos_epsilon2_sin_beta = product_1 * sum_125
-    product_22 = attenuation_beta_2 * product_3
-    product_13 = product_22
-    product_14 = -shortfall_beta_2 * sum_33
-    sum_126 = attenuation_beta_2 * sum_33 + product_14
-    del sum_110, sum_124, sum_125, sum_33
-    sum_127 = 3.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_128 = attenuation_epsilon_2 * sum_126 + shortfall_epsilon_2_squared * sum_127
-    sum_129 = attenuation_epsilon_2 * sum_128 + product_13
-    sum_130 = 18.0 * attenuation_epsilon_2 + 27.0 * shortfall_epsilon_2
-    sum_131 = 46.0 * attenuation_epsilon_2 + 69.0 * shortfall_epsilon_2
-    sum_132 = attenuation_beta_2 * sum_131 - shortfall_beta_2 * sum_130
-    del sum_126, sum_127, sum_128, sum_130, sum_131
-    sum_133 = attenuation_epsilon_2 * sum_132 + shortfall_epsilon_2_squared * sum_116
-    sum_134 = 16.0 * product_22 + attenuation_epsilon_2 * sum_133
-    sum_135 = attenuation_beta_2 * sum_35 + product_14
-    del sum_116, sum_132, sum_133, product_14
-    sum_136 = attenuation_epsilon_2 * sum_135 + shortfall_epsilon_2_squared * sum_122
-    sum_137 = 0.5 * attenuation_epsilon_2 * sum_136 - 0.5 * product_16 * sum_134 + product_13
-    del sum_122, sum_135, product_13, sum_134, sum_136
-    sum_138 = 0.5 * r_squared * sum_129 + sigma_r_squared * sum_137
-    part_01_cos_beta_sin_beta_sin_epsilon2 = product_1 * shortfall_epsilon_2 * sum_138
-    sum_139 = 1.0 - 2.0 * product_16
-    del sum_129, sum_137, sum_138, product_16
-    sum_140 = attenuation_epsilon_2 - shortfall_epsilon_2
-    sum_141 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_139 * sum_140
-    product_23 = attenuation_beta_2 * product_8
-    part_02_cos_epsilon_sin_beta_sin_epsilon = -product_23 * sum_141
-    sum_142 = 2.0 + attenuation_epsilon_2 * (1.0 + product_9)
-    del sum_139, sum_140, sum_141, product_9
-    sum_143 = 0.5 * (1.0 + product_8) * r_squared + 0.5 * sigma_r_squared * sum_142
-    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_143
-    sum_144 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
-    del product_8, sum_142, sum_143, attenuation_epsilon_2_squared
-    sum_145 = 1.0 - attenuation_epsilon_2 * sum_144
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_44 + sigma_r_squared * sum_145
-    del sum_144, r_squared, sigma_r_squared, sum_145, sum_44
-    sum_146 = attenuation_epsilon + shortfall_epsilon
-    sum_147 = attenuation_epsilon - shortfall_epsilon
-    sum_148 = attenuation_beta * sum_147 - shortfall_beta * sum_146
-    del attenuation_beta, shortfall_beta, sum_146, sum_147
-    sum_149 = part_0_cos_epsilon_sin_beta - r
-    product_17 = rho * sigma_beta
-    product_18 = product_17 * sigma_r
-    product_32 = product_18 * sum_148
-    product_35 = product_21 * product_32
-    del part_0_cos_epsilon_sin_beta, product_17, sum_148, product_21, product_32
-    sum_150 = cos_beta * product_35 + sin_beta * sum_149
-    sum_151 = product_35 * sin_beta - cos_beta * sum_149
-    sum_152 = 1.0 + attenuation_epsilon * shortfall_epsilon
-    del product_35, sum_149, attenuation_epsilon, shortfall_epsilon
-    sum_153 = product_12 - shortfall_beta_2 * sum_7
-    sum_154 = 15.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
-    sum_155 = attenuation_epsilon_2 * sum_153 + shortfall_epsilon_2_squared * sum_154
-    del product_12, sum_7, sum_153, sum_154
-    sum_156 = 13.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
-    sum_157 = attenuation_epsilon_2 * sum_155 + product_3 * sum_156
-    sum_158 = 4.0 * product_24 + attenuation_epsilon_2 * sum_157
-    del product_3, sum_155, product_24, sum_157
+    sum_87 = 0.25 * r_squared * sum_81 + sigma_r_squared * sum_86
+    del product_14, sum_84, sum_85, sum_81, sum_86
+    part_00_sin_beta2_sin_epsilon2 = product_29 * sum_87
+    product_5 = attenuation_epsilon_2 * attenuation_epsilon_2_squared
+    sum_88 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_89 = attenuation_beta_2 * sum_31 - shortfall_beta_2 * sum_88
+    del product_29, sum_87, sum_31, sum_88
+    sum_90 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_89
+    sum_91 = 2.0 * product_5 * shortfall_beta_2 + shortfall_epsilon_2 * sum_90
+    product_20 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
+    product_6 = product_20
+    sum_92 = product_6 - attenuation_epsilon_2 * sum_91
+    del sum_89, sum_90, shortfall_epsilon_2_squared_squared, sum_91
+    sum_93 = 18.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon_2
+    sum_94 = 14.0 * attenuation_epsilon_2 + 28.0 * shortfall_epsilon_2
+    sum_95 = attenuation_beta_2 * sum_94 - shortfall_beta_2 * sum_93
+    sum_96 = 69.0 * attenuation_beta_2 - 27.0 * shortfall_beta_2
+    sum_97 = attenuation_epsilon_2 * sum_95 + shortfall_epsilon_2_squared * sum_96
+    del sum_93, sum_94, sum_95, sum_96
+    sum_98 = 55.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
+    sum_99 = attenuation_epsilon_2 * sum_97 + product_3 * sum_98
+    sum_100 = 16.0 * product_20 + attenuation_epsilon_2 * sum_99
+    product_7 = attenuation_beta_2 * sum_4
+    sum_101 = product_7 - shortfall_beta_2 * sum_4
+    sum_102 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
+    sum_103 = attenuation_epsilon_2 * sum_101 + shortfall_epsilon_2_squared * sum_102
+    del sum_97, sum_99, sum_4, sum_101, sum_102
+    sum_104 = 7.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_105 = attenuation_epsilon_2 * sum_103 + product_3 * sum_104
+    sum_106 = 0.5 * attenuation_epsilon_2 * sum_105 - 0.5 * product_11 * sum_100 + product_6
+    del sum_103, product_6, sum_100, sum_105
+    sum_107 = 0.5 * r_squared * sum_92 + sigma_r_squared * sum_106
+    part_01_cos_beta_cos_epsilon2_sin_beta = product_1 * sum_107
+    product_18 = attenuation_beta_2 * product_3
+    product_8 = product_18
+    sum_108 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    product_9 = -shortfall_beta_2 * sum_108
+    sum_109 = attenuation_beta_2 * sum_108 + product_9
+    del sum_106, sum_92, sum_107, sum_108
+    sum_110 = 3.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_111 = attenuation_epsilon_2 * sum_109 + shortfall_epsilon_2_squared * sum_110
+    sum_112 = attenuation_epsilon_2 * sum_111 + product_8
+    sum_113 = 18.0 * attenuation_epsilon_2 + 27.0 * shortfall_epsilon_2
+    sum_114 = 46.0 * attenuation_epsilon_2 + 69.0 * shortfall_epsilon_2
+    sum_115 = attenuation_beta_2 * sum_114 - shortfall_beta_2 * sum_113
+    del sum_109, sum_110, sum_111, sum_113, sum_114
+    sum_116 = attenuation_epsilon_2 * sum_115 + shortfall_epsilon_2_squared * sum_98
+    sum_117 = 16.0 * product_18 + attenuation_epsilon_2 * sum_116
+    sum_118 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
+    sum_119 = attenuation_beta_2 * sum_118 + product_9
+    del sum_115, sum_98, sum_116, product_9
+    sum_120 = attenuation_epsilon_2 * sum_119 + shortfall_epsilon_2_squared * sum_104
+    sum_121 = 0.5 * attenuation_epsilon_2 * sum_120 - 0.5 * product_11 * sum_117 + product_8
+    del sum_104, sum_119, product_8, sum_117, sum_120
+    sum_122 = 0.5 * r_squared * sum_112 + sigma_r_squared * sum_121
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_1 * shortfall_epsilon_2 * sum_122
+    sum_123 = 1.0 - 2.0 * product_11
+    del sum_112, sum_121, sum_122, product_11
+    sum_124 = attenuation_epsilon_2 - shortfall_epsilon_2
+    sum_125 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_123 * sum_124
+    product_19 = attenuation_beta_2 * product_5
+    part_02_cos_epsilon_sin_beta_sin_epsilon = -product_19 * sum_125
+    sum_126 = 1.0 + 2.0 * attenuation_epsilon_2
+    sum_127 = 1.0 + attenuation_epsilon_2 * sum_126
+    del sum_123, sum_124, sum_125, sum_126
+    sum_128 = 2.0 + attenuation_epsilon_2 * sum_127
+    sum_129 = 0.5 * (1.0 + product_5) * r_squared + 0.5 * sigma_r_squared * sum_128
+    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_129
+    del sum_127, product_5, sum_128, sum_129
+    sum_130 = 1.0 + attenuation_epsilon_2 * sum_45
+    sum_131 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
+    sum_132 = 1.0 - attenuation_epsilon_2 * sum_131
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_130 + sigma_r_squared * sum_132
+    del sum_45, attenuation_epsilon_2_squared, sum_131, r_squared, sigma_r_squared, sum_130, sum_132
+    sum_133 = attenuation_epsilon + shortfall_epsilon
+    sum_134 = attenuation_epsilon - shortfall_epsilon
+    sum_135 = attenuation_beta * sum_134 - shortfall_beta * sum_133
+    del attenuation_beta, shortfall_beta, sum_133, sum_134
+    sum_136 = part_0_cos_epsilon_sin_beta - r
+    product_12 = rho * sigma_beta
+    product_13 = product_12 * sigma_r
+    product_31 = product_13 * sum_135
+    product_34 = product_16 * product_31
+    del part_0_cos_epsilon_sin_beta, product_12, sum_135, product_16, product_31
+    sum_137 = cos_beta * product_34 + sin_beta * sum_136
+    sum_138 = product_34 * sin_beta - cos_beta * sum_136
+    sum_139 = 1.0 + attenuation_epsilon * shortfall_epsilon
+    del product_34, sum_136, attenuation_epsilon, shortfall_epsilon
+    sum_140 = product_7 - shortfall_beta_2 * sum_7
+    sum_141 = 15.0 * attenuation_beta_2 - 9.0 * shortfall_beta_2
+    sum_142 = attenuation_epsilon_2 * sum_140 + shortfall_epsilon_2_squared * sum_141
+    del product_7, sum_7, sum_140, sum_141
+    sum_143 = 13.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
+    sum_144 = attenuation_epsilon_2 * sum_142 + product_3 * sum_143
+    sum_145 = 4.0 * product_20 + attenuation_epsilon_2 * sum_144
+    del product_3, sum_142, product_20, sum_144
     cos_epsilon_squared = cos_epsilon**2
-    sum_159 = 10.0 * attenuation_epsilon_2 + 15.0 * shortfall_epsilon_2
-    sum_160 = attenuation_beta_2 * sum_159 - shortfall_beta_2 * sum_35
-    del attenuation_beta_2, shortfall_beta_2, sum_159, sum_35
-    sum_161 = attenuation_epsilon_2 * sum_160 + shortfall_epsilon_2_squared * sum_156
-    sum_162 = 4.0 * product_22 + attenuation_epsilon_2 * sum_161
-    del shortfall_epsilon_2_squared, sum_156, sum_160, product_22, sum_161
+    sum_146 = 10.0 * attenuation_epsilon_2 + 15.0 * shortfall_epsilon_2
+    sum_147 = attenuation_beta_2 * sum_146 - shortfall_beta_2 * sum_118
+    del attenuation_beta_2, shortfall_beta_2, sum_118, sum_146
+    sum_148 = attenuation_epsilon_2 * sum_147 + shortfall_epsilon_2_squared * sum_143
+    sum_149 = 4.0 * product_18 + attenuation_epsilon_2 * sum_148
+    del shortfall_epsilon_2_squared, sum_143, sum_147, product_18, sum_148
     sin_epsilon_squared = sin_epsilon**2
-    product_26 = cos_epsilon_squared * sum_158
-    product_30 = shortfall_epsilon_2 * sin_epsilon_squared
-    product_33 = product_30 * sum_162
-    sum_163 = product_26 + product_33
-    product_20 = product_18 * r
-    del sum_158, product_30, sum_162, product_18
-    product_27 = product_1 * product_20
-    product_15 = product_27 * sin_beta * sum_163
-    sum_164 = (
+    product_22 = cos_epsilon_squared * sum_145
+    product_28 = shortfall_epsilon_2 * sin_epsilon_squared
+    product_32 = product_28 * sum_149
+    sum_150 = product_22 + product_32
+    product_15 = product_13 * r
+    del sum_145, product_28, sum_149, product_13
+    product_24 = product_1 * product_15
+    product_10 = product_24 * sin_beta * sum_150
+    sum_151 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_1, sum_163, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
-    sum_165 = cos_beta * sum_164 + product_15
-    sum_166 = (
+    del product_1, sum_150, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
+    sum_152 = cos_beta * sum_151 + product_10
+    sum_153 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     sin_beta_squared = sin_beta**2
-    sum_167 = 0.5 * cos_beta**2 - 0.5 * sin_beta_squared
-    sum_168 = product_26 * sum_167 + product_33 * sum_167
-    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_26, product_33, sum_167
-    sum_169 = (
+    sum_154 = 0.5 * cos_beta**2 - 0.5 * sin_beta_squared
+    sum_155 = product_22 * sum_154 + product_32 * sum_154
+    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_22, product_32, sum_154
+    sum_156 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_170 = attenuation_epsilon_2 - 3.0 * shortfall_epsilon_2
+    sum_157 = attenuation_epsilon_2 - 3.0 * shortfall_epsilon_2
     del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, attenuation_epsilon_2, shortfall_epsilon_2
-    product_34 = product_20 * sum_170
-    product_36 = product_23 * product_34
-    del product_20, sum_170, product_23, product_34
-    sum_171 = cos_beta * product_36 + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
-    sum_172 = product_15 - cos_beta * sum_166
-    sum_173 = product_36 * sin_beta - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
-    product_25 = cos_epsilon * sin_epsilon
-    mean[..., 0] = -cos_epsilon * sum_150
-    del product_15, part_02_cos_epsilon_sin_beta_sin_epsilon, product_36, sum_150
-    mean[..., 1] = cos_epsilon * sum_151
-    mean[..., 2] = r * sin_epsilon * sum_152
-    del cos_epsilon, sum_151, sin_epsilon, sum_152
-    covariance[..., 0, 0] = cos_beta * sum_165 + sin_beta_squared * sum_166
-    covariance[..., 0, 1] = cos_beta * sin_beta * sum_169 + product_27 * sum_168
-    del sum_165, sum_166, product_27, sin_beta, sum_168, sum_169
-    covariance[..., 0, 2] = product_25 * sum_171
+    product_33 = product_15 * sum_157
+    product_35 = product_19 * product_33
+    del product_15, sum_157, product_19, product_33
+    sum_158 = cos_beta * product_35 + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
+    sum_159 = product_10 - cos_beta * sum_153
+    sum_160 = product_35 * sin_beta - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
+    product_21 = cos_epsilon * sin_epsilon
+    mean[..., 0] = -cos_epsilon * sum_137
+    del product_10, part_02_cos_epsilon_sin_beta_sin_epsilon, product_35, sum_137
+    mean[..., 1] = cos_epsilon * sum_138
+    mean[..., 2] = r * sin_epsilon * sum_139
+    del cos_epsilon, sum_138, sin_epsilon, sum_139
+    covariance[..., 0, 0] = cos_beta * sum_152 + sin_beta_squared * sum_153
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_156 + product_24 * sum_155
+    del sum_152, sum_153, product_24, sin_beta, sum_155, sum_156
+    covariance[..., 0, 2] = product_21 * sum_158
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sin_beta_squared * sum_164 - cos_beta * sum_172
-    del sum_171, cos_beta, sin_beta_squared, sum_164, sum_172
-    covariance[..., 1, 2] = -product_25 * sum_173
+    covariance[..., 1, 1] = sin_beta_squared * sum_151 - cos_beta * sum_159
+    del sum_158, cos_beta, sin_beta_squared, sum_151, sum_159
+    covariance[..., 1, 2] = -product_21 * sum_160
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_25, sum_173, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_21, sum_160, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_unbiased(
@@ -3822,17 +3799,17 @@ def spherical_unbiased(
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     term_1 = 1.0 / attenuation_beta
     term_2 = 1.0 / attenuation_epsilon
-    product_5 = rho * sigma_beta
-    product_7 = product_5 * sigma_r
+    product_4 = rho * sigma_beta
+    product_7 = product_4 * sigma_r
     part_0_cos_beta_cos_epsilon = -product_7 * term_1 * term_2
-    product_21 = r * term_2
-    part_0_cos_epsilon_sin_beta = product_21 * term_1
+    product_23 = r * term_2
+    part_0_cos_epsilon_sin_beta = product_23 * term_1
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
     attenuation_epsilon_2 = attenuation_epsilon**2
     attenuation_epsilon_less_one = np.expm1(-0.5 * sigma_epsilon**2)
     sum_1 = 2.0 + attenuation_epsilon_less_one
     shortfall_epsilon = -attenuation_epsilon_less_one * sum_1
-    del product_5, term_2, attenuation_epsilon, attenuation_epsilon_less_one, sum_1
+    del product_4, term_2, attenuation_epsilon, attenuation_epsilon_less_one, sum_1
     term_3 = 1.0 / attenuation_epsilon_2
     term_4 = 1.0 / attenuation_beta**2
     attenuation_beta_squared = attenuation_beta**2
@@ -3843,248 +3820,155 @@ def spherical_unbiased(
     sum_3 = 2.0 + product_13
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    product_12 = attenuation_beta_squared * attenuation_epsilon_2
-    sum_4 = 1.0 + product_12 * sum_3
-    sum_5 = 1.0 + attenuation_beta * sum_2 + attenuation_epsilon_2_squared
-    sum_6 = 1.0 + attenuation_beta * sum_5 + attenuation_epsilon_2_squared
+    product_9 = attenuation_beta_squared * attenuation_epsilon_2
+    sum_4 = 1.0 + product_9 * sum_3
+    sum_5 = 1.0 + attenuation_beta
+    sum_6 = 1.0 + attenuation_beta_squared
     r_squared = r**2
     sum_7 = 0.25 * r_squared + 0.25 * sigma_r_squared
-    sum_8 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon_2_squared
-    del sum_3, sum_2, sum_5, sum_6
-    product_22 = shortfall_beta * sum_7
-    product_10 = term_3 * term_4
-    product_6 = rho_squared * sigma_beta_squared
-    product_11 = product_6 * sigma_r_squared
-    part_00_cos_beta2_cos_epsilon2 = product_10 * product_11 * sum_4 + product_22 * sum_8
-    del term_4, rho_squared, sigma_beta_squared, sum_4, sum_8
-    sum_9 = 1.0 + attenuation_epsilon_2
-    sum_10 = 1.0 + attenuation_beta * sum_9 + attenuation_epsilon_2
-    sum_11 = 1.0 + attenuation_beta * sum_10 + attenuation_epsilon_2
-    sum_12 = 1.0 + attenuation_beta * sum_11 + attenuation_epsilon_2
-    product_8 = attenuation_beta_squared_squared * sum_9
-    product_29 = product_11 * product_8
-    sum_13 = product_22 * sum_12 + product_29
-    del sum_10, sum_11, product_22, sum_12
-    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon * sum_13
-    attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
+    product_6 = shortfall_beta * sum_5
+    product_28 = sum_6 * sum_7
+    product_30 = product_28 * product_6
+    del sum_3, sum_5, sum_6, product_28
+    product_5 = rho_squared * sigma_beta_squared
+    product_16 = product_5 * sigma_r_squared
+    product_29 = term_3 * term_4
+    part_00_cos_beta2_cos_epsilon2 = product_16 * product_29 * sum_4 + product_30 * sum_2
+    sum_8 = 1.0 + attenuation_epsilon_2
+    sum_9 = attenuation_beta_squared_squared * product_16 + product_30
+    del rho_squared, sigma_beta_squared, sum_4, product_30
+    product_24 = shortfall_epsilon * sum_8
+    part_00_cos_beta2_sin_epsilon2 = product_24 * sum_9
+    sum_10 = 1.0 + attenuation_beta_squared * sum_8 + attenuation_epsilon_2
+    product_1 = product_9 * sum_10
+    product_11 = shortfall_epsilon * term_3
+    sum_11 = 0.25 * (4.0 + product_1) * product_11 + 0.5 * (2.0 + attenuation_beta_squared) * product_6
+    sum_12 = 2.0 + attenuation_epsilon_2
     shortfall_epsilon_squared = shortfall_epsilon**2
-    sum_14 = 4.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
-    sum_15 = 16.0 * attenuation_epsilon_2 + 44.0 * shortfall_epsilon
-    sum_16 = 24.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_15
-    sum_17 = 24.0 * attenuation_epsilon_2 + 96.0 * shortfall_epsilon
-    sum_18 = 184.0 * shortfall_epsilon + 56.0 * attenuation_epsilon_2
-    sum_19 = attenuation_beta * sum_17 + shortfall_beta * sum_18
-    del sum_13, sum_15, sum_17, sum_18
-    sum_20 = 138.0 * attenuation_beta + 212.0 * shortfall_beta
-    sum_21 = attenuation_epsilon_2 * sum_19 + shortfall_epsilon_squared * sum_20
-    sum_22 = 166.0 * shortfall_epsilon + 54.0 * attenuation_epsilon_2
-    shortfall_beta_squared = shortfall_beta**2
-    sum_23 = 173.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_22
-    sum_24 = attenuation_beta * sum_21 + shortfall_beta_squared * sum_23
-    del sum_19, sum_20, sum_22, sum_21, sum_23
-    sum_25 = 60.0 * attenuation_beta + 80.0 * shortfall_beta
-    product_1 = shortfall_epsilon * shortfall_epsilon_squared
-    sum_26 = 60.0 * shortfall_beta_squared + attenuation_beta * sum_25
-    sum_27 = attenuation_epsilon_2 * sum_24 + product_1 * sum_26
-    sum_28 = 24.0 * attenuation_epsilon_2 + 72.0 * shortfall_epsilon
-    sum_29 = 72.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_28
-    del sum_25, sum_24, sum_26, sum_28
-    product_2 = shortfall_beta * shortfall_beta_squared
-    sum_30 = 24.0 * product_1 + attenuation_epsilon_2 * sum_29
-    sum_31 = attenuation_beta * sum_27 + product_2 * sum_30
-    sum_32 = 12.0 * shortfall_epsilon + 4.0 * attenuation_epsilon_2
-    sum_33 = 12.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_32
-    del sum_29, sum_27, sum_30, sum_32
-    shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_34 = 4.0 * product_1 + attenuation_epsilon_2 * sum_33
-    sum_35 = attenuation_beta * sum_31 + shortfall_beta_squared_squared * sum_34
-    sum_36 = (
-        attenuation_beta * attenuation_beta_squared**2 * shortfall_epsilon * sum_16
-        + shortfall_beta * sum_35
-    )
-    del sum_33, sum_31, sum_34, attenuation_beta_squared, sum_16, sum_35
-    product_17 = attenuation_beta_squared_cubed * shortfall_epsilon_squared
-    sum_37 = product_17 * sum_14 + shortfall_beta * sum_36
-    sum_38 = 0.25 + 0.25 * attenuation_epsilon_2_squared
-    sum_39 = (
+    product_15 = shortfall_epsilon_squared * sum_12
+    product_18 = product_15 * term_3
+    del sum_9, sum_10, sum_12, product_15
+    product_12 = product_6 * term_4
+    sum_13 = product_12 * sum_11 + 0.5 * product_18
+    sum_14 = 0.25 + 0.25 * attenuation_epsilon_2_squared
+    sum_15 = (
         0.25
-        - product_13 * product_6
-        + attenuation_beta_squared_squared * sum_38
+        - product_13 * product_5
+        + attenuation_beta_squared_squared * sum_14
         + 0.25 * attenuation_epsilon_2_squared
     )
-    del attenuation_beta_squared_cubed, sum_14, sum_36, sum_38
-    part_00_cos_epsilon2_sin_beta2 = 0.25 * product_10 * r_squared * sum_37 + sigma_r_squared * sum_39
-    sum_40 = 1.0 + attenuation_epsilon_2 + product_8
-    sum_41 = sum_40 * sum_7 - product_29
-    del sum_37, sum_39, product_29, sum_40, sum_7
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_41
-    sum_42 = 2.0 + 2.0 * attenuation_epsilon_2_squared
-    sum_43 = 2.0 + attenuation_beta_squared_squared * sum_42
-    sum_44 = 1.0 + product_12 * sum_43
-    del sum_41, attenuation_beta_squared_squared, sum_42, sum_43
-    sum_45 = 2.0 * attenuation_epsilon_2 + 6.0 * shortfall_epsilon
-    sum_46 = 6.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_45
-    product_3 = shortfall_beta * shortfall_beta_squared**2
-    sum_47 = 2.0 * product_1 + attenuation_epsilon_2 * sum_46
-    sum_48 = 12.0 * attenuation_epsilon_2 + 36.0 * shortfall_epsilon
-    sum_49 = 36.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_48
-    sum_50 = 12.0 * product_1 + attenuation_epsilon_2 * sum_49
-    del sum_45, sum_46, sum_48, sum_49
-    sum_51 = 26.0 * attenuation_epsilon_2 + 82.0 * shortfall_epsilon
-    sum_52 = 86.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_51
-    sum_53 = 30.0 * product_1 + attenuation_epsilon_2 * sum_52
-    sum_54 = 12.0 * attenuation_beta + 30.0 * shortfall_beta
-    sum_55 = 40.0 * shortfall_beta_squared + attenuation_beta * sum_54
-    sum_56 = 24.0 * attenuation_epsilon_2 + 88.0 * shortfall_epsilon
-    sum_57 = 104.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_56
-    del sum_51, sum_52, sum_54, sum_56
-    sum_58 = 20.0 * attenuation_beta + 66.0 * shortfall_beta
-    sum_59 = 42.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
-    sum_60 = 4.0 * attenuation_epsilon_2 - 4.0 * shortfall_epsilon
-    sum_61 = attenuation_beta * sum_60 - shortfall_beta * sum_59
-    sum_62 = attenuation_epsilon_2 * sum_61 - shortfall_epsilon_squared * sum_58
-    del sum_59, sum_60, sum_58, sum_61
-    sum_63 = attenuation_beta * sum_62 - shortfall_beta_squared * sum_57
-    sum_64 = attenuation_epsilon_2 * sum_63 - product_1 * sum_55
-    del sum_57, sum_62, sum_55, sum_63
-    sum_65 = attenuation_beta * sum_64 - product_2 * sum_53
-    sum_66 = attenuation_beta * sum_65 - shortfall_beta_squared_squared * sum_50
-    del sum_53, sum_64, sum_50, sum_65
-    sum_67 = attenuation_beta * sum_66 - product_3 * sum_47
-    sum_68 = 2.0 * shortfall_epsilon + 3.0 * attenuation_epsilon_2
-    sum_69 = product_17 * sum_68 - shortfall_beta * sum_67
-    del sum_47, sum_66, product_17, sum_67, sum_68
-    sum_70 = 0.5 * r_squared * sum_69 - product_11 * sum_44
-    part_01_cos_beta_cos_epsilon2_sin_beta = product_10 * sum_70 + 0.5 * product_13 * sigma_r_squared
-    del product_11, sum_44, sum_69, product_13, sum_70
-    sum_71 = 0.5 - 2.0 * product_6
-    sum_72 = 0.5 * r_squared + sigma_r_squared * sum_71
-    product_14 = product_8 * shortfall_epsilon
-    part_01_cos_beta_sin_beta_sin_epsilon2 = product_14 * sum_72
-    sum_73 = 2.0 * shortfall_epsilon + attenuation_epsilon_2
-    sum_74 = attenuation_epsilon_2 * sum_73 + shortfall_epsilon_squared
-    del sum_71, product_8, sum_72, sum_73
-    sum_75 = 2.0 * shortfall_beta + attenuation_beta
-    sum_76 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
-    sum_77 = attenuation_epsilon_2 - shortfall_epsilon
-    product_4 = attenuation_beta * sum_77
-    product_23 = shortfall_beta * sum_76
-    sum_78 = product_4 - product_23
-    product_25 = shortfall_epsilon_squared * sum_75
-    sum_79 = attenuation_epsilon_2 * sum_78 - product_25
-    del sum_77, sum_76, sum_75, sum_78
-    product_24 = shortfall_beta_squared * sum_74
-    sum_80 = attenuation_beta * sum_79 - product_24
-    sum_81 = 1.0 - product_6
-    product_16 = term_1 * term_3
-    del sum_74, sum_79, product_6, term_1
+    del product_6, term_4, sum_11, sum_14
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_13 + sigma_r_squared * sum_15
+    product_10 = attenuation_beta_squared_squared * sum_8
+    sum_16 = 1.0 + attenuation_epsilon_2 + product_10
+    sum_17 = sum_16 * sum_7 - product_10 * product_16
+    del sum_13, sum_15, product_16, sum_16, sum_7
+    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_17
+    shortfall_beta_squared = shortfall_beta**2
+    sum_18 = attenuation_beta - 2.0 * shortfall_beta
+    sum_19 = attenuation_beta * sum_18 - 5.0 * shortfall_beta_squared
+    sum_20 = attenuation_beta * sum_19 - 4.0 * shortfall_beta * shortfall_beta_squared
+    sum_21 = attenuation_beta * sum_20 - 0.5 * (2.0 + product_1) * product_11 - shortfall_beta_squared**2
+    del sum_17, sum_18, sum_19, product_1, shortfall_beta_squared, sum_20
+    sum_22 = product_12 * sum_21 - 0.5 * product_18
+    sum_23 = 2.0 + 2.0 * attenuation_epsilon_2_squared
+    sum_24 = 2.0 + attenuation_beta_squared_squared * sum_23
+    sum_25 = 1.0 + product_9 * sum_24
+    del sum_21, attenuation_beta_squared_squared, sum_23, sum_24
+    sum_26 = 0.5 * product_13 - product_29 * product_5 * sum_25
+    part_01_cos_beta_cos_epsilon2_sin_beta = sigma_r_squared * sum_26 - r_squared * sum_22
+    del product_13, product_29, sum_25, sum_22, sum_26
+    sum_27 = 0.5 - 2.0 * product_5
+    sum_28 = 0.5 * r_squared + sigma_r_squared * sum_27
+    product_14 = product_10 * shortfall_epsilon
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_14 * sum_28
+    sum_29 = 1.0 + attenuation_beta * attenuation_epsilon_2 * sum_8
+    del sum_27, product_10, sum_28, sum_8
+    sum_30 = attenuation_epsilon_2 - shortfall_epsilon
+    product_2 = attenuation_epsilon_2 * sum_30
+    sum_31 = product_2 - shortfall_beta * sum_29 * term_1 - shortfall_epsilon_squared
+    sum_32 = 1.0 - product_5
+    del sum_30, shortfall_beta, sum_29, product_5
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
-        attenuation_beta * attenuation_epsilon_2_squared * sigma_r_squared * sum_81
-        - product_16 * r_squared * shortfall_epsilon * sum_80
+        attenuation_beta * attenuation_epsilon_2_squared * sigma_r_squared * sum_32
+        - product_11 * r_squared * sum_31
     )
-    sum_82 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    part_22_cos_epsilon2 = shortfall_epsilon * sum_82 * sum_9
-    del sum_80, sum_81, sum_82, sum_9
-    sum_83 = 0.5 + 0.5 * attenuation_epsilon_2_squared
-    part_22_sin_epsilon2 = (
-        0.5 * (2.0 + attenuation_epsilon_2) * r_squared * shortfall_epsilon_squared * term_3
-        + sigma_r_squared * sum_83
-    )
-    del r_squared, sigma_r_squared, sum_83, term_3
-    sum_84 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
-    sum_85 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
+    sum_33 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    part_22_cos_epsilon2 = product_24 * sum_33
+    del sum_31, sum_32, product_24, sum_33
+    sum_34 = 0.5 + 0.5 * attenuation_epsilon_2_squared
+    part_22_sin_epsilon2 = 0.5 * product_18 * r_squared + sigma_r_squared * sum_34
+    del product_18, r_squared, sigma_r_squared, sum_34
+    sum_35 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
+    sum_36 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
-    sum_86 = (
+    sum_37 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     del part_0_cos_beta_cos_epsilon, part_0_cos_epsilon_sin_beta, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
-    sum_87 = 3.0 * shortfall_epsilon + attenuation_epsilon_2
-    sum_88 = 3.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_87
-    sum_89 = attenuation_epsilon_2 * sum_88 + product_1
-    sum_90 = 18.0 * shortfall_epsilon + 6.0 * attenuation_epsilon_2
-    sum_91 = 18.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_90
-    sum_92 = 6.0 * product_1 + attenuation_epsilon_2 * sum_91
-    sum_93 = 15.0 * attenuation_epsilon_2 + 45.0 * shortfall_epsilon
-    sum_94 = 45.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_93
-    del sum_87, sum_88, sum_91, sum_93
-    sum_95 = 15.0 * product_1 + attenuation_epsilon_2 * sum_94
-    sum_96 = 20.0 * attenuation_epsilon_2 + 60.0 * shortfall_epsilon
-    sum_97 = 60.0 * shortfall_epsilon_squared + attenuation_epsilon_2 * sum_96
-    sum_98 = 20.0 * product_1 + attenuation_epsilon_2 * sum_97
-    sum_99 = 6.0 * shortfall_beta + attenuation_beta
-    sum_100 = 15.0 * shortfall_beta_squared + attenuation_beta * sum_99
-    sum_101 = 18.0 * shortfall_beta + 2.0 * attenuation_beta
-    sum_102 = product_4 - shortfall_beta * sum_90
-    del sum_96, sum_97, sum_99, product_4, shortfall_beta, sum_90
-    sum_103 = attenuation_epsilon_2 * sum_102 - shortfall_epsilon_squared * sum_101
-    sum_104 = attenuation_beta * sum_103 - shortfall_beta_squared * sum_94
-    del shortfall_epsilon_squared, sum_101, sum_102, sum_103, sum_94
-    sum_105 = attenuation_epsilon_2 * sum_104 - product_1 * sum_100
-    sum_106 = attenuation_beta * sum_105 - product_2 * sum_98
-    del product_1, sum_100, sum_104, product_2, sum_105, sum_98
-    sum_107 = attenuation_beta * sum_106 - shortfall_beta_squared_squared * sum_95
-    sum_108 = attenuation_beta * sum_107 - product_3 * sum_92
-    del shortfall_beta_squared_squared, sum_106, sum_95, product_3, sum_107, sum_92
-    sum_109 = attenuation_beta * sum_108 - shortfall_beta_squared * shortfall_beta_squared**2 * sum_89
-    product_26 = product_14 * sin_epsilon_squared
-    del shortfall_beta_squared, sum_108, sum_89, product_14
-    product_20 = cos_epsilon_squared * sum_109
-    product_30 = product_10 * product_20
-    sum_110 = 2.0 * product_26 + 2.0 * product_30
-    product_9 = product_7 * r
-    del sum_109, product_10, product_20, product_7
-    product_15 = product_9 * sin_beta
-    product_27 = product_15 * sum_110
-    sum_111 = cos_beta * sum_86 + product_27
-    sum_112 = (
+    sum_38 = 1.0 + attenuation_beta_squared * sum_2 + attenuation_epsilon_2_squared
+    sum_39 = 1.0 + product_9 * sum_38
+    del attenuation_beta_squared, attenuation_epsilon_2_squared, sum_2, sum_38
+    product_3 = shortfall_epsilon * shortfall_epsilon_squared
+    sum_40 = product_2 - 2.0 * shortfall_epsilon_squared
+    product_19 = attenuation_epsilon_2 * sum_40
+    del shortfall_epsilon, product_2, shortfall_epsilon_squared, sum_40
+    product_26 = product_12 * sum_39
+    sum_41 = 2.0 * product_19 - 2.0 * product_26 - 2.0 * product_3
+    product_22 = cos_epsilon_squared * term_3
+    product_25 = product_14 * sin_epsilon_squared
+    del product_12, sum_39, term_3, product_14
+    sum_42 = 2.0 * product_25 + product_22 * sum_41
+    product_8 = product_7 * r
+    product_17 = product_8 * sin_beta
+    product_27 = product_17 * sum_42
+    sum_43 = cos_beta * sum_37 + product_27
+    sum_44 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
+    del sum_41, product_7, sum_42, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_113 = product_26 + product_30
-    del sum_110, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_26, product_30
-    sum_114 = (
+    sum_45 = product_19 - product_26 - product_3
+    sum_46 = product_22 * sum_45 + product_25
+    del product_19, product_26, product_3, product_22, product_25, sum_45
+    sum_47 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    product_18 = cos_beta * product_9
-    sum_115 = product_18 * sum_113 + sin_beta * sum_114
-    sum_116 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
-    sum_117 = attenuation_beta * sum_116 + product_23
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_114, product_23, sum_116
-    sum_118 = attenuation_epsilon_2 * sum_117 + product_25
-    sum_119 = attenuation_beta * sum_118 + product_24
-    del attenuation_epsilon_2, product_25, sum_117, attenuation_beta, product_24, sum_118
-    sum_120 = attenuation_epsilon_2_squared * product_12 - shortfall_epsilon * sum_119
-    del attenuation_epsilon_2_squared, product_12, shortfall_epsilon, sum_119
-    product_28 = product_16 * sum_120
-    sum_121 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta + product_18 * product_28
-    del product_16, sum_120, product_18, sin_beta
-    sum_122 = cos_beta * sum_112 - product_27
-    sum_123 = cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon - product_15 * product_28
-    del product_27, part_02_cos_epsilon_sin_beta_sin_epsilon, product_15, product_28
-    product_19 = cos_epsilon * sin_epsilon
-    mean[..., 0] = cos_epsilon * sum_84
-    mean[..., 1] = cos_epsilon * sum_85
-    mean[..., 2] = product_21 * sin_epsilon
-    del sum_84, cos_epsilon, sum_85, product_21, sin_epsilon
-    covariance[..., 0, 0] = cos_beta * sum_111 + sin_beta_squared * sum_112
-    covariance[..., 0, 1] = cos_beta * sum_115 - product_9 * sin_beta_squared * sum_113
-    del sum_111, sum_112, product_9, sum_113, sum_115
-    covariance[..., 0, 2] = product_19 * sum_121
+    product_20 = cos_beta * product_8
+    sum_48 = product_20 * sum_46 + sin_beta * sum_47
+    sum_49 = 2.0 + 2.0 * attenuation_epsilon_2
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_47, attenuation_epsilon_2
+    sum_50 = 1.0 + product_9 * sum_49
+    sum_51 = attenuation_beta - product_11 * sum_50 * term_1
+    del product_9, sum_49, attenuation_beta, product_11, sum_50, term_1
+    sum_52 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta + product_20 * sum_51
+    sum_53 = cos_beta * sum_44 - product_27
+    sum_54 = cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon - product_17 * sum_51
+    del product_20, sin_beta, product_27, part_02_cos_epsilon_sin_beta_sin_epsilon, product_17, sum_51
+    product_21 = cos_epsilon * sin_epsilon
+    mean[..., 0] = cos_epsilon * sum_35
+    mean[..., 1] = cos_epsilon * sum_36
+    mean[..., 2] = product_23 * sin_epsilon
+    del sum_35, cos_epsilon, sum_36, product_23, sin_epsilon
+    covariance[..., 0, 0] = cos_beta * sum_43 + sin_beta_squared * sum_44
+    covariance[..., 0, 1] = cos_beta * sum_48 - product_8 * sin_beta_squared * sum_46
+    del sum_43, sum_44, product_8, sum_46, sum_48
+    covariance[..., 0, 2] = product_21 * sum_52
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta * sum_122 + sin_beta_squared * sum_86
-    del sum_121, cos_beta, sin_beta_squared, sum_122, sum_86
-    covariance[..., 1, 2] = product_19 * sum_123
+    covariance[..., 1, 1] = cos_beta * sum_53 + sin_beta_squared * sum_37
+    del sum_52, cos_beta, sin_beta_squared, sum_37, sum_53
+    covariance[..., 1, 2] = product_21 * sum_54
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_19, sum_123, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_21, sum_54, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_posterior(
@@ -4111,16 +3995,16 @@ def spherical_posterior(
     attenuation_beta = np.exp(-0.5 * sigma_beta_squared)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     product_7 = rho * sigma_beta
-    product_8 = product_7 * sigma_r
-    product_15 = attenuation_beta * attenuation_epsilon
-    part_0_cos_beta_cos_epsilon = product_15 * product_8
-    part_0_cos_epsilon_sin_beta = product_15 * r
+    product_9 = product_7 * sigma_r
+    product_14 = attenuation_beta * attenuation_epsilon
+    part_0_cos_beta_cos_epsilon = product_14 * product_9
+    part_0_cos_epsilon_sin_beta = product_14 * r
     shortfall_beta = -np.expm1(-0.5 * sigma_beta_squared)
     attenuation_epsilon_2 = attenuation_epsilon**2
     attenuation_epsilon_less_one = np.expm1(-0.5 * sigma_epsilon**2)
     sum_1 = 2.0 + attenuation_epsilon_less_one
     shortfall_epsilon = -attenuation_epsilon_less_one * sum_1
-    del product_7, product_15, attenuation_epsilon_less_one, sum_1
+    del product_7, product_14, attenuation_epsilon_less_one, sum_1
     attenuation_beta_squared = attenuation_beta**2
     shortfall_epsilon_squared = shortfall_epsilon**2
     product_12 = attenuation_beta_squared * shortfall_epsilon_squared
@@ -4129,145 +4013,144 @@ def spherical_posterior(
     shortfall_beta_squared = shortfall_beta**2
     product_2 = -shortfall_beta_squared * sum_2
     sum_3 = 2.0 * attenuation_epsilon_2 + 2.0 * shortfall_epsilon
-    product_21 = shortfall_beta * sum_3
-    product_3 = -product_21
+    product_20 = shortfall_beta * sum_3
+    product_3 = -product_20
     sum_4 = attenuation_beta * sum_2 + product_3
     sum_5 = attenuation_beta * sum_4 + product_2
     sum_6 = attenuation_epsilon_2 * sum_5 + product_1
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
+    sum_7 = 1.0 + attenuation_beta
+    sum_8 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_7 = 1.0 + attenuation_epsilon_2_squared
-    sum_8 = 1.0 + attenuation_beta * sum_7 + attenuation_epsilon_2_squared
-    sum_9 = 1.0 + attenuation_beta * sum_8 + attenuation_epsilon_2_squared
-    del sum_2, sum_4, sum_5, sum_8
+    sum_9 = 1.0 + attenuation_epsilon_2_squared
     r_squared = r**2
     sum_10 = 0.25 * r_squared + 0.25 * sigma_r_squared
-    sum_11 = 1.0 + attenuation_beta * sum_9 + attenuation_epsilon_2_squared
-    product_20 = shortfall_beta * sum_10
     product_6 = rho_squared * sigma_beta_squared
-    product_14 = product_6 * sigma_r_squared
-    part_00_cos_beta2_cos_epsilon2 = attenuation_beta_squared * product_14 * sum_6 + product_20 * sum_11
-    del sum_9, rho_squared, sigma_beta_squared, sum_11
+    del sum_2, sum_4, sum_5, rho_squared, sigma_beta_squared
+    product_19 = shortfall_beta * sum_10
+    product_23 = sum_7 * sum_8
+    product_26 = product_19 * product_23
+    del sum_7, sum_8, product_19, product_23
+    part_00_cos_beta2_cos_epsilon2 = (
+        attenuation_beta_squared * product_6 * sigma_r_squared * sum_6
+        + product_26 * sum_9
+    )
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    sum_12 = 1.0 + attenuation_epsilon_2
-    sum_13 = 1.0 + attenuation_beta * sum_12 + attenuation_epsilon_2
-    sum_14 = 1.0 + attenuation_beta * sum_13 + attenuation_epsilon_2
-    sum_15 = 1.0 + attenuation_beta * sum_14 + attenuation_epsilon_2
-    product_9 = attenuation_beta_squared_squared * sum_12
-    product_23 = product_14 * product_9
-    sum_16 = product_20 * sum_15 + product_23
-    del sum_13, sum_14, product_14, product_20, sum_15
-    part_00_cos_beta2_sin_epsilon2 = shortfall_epsilon * sum_16
-    product_4 = product_21
-    sum_17 = attenuation_beta * sum_3 + product_4
-    sum_18 = 1.5 * attenuation_beta + shortfall_beta
-    sum_19 = attenuation_epsilon_2 * sum_17 + shortfall_epsilon_squared * sum_18
-    del sum_16, product_21, sum_3, sum_17, sum_18
-    sum_20 = 0.5 * attenuation_epsilon_2 + 0.5 * shortfall_epsilon
-    sum_21 = attenuation_epsilon_2 * sum_20 + 0.25 * shortfall_epsilon_squared
-    sum_22 = attenuation_beta * sum_19 + shortfall_beta_squared * sum_21
-    del sum_20, shortfall_beta_squared, sum_19, sum_21
-    sum_23 = attenuation_beta * product_12 + shortfall_beta * sum_22
-    sum_24 = 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared + shortfall_beta * sum_23
-    sum_25 = 0.25 + 0.25 * attenuation_epsilon_2_squared
-    sum_26 = (
+    sum_11 = 1.0 + attenuation_epsilon_2
+    product_13 = attenuation_beta_squared_squared * product_6
+    product_21 = product_13 * sigma_r_squared
+    sum_12 = product_21 + product_26
+    product_8 = shortfall_epsilon * sum_11
+    part_00_cos_beta2_sin_epsilon2 = product_8 * sum_12
+    product_4 = product_20
+    sum_13 = attenuation_beta * sum_3 + product_4
+    del product_26, sum_12, product_20, sum_3
+    sum_14 = 1.5 * attenuation_beta + shortfall_beta
+    sum_15 = attenuation_epsilon_2 * sum_13 + shortfall_epsilon_squared * sum_14
+    sum_16 = 0.5 * attenuation_epsilon_2 + 0.5 * shortfall_epsilon
+    sum_17 = attenuation_epsilon_2 * sum_16 + 0.25 * shortfall_epsilon_squared
+    sum_18 = attenuation_beta * sum_15 + shortfall_beta_squared * sum_17
+    del sum_13, sum_14, sum_16, shortfall_beta_squared, sum_15, sum_17
+    sum_19 = attenuation_beta * product_12 + shortfall_beta * sum_18
+    sum_20 = 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared + shortfall_beta * sum_19
+    sum_21 = 0.25 + 0.25 * attenuation_epsilon_2_squared
+    sum_22 = (
         0.25
-        - attenuation_beta_squared_squared * product_6 * sum_7
-        + attenuation_beta_squared_squared * sum_25
+        - product_13 * sum_9
+        + attenuation_beta_squared_squared * sum_21
         + 0.25 * attenuation_epsilon_2_squared
     )
-    del sum_22, sum_23, attenuation_beta_squared_squared, sum_25
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_24 + sigma_r_squared * sum_26
-    sum_27 = 1.0 + attenuation_epsilon_2 + product_9
-    sum_28 = sum_10 * sum_27 - product_23
-    del sum_24, sum_26, product_23, sum_10, sum_27
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_28
-    sum_29 = 4.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
-    sum_30 = attenuation_beta * sum_29 + product_4
-    sum_31 = product_1 - attenuation_epsilon_2 * shortfall_beta * sum_30
-    del sum_28, product_4, sum_29, product_1, shortfall_beta, sum_30
-    sum_32 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
-    sum_33 = attenuation_beta * sum_32 + product_3
-    sum_34 = attenuation_beta * sum_33 + product_2
-    del product_3, sum_32, product_2, sum_33
-    sum_35 = 2.0 * product_12 + attenuation_epsilon_2 * sum_34
-    sum_36 = 0.5 * attenuation_beta_squared * sum_7 - product_6 * sum_35
-    del product_12, sum_34, sum_35, sum_7
-    sum_37 = 0.5 * r_squared * sum_31 + sigma_r_squared * sum_36
-    part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_37
-    sum_38 = 0.5 - 2.0 * product_6
-    sum_39 = 0.5 * r_squared + sigma_r_squared * sum_38
-    del sum_31, sum_36, sum_37, sum_38
-    part_01_cos_beta_sin_beta_sin_epsilon2 = product_9 * shortfall_epsilon * sum_39
-    sum_40 = 1.0 - product_6
-    sum_41 = attenuation_epsilon_2 * sigma_r_squared * sum_40 - r_squared * shortfall_epsilon
-    del product_9, sum_39, product_6, sum_40
+    del sum_18, sum_19, product_13, sum_21
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_20 + sigma_r_squared * sum_22
+    sum_23 = 1.0 + attenuation_beta_squared_squared * sum_11 + attenuation_epsilon_2
+    sum_24 = sum_10 * sum_23 - product_21 * sum_11
+    del sum_20, sum_22, product_21, sum_10, sum_11, sum_23
+    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_24
+    sum_25 = 4.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon
+    sum_26 = attenuation_beta * sum_25 + product_4
+    sum_27 = product_1 - attenuation_epsilon_2 * shortfall_beta * sum_26
+    del sum_24, product_4, sum_25, product_1, shortfall_beta, sum_26
+    sum_28 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon
+    sum_29 = attenuation_beta * sum_28 + product_3
+    sum_30 = attenuation_beta * sum_29 + product_2
+    del product_3, sum_28, product_2, sum_29
+    sum_31 = 2.0 * product_12 + attenuation_epsilon_2 * sum_30
+    sum_32 = 0.5 * attenuation_beta_squared * sum_9 - product_6 * sum_31
+    del product_12, sum_30, sum_31, sum_9
+    sum_33 = 0.5 * r_squared * sum_27 + sigma_r_squared * sum_32
+    part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_33
+    sum_34 = 0.5 - 2.0 * product_6
+    sum_35 = 0.5 * r_squared + sigma_r_squared * sum_34
+    del sum_27, sum_32, sum_33, sum_34
+    part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * product_8 * sum_35
+    sum_36 = 1.0 - product_6
+    sum_37 = attenuation_epsilon_2 * sigma_r_squared * sum_36 - r_squared * shortfall_epsilon
+    del attenuation_beta_squared_squared, sum_35, product_6, sum_36
     product_11 = attenuation_beta * attenuation_epsilon_2
-    part_02_cos_epsilon_sin_beta_sin_epsilon = product_11 * sum_41
-    sum_42 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    product_13 = shortfall_epsilon * sum_12
-    part_22_cos_epsilon2 = product_13 * sum_42
-    del attenuation_beta, sum_41, sum_12, sum_42
-    sum_43 = 0.5 + 0.5 * attenuation_epsilon_2_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_43
-    del attenuation_epsilon_2_squared, r_squared, shortfall_epsilon_squared, sigma_r_squared, sum_43
-    sum_44 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
-    sum_45 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
+    part_02_cos_epsilon_sin_beta_sin_epsilon = product_11 * sum_37
+    sum_38 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    part_22_cos_epsilon2 = product_8 * sum_38
+    sum_39 = 0.5 + 0.5 * attenuation_epsilon_2_squared
+    del attenuation_beta, sum_37, sum_38, attenuation_epsilon_2_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_39
+    del r_squared, shortfall_epsilon_squared, sigma_r_squared, sum_39
+    sum_40 = cos_beta * part_0_cos_beta_cos_epsilon + part_0_cos_epsilon_sin_beta * sin_beta
+    sum_41 = cos_beta * part_0_cos_epsilon_sin_beta - part_0_cos_beta_cos_epsilon * sin_beta
     sin_epsilon_squared = sin_epsilon**2
     cos_epsilon_squared = cos_epsilon**2
-    product_19 = cos_epsilon_squared * sum_6
-    product_16 = attenuation_beta_squared * sin_epsilon_squared
-    product_25 = product_13 * product_16
-    del part_0_cos_beta_cos_epsilon, part_0_cos_epsilon_sin_beta, sum_6, product_13, product_16
-    sum_46 = 2.0 * product_19 + 2.0 * product_25
-    product_10 = product_8 * r
-    product_17 = attenuation_beta_squared * product_10
-    product_5 = product_17 * sin_beta * sum_46
-    sum_47 = (
+    product_18 = cos_epsilon_squared * sum_6
+    product_15 = attenuation_beta_squared * sin_epsilon_squared
+    product_24 = product_15 * product_8
+    del part_0_cos_beta_cos_epsilon, part_0_cos_epsilon_sin_beta, sum_6, product_15, product_8
+    sum_42 = 2.0 * product_18 + 2.0 * product_24
+    product_10 = product_9 * r
+    product_16 = attenuation_beta_squared * product_10
+    product_5 = product_16 * sin_beta * sum_42
+    sum_43 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_8, attenuation_beta_squared, sum_46, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
-    sum_48 = (
+    del product_9, attenuation_beta_squared, sum_42, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2
+    sum_44 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     sin_beta_squared = sin_beta**2
-    sum_49 = cos_beta**2 - sin_beta_squared
-    sum_50 = product_19 * sum_49 + product_25 * sum_49
-    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_19, product_25, sum_49
-    sum_51 = (
+    sum_45 = cos_beta**2 - sin_beta_squared
+    sum_46 = product_18 * sum_45 + product_24 * sum_45
+    del part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2, product_18, product_24, sum_45
+    sum_47 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_52 = attenuation_epsilon_2 - shortfall_epsilon
+    sum_48 = attenuation_epsilon_2 - shortfall_epsilon
     del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, attenuation_epsilon_2, shortfall_epsilon
-    product_22 = product_10 * sum_52
-    product_24 = product_11 * product_22
-    del product_10, sum_52, product_11, product_22
-    sum_53 = cos_beta * product_24 + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
-    sum_54 = product_24 * sin_beta - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
-    product_18 = cos_epsilon * sin_epsilon
-    mean[..., 0] = cos_epsilon * sum_44
-    mean[..., 1] = cos_epsilon * sum_45
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, product_24, sum_44, cos_epsilon, sum_45
+    product_22 = product_10 * sum_48
+    product_25 = product_11 * product_22
+    del product_10, sum_48, product_11, product_22
+    sum_49 = cos_beta * product_25 + part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta
+    sum_50 = product_25 * sin_beta - cos_beta * part_02_cos_epsilon_sin_beta_sin_epsilon
+    product_17 = cos_epsilon * sin_epsilon
+    mean[..., 0] = cos_epsilon * sum_40
+    mean[..., 1] = cos_epsilon * sum_41
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, product_25, sum_40, cos_epsilon, sum_41
     mean[..., 2] = attenuation_epsilon * r * sin_epsilon
-    covariance[..., 0, 0] = cos_beta * (cos_beta * sum_47 + product_5) + sin_beta_squared * sum_48
-    covariance[..., 0, 1] = cos_beta * sin_beta * sum_51 + product_17 * sum_50
-    del attenuation_epsilon, sin_epsilon, product_17, sin_beta, sum_50, sum_51
-    covariance[..., 0, 2] = product_18 * sum_53
+    covariance[..., 0, 0] = cos_beta * (cos_beta * sum_43 + product_5) + sin_beta_squared * sum_44
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_47 + product_16 * sum_46
+    del attenuation_epsilon, sin_epsilon, product_16, sin_beta, sum_46, sum_47
+    covariance[..., 0, 2] = product_17 * sum_49
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = sin_beta_squared * sum_47 - (product_5 - cos_beta * sum_48) * cos_beta
-    del sum_53, cos_beta, product_5, sin_beta_squared, sum_47, sum_48
-    covariance[..., 1, 2] = -product_18 * sum_54
+    covariance[..., 1, 1] = sin_beta_squared * sum_43 - (product_5 - cos_beta * sum_44) * cos_beta
+    del sum_49, cos_beta, product_5, sin_beta_squared, sum_43, sum_44
+    covariance[..., 1, 2] = -product_17 * sum_50
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_18, sum_54, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_17, sum_50, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
 
 
 def spherical_doppler_linear(
@@ -4504,214 +4387,194 @@ def spherical_doppler_averaged(
     sum_3 = 2.0 + attenuation_epsilon_less_one
     shortfall_epsilon_2 = -attenuation_epsilon_less_one * sum_3
     sum_4 = 1.0 + attenuation_beta_2
-    sum_5 = 1.0 - attenuation_epsilon_2 * sum_4
     attenuation_epsilon_2_squared = attenuation_epsilon_2**2
-    sum_6 = 1.0 - attenuation_epsilon_2 + attenuation_beta_2 * sum_5
+    product_5 = attenuation_beta_2 * attenuation_epsilon_2
+    sum_5 = 1.0 - product_5
+    sum_6 = 1.0 + attenuation_epsilon_2_squared * sum_5
     del term_2, attenuation_epsilon_less_one, sum_3, sum_5
-    sum_7 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_6
-    sum_8 = 1.0 - attenuation_epsilon_2 * sum_7 + attenuation_beta_2 * sum_4
+    sum_7 = attenuation_beta_2 - attenuation_epsilon_2 * sum_6
     attenuation_epsilon_2_squared_squared = attenuation_epsilon_2_squared**2
     r_squared = r**2
-    sum_9 = 1.0 + attenuation_beta_2 * sum_8 + attenuation_epsilon_2_squared_squared
-    del sum_6, sum_4, sum_7, sum_8
-    sum_10 = 2.0 + 2.0 * attenuation_beta_2
-    sum_11 = 1.0 - attenuation_epsilon_2 * sum_10
-    sum_12 = 1.0 - 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_11
-    sum_13 = 1.0 + attenuation_beta_2 + attenuation_epsilon_2_squared * sum_12
-    product_1 = attenuation_beta_2 * sum_10
-    sum_14 = 2.0 - attenuation_epsilon_2 * sum_13 + product_1
-    del sum_11, sum_12, sum_10, sum_13
+    sum_8 = 1.0 + attenuation_beta_2 * sum_7 + attenuation_epsilon_2_squared_squared
+    sum_9 = 1.0 - 2.0 * product_5
+    sum_10 = 1.0 + attenuation_epsilon_2_squared * sum_9
+    sum_11 = 2.0 * attenuation_beta_2 - attenuation_epsilon_2 * sum_10
+    del sum_6, sum_7, sum_9, sum_10
     sigma_r_squared = sigma_r**2
-    sum_15 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_14
-    sum_16 = 0.25 * r_squared * sum_9 + 0.25 * sigma_r_squared * sum_15
-    part_00_cos_beta2_cos_epsilon2 = shortfall_beta_2 * sum_16
-    del sum_14, sum_15, sum_9, sum_16
-    product_2 = attenuation_epsilon_2 * (1.0 + attenuation_epsilon_2)
-    sum_17 = 1.0 + product_2
-    product_3 = attenuation_epsilon_2 * sum_17
-    product_4 = attenuation_epsilon_2 * attenuation_epsilon_2_squared
-    sum_18 = 1.0 + attenuation_beta_2 * (1.0 + product_3) + product_4
-    sum_19 = 1.0 + attenuation_beta_2 * sum_18 + product_4
-    sum_20 = 1.0 + attenuation_beta_2 * sum_19 + product_3
-    sum_21 = 2.0 + 2.0 * attenuation_epsilon_2
-    sum_22 = 1.0 + 2.0 * attenuation_epsilon_2 + attenuation_beta_2 * sum_21
-    sum_23 = 1.0 + 2.0 * attenuation_beta_2 + attenuation_epsilon_2 * sum_22
-    del sum_18, product_3, sum_19, sum_22
-    sum_24 = 1.0 + 2.0 * attenuation_epsilon_2
-    product_5 = attenuation_epsilon_2 * sum_24
-    sum_25 = 1.0 + attenuation_beta_2 * sum_23 + product_5
-    sum_26 = 2.0 + attenuation_epsilon_2 * sum_25 + product_1
-    del sum_24, sum_23, product_1, sum_25
-    product_6 = attenuation_epsilon_2 * sum_21
-    sum_27 = 2.0 + product_6
-    sum_28 = 2.0 + attenuation_beta_2 * sum_26 + attenuation_epsilon_2 * sum_27
-    sum_29 = 0.25 * r_squared * sum_20 + 0.25 * sigma_r_squared * sum_28
-    del sum_21, sum_26, sum_20, sum_28
-    part_00_cos_beta2_sin_epsilon2 = shortfall_beta_2 * shortfall_epsilon_2 * sum_29
+    sum_12 = 2.0 + 2.0 * attenuation_epsilon_2_squared_squared + attenuation_beta_2 * sum_11
+    sum_13 = 0.25 * r_squared * sum_8 + 0.25 * sigma_r_squared * sum_12
+    product_13 = shortfall_beta_2 * sum_4
+    del sum_11, sum_12, sum_8, sum_4
+    part_00_cos_beta2_cos_epsilon2 = product_13 * sum_13
+    sum_14 = 1.0 + attenuation_epsilon_2
+    sum_15 = 1.0 + attenuation_epsilon_2_squared
+    sum_16 = attenuation_beta_2 * sum_15 - attenuation_epsilon_2
+    sum_17 = 1.0 + attenuation_beta_2 * sum_16 + attenuation_epsilon_2_squared
+    sum_18 = 2.0 + 2.0 * attenuation_epsilon_2_squared
+    sum_19 = attenuation_beta_2 * sum_18 - attenuation_epsilon_2
+    sum_20 = 2.0 + 2.0 * attenuation_epsilon_2_squared + attenuation_beta_2 * sum_19
+    sum_21 = 0.25 * r_squared * sum_17 + 0.25 * sigma_r_squared * sum_20
+    del sum_13, sum_15, sum_18, sum_17, sum_20
+    product_14 = shortfall_epsilon_2 * sum_14
+    part_00_cos_beta2_sin_epsilon2 = product_13 * product_14 * sum_21
     attenuation_beta_2_squared = attenuation_beta_2**2
-    attenuation_beta_2_squared_squared = attenuation_beta_2_squared**2
-    sum_30 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
+    sum_22 = 1.5 * attenuation_epsilon_2 + 1.5 * shortfall_epsilon_2
     shortfall_epsilon_2_squared = shortfall_epsilon_2**2
-    sum_31 = attenuation_epsilon_2 * sum_30 + 0.5 * shortfall_epsilon_2_squared
-    product_7 = attenuation_beta_2 * attenuation_beta_2_squared
-    sum_32 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_33 = attenuation_epsilon_2 * sum_32 + shortfall_epsilon_2_squared
-    sum_34 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    sum_35 = attenuation_beta_2 * sum_34 + shortfall_beta_2 * sum_34
-    sum_36 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
-    sum_37 = attenuation_epsilon_2 * sum_35 + shortfall_epsilon_2_squared * sum_36
-    del sum_29, sum_30, sum_34, sum_35, sum_36
-    sum_38 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_23 = attenuation_epsilon_2 * sum_22 + 0.5 * shortfall_epsilon_2_squared
+    product_1 = attenuation_beta_2 * attenuation_beta_2_squared
+    sum_24 = 3.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_25 = attenuation_epsilon_2 * sum_24 + shortfall_epsilon_2_squared
+    sum_26 = 1.5 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    sum_27 = attenuation_beta_2 * sum_26 + shortfall_beta_2 * sum_26
+    del product_13, sum_21, sum_22, sum_26
+    sum_28 = 5.25 * shortfall_beta_2 + 6.75 * attenuation_beta_2
+    sum_29 = attenuation_epsilon_2 * sum_27 + shortfall_epsilon_2_squared * sum_28
+    sum_30 = 0.5 * attenuation_epsilon_2 + shortfall_epsilon_2
     shortfall_beta_2_squared = shortfall_beta_2**2
-    sum_39 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_38
-    sum_40 = attenuation_beta_2 * sum_37 + shortfall_beta_2_squared * sum_39
-    sum_41 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
-    product_8 = shortfall_epsilon_2 * shortfall_epsilon_2_squared
-    sum_42 = attenuation_beta_2 * sum_41 + shortfall_beta_2_squared
-    del sum_38, sum_37, sum_39, sum_41
-    sum_43 = attenuation_epsilon_2 * sum_40 + product_8 * sum_42
-    sum_44 = 1.5 * attenuation_beta_2 + shortfall_beta_2
+    sum_31 = 1.5 * shortfall_epsilon_2_squared + attenuation_epsilon_2 * sum_30
+    sum_32 = attenuation_beta_2 * sum_29 + shortfall_beta_2_squared * sum_31
+    del sum_27, sum_28, sum_30, sum_29, sum_31
+    sum_33 = 3.75 * shortfall_beta_2 + 5.25 * attenuation_beta_2
+    product_2 = shortfall_epsilon_2 * shortfall_epsilon_2_squared
+    sum_34 = attenuation_beta_2 * sum_33 + shortfall_beta_2_squared
+    sum_35 = attenuation_epsilon_2 * sum_32 + product_2 * sum_34
+    sum_36 = 1.5 * attenuation_beta_2 + shortfall_beta_2
     shortfall_epsilon_2_squared_squared = shortfall_epsilon_2_squared**2
-    sum_45 = attenuation_beta_2 * sum_44 + 0.25 * shortfall_beta_2_squared
-    del sum_40, sum_42, shortfall_beta_2_squared, sum_44
-    sum_46 = attenuation_epsilon_2 * sum_43 + shortfall_epsilon_2_squared_squared * sum_45
-    sum_47 = product_7 * shortfall_epsilon_2_squared * sum_33 + shortfall_beta_2 * sum_46
-    del sum_43, sum_45, sum_33, sum_46
-    sum_48 = (
-        attenuation_beta_2_squared_squared * shortfall_epsilon_2_squared * sum_31
-        + shortfall_beta_2 * sum_47
-    )
-    product_13 = attenuation_beta_2 * attenuation_epsilon_2
-    sum_49 = 0.25 - 0.5 * product_13
-    sum_50 = 0.25 + attenuation_epsilon_2_squared * sum_49
-    sum_51 = 0.25 + attenuation_beta_2_squared * sum_50 + 0.25 * attenuation_epsilon_2_squared
-    del sum_31, sum_47, sum_49, sum_50
-    sum_52 = 0.5 * product_7 - attenuation_epsilon_2 * sum_51
-    sum_53 = 0.5 + attenuation_beta_2 * sum_52 + 0.5 * attenuation_epsilon_2_squared_squared
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_48 + sigma_r_squared * sum_53
-    del sum_51, attenuation_epsilon_2_squared_squared, sum_52, sum_48, sum_53
-    sum_54 = 1.0 - attenuation_beta_2 * sum_17 + attenuation_epsilon_2
-    sum_55 = 1.0 + attenuation_beta_2_squared * sum_54 + attenuation_epsilon_2
-    sum_56 = 1.0 - attenuation_beta_2 * sum_55 + product_2
-    sum_57 = 1.0 + attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_56
-    del sum_54, product_2, sum_55, sum_56
-    sum_58 = 1.0 - attenuation_beta_2 * sum_27 + attenuation_epsilon_2
-    sum_59 = 1.0 + attenuation_beta_2_squared * sum_58 + attenuation_epsilon_2
-    sum_60 = 2.0 - attenuation_beta_2 * sum_59 + product_6
-    del sum_27, attenuation_beta_2_squared, sum_58, product_6, sum_59
-    sum_61 = 2.0 + 2.0 * attenuation_beta_2_squared_squared + attenuation_epsilon_2 * sum_60
-    sum_62 = 0.25 * r_squared * sum_57 + 0.25 * sigma_r_squared * sum_61
-    del attenuation_beta_2_squared_squared, sum_60, sum_57, sum_61
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon_2 * sum_62
-    sum_63 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
-    sum_64 = attenuation_beta_2 * sum_32 - shortfall_beta_2 * sum_63
-    sum_65 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_64
-    del sum_62, sum_32, sum_63, sum_64
-    sum_66 = 2.0 * product_4 * shortfall_beta_2 + shortfall_epsilon_2 * sum_65
-    product_15 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
-    sum_67 = product_15 - attenuation_epsilon_2 * sum_66
-    sum_68 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon_2
-    sum_69 = attenuation_beta_2 * sum_68 - shortfall_beta_2 * sum_68
-    del sum_65, shortfall_epsilon_2_squared_squared, sum_66, sum_68
-    sum_70 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
-    sum_71 = attenuation_epsilon_2 * sum_69 + shortfall_epsilon_2_squared * sum_70
-    sum_72 = 7.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_73 = attenuation_epsilon_2 * sum_71 + product_8 * sum_72
-    sum_74 = 2.0 * product_15 + attenuation_epsilon_2 * sum_73
-    del sum_69, sum_70, sum_71, product_15, sum_73
-    sum_75 = 0.5 * r_squared * sum_67 + 0.5 * sigma_r_squared * sum_74
-    part_01_cos_beta_cos_epsilon2_sin_beta = product_7 * sum_75
-    sum_76 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
-    product_9 = -shortfall_beta_2 * sum_76
-    sum_77 = attenuation_beta_2 * sum_76 + product_9
-    del sum_67, sum_74, sum_75, sum_76
-    sum_78 = 3.0 * attenuation_beta_2 - shortfall_beta_2
-    sum_79 = attenuation_epsilon_2 * sum_77 + shortfall_epsilon_2_squared * sum_78
-    product_14 = attenuation_beta_2 * product_8
-    del shortfall_beta_2, sum_77, sum_78, product_8
-    sum_80 = attenuation_epsilon_2 * sum_79 + product_14
-    sum_81 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
-    sum_82 = attenuation_beta_2 * sum_81 + product_9
-    sum_83 = attenuation_epsilon_2 * sum_82 + shortfall_epsilon_2_squared * sum_72
-    del sum_79, product_9, sum_81, sum_72, sum_82
-    sum_84 = 2.0 * product_14 + attenuation_epsilon_2 * sum_83
-    sum_85 = 0.5 * r_squared * sum_80 + 0.5 * sigma_r_squared * sum_84
-    del product_14, sum_83, sum_80, sum_84
-    part_01_cos_beta_sin_beta_sin_epsilon2 = product_7 * shortfall_epsilon_2 * sum_85
-    sum_86 = attenuation_epsilon_2 - shortfall_epsilon_2
-    sum_87 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_86
-    part_02_cos_epsilon_sin_beta_sin_epsilon = -attenuation_beta_2 * product_4 * sum_87
-    del product_7, sum_85, sum_86, attenuation_beta_2, sum_87
-    product_12 = rho * sigma_rdot
-    sum_88 = product_12 * r + rdot * sigma_r
-    product_18 = sigma_r * sum_88
-    part_03_cos_epsilon_sin_beta = product_13 * product_18
-    sum_89 = 2.0 + attenuation_epsilon_2 * (1.0 + product_5)
-    sum_90 = 0.5 * (1.0 + product_4) * r_squared + 0.5 * sigma_r_squared * sum_89
-    del sum_88, product_13, product_5, product_4, sum_89
-    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_90
-    sum_91 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
-    sum_92 = 1.0 - attenuation_epsilon_2 * sum_91
-    del shortfall_epsilon_2, sum_90, attenuation_epsilon_2_squared, sum_91
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_17 + sigma_r_squared * sum_92
-    del shortfall_epsilon_2_squared, sigma_r_squared, sum_17, sum_92
-    part_23_sin_epsilon = attenuation_epsilon_2 * product_18
-    sum_93 = part_0_cos_epsilon_sin_beta - r
-    sum_94 = 1.0 + attenuation_epsilon * shortfall_epsilon
-    del attenuation_epsilon_2, product_18, part_0_cos_epsilon_sin_beta, attenuation_epsilon, shortfall_epsilon
+    sum_37 = attenuation_beta_2 * sum_36 + 0.25 * shortfall_beta_2_squared
+    del sum_33, sum_32, sum_34, shortfall_beta_2_squared, sum_36
+    sum_38 = attenuation_epsilon_2 * sum_35 + shortfall_epsilon_2_squared_squared * sum_37
+    sum_39 = product_1 * shortfall_epsilon_2_squared * sum_25 + shortfall_beta_2 * sum_38
+    del sum_35, sum_37, sum_25, sum_38
+    sum_40 = attenuation_beta_2_squared**2 * shortfall_epsilon_2_squared * sum_23 + shortfall_beta_2 * sum_39
+    sum_41 = 0.25 - 0.5 * product_5
+    sum_42 = 0.25 + attenuation_epsilon_2_squared * sum_41
+    sum_43 = 0.25 + attenuation_beta_2_squared * sum_42 + 0.25 * attenuation_epsilon_2_squared
+    del sum_23, sum_39, sum_41, sum_42
+    sum_44 = 0.5 * product_1 - attenuation_epsilon_2 * sum_43
+    sum_45 = 0.5 + attenuation_beta_2 * sum_44 + 0.5 * attenuation_epsilon_2_squared_squared
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_40 + sigma_r_squared * sum_45
+    del sum_43, attenuation_epsilon_2_squared_squared, sum_44, sum_40, sum_45
+    sum_46 = attenuation_beta_2_squared * sum_16 - attenuation_epsilon_2
+    sum_47 = 1.0 + attenuation_beta_2 * sum_46 + attenuation_epsilon_2_squared
+    sum_48 = attenuation_beta_2_squared * sum_19 - attenuation_epsilon_2
+    del sum_16, sum_46, attenuation_beta_2_squared, sum_19
+    sum_49 = 2.0 + 2.0 * attenuation_epsilon_2_squared + attenuation_beta_2 * sum_48
+    sum_50 = 0.25 * r_squared * sum_47 + 0.25 * sigma_r_squared * sum_49
+    part_00_sin_beta2_sin_epsilon2 = product_14 * sum_50
+    del sum_48, sum_47, sum_49, product_14, sum_50
+    product_3 = attenuation_epsilon_2 * attenuation_epsilon_2_squared
+    sum_51 = 3.0 * attenuation_epsilon_2 + shortfall_epsilon_2
+    sum_52 = attenuation_beta_2 * sum_24 - shortfall_beta_2 * sum_51
+    sum_53 = 4.0 * attenuation_epsilon_2_squared * shortfall_beta_2 - shortfall_epsilon_2 * sum_52
+    sum_54 = 2.0 * product_3 * shortfall_beta_2 + shortfall_epsilon_2 * sum_53
+    del sum_24, sum_51, sum_52, sum_53
+    product_10 = attenuation_beta_2 * shortfall_epsilon_2_squared_squared
+    sum_55 = product_10 - attenuation_epsilon_2 * sum_54
+    sum_56 = 2.0 * attenuation_epsilon_2 + 4.0 * shortfall_epsilon_2
+    sum_57 = attenuation_beta_2 * sum_56 - shortfall_beta_2 * sum_56
+    sum_58 = 9.0 * attenuation_beta_2 - 3.0 * shortfall_beta_2
+    sum_59 = attenuation_epsilon_2 * sum_57 + shortfall_epsilon_2_squared * sum_58
+    del shortfall_epsilon_2_squared_squared, sum_54, sum_56, sum_57, sum_58
+    sum_60 = 7.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_61 = attenuation_epsilon_2 * sum_59 + product_2 * sum_60
+    sum_62 = 2.0 * product_10 + attenuation_epsilon_2 * sum_61
+    sum_63 = 0.5 * r_squared * sum_55 + 0.5 * sigma_r_squared * sum_62
+    del sum_59, product_10, sum_61, sum_55, sum_62
+    part_01_cos_beta_cos_epsilon2_sin_beta = product_1 * sum_63
+    sum_64 = 2.0 * attenuation_epsilon_2 + 3.0 * shortfall_epsilon_2
+    product_4 = -shortfall_beta_2 * sum_64
+    sum_65 = attenuation_beta_2 * sum_64 + product_4
+    sum_66 = 3.0 * attenuation_beta_2 - shortfall_beta_2
+    sum_67 = attenuation_epsilon_2 * sum_65 + shortfall_epsilon_2_squared * sum_66
+    del sum_63, sum_64, shortfall_beta_2, sum_65, sum_66
+    product_9 = attenuation_beta_2 * product_2
+    sum_68 = attenuation_epsilon_2 * sum_67 + product_9
+    sum_69 = 6.0 * attenuation_epsilon_2 + 9.0 * shortfall_epsilon_2
+    sum_70 = attenuation_beta_2 * sum_69 + product_4
+    del product_2, sum_67, product_4, sum_69
+    sum_71 = attenuation_epsilon_2 * sum_70 + shortfall_epsilon_2_squared * sum_60
+    sum_72 = 2.0 * product_9 + attenuation_epsilon_2 * sum_71
+    del sum_60, sum_70, product_9, sum_71
+    sum_73 = 0.5 * r_squared * sum_68 + 0.5 * sigma_r_squared * sum_72
+    part_01_cos_beta_sin_beta_sin_epsilon2 = product_1 * shortfall_epsilon_2 * sum_73
+    del sum_68, sum_72, product_1, sum_73
+    sum_74 = attenuation_epsilon_2 - shortfall_epsilon_2
+    sum_75 = r_squared * shortfall_epsilon_2 - sigma_r_squared * sum_74
+    part_02_cos_epsilon_sin_beta_sin_epsilon = -attenuation_beta_2 * product_3 * sum_75
+    product_8 = rho * sigma_rdot
+    sum_76 = product_8 * r + rdot * sigma_r
+    product_15 = sigma_r * sum_76
+    del sum_74, attenuation_beta_2, sum_75, sum_76
+    part_03_cos_epsilon_sin_beta = product_15 * product_5
+    sum_77 = 1.0 + 2.0 * attenuation_epsilon_2
+    sum_78 = 1.0 + attenuation_epsilon_2 * sum_77
+    sum_79 = 2.0 + attenuation_epsilon_2 * sum_78
+    sum_80 = 0.5 * (1.0 + product_3) * r_squared + 0.5 * sigma_r_squared * sum_79
+    del product_5, sum_77, sum_78, product_3, sum_79
+    part_22_cos_epsilon2 = shortfall_epsilon_2 * sum_80
+    sum_81 = 1.0 + attenuation_epsilon_2 * sum_14
+    sum_82 = 0.5 + (0.5 - attenuation_epsilon_2) * attenuation_epsilon_2_squared
+    del shortfall_epsilon_2, sum_80, sum_14, attenuation_epsilon_2_squared
+    sum_83 = 1.0 - attenuation_epsilon_2 * sum_82
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_2_squared * sum_81 + sigma_r_squared * sum_83
+    del sum_82, shortfall_epsilon_2_squared, sigma_r_squared, sum_81, sum_83
+    part_23_sin_epsilon = attenuation_epsilon_2 * product_15
+    sum_84 = part_0_cos_epsilon_sin_beta - r
+    sum_85 = 1.0 + attenuation_epsilon * shortfall_epsilon
+    del attenuation_epsilon_2, product_15, part_0_cos_epsilon_sin_beta, attenuation_epsilon, shortfall_epsilon
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
-    sum_95 = (
+    sum_86 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_96 = (
+    sum_87 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
     del part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_97 = (
+    sum_88 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
     sigma_rdot_squared = sigma_rdot**2
-    sum_98 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
-    product_17 = r * rdot
-    sum_99 = 2.0 * product_12 * product_17 + sigma_r * sum_98
-    product_11 = cos_epsilon * sin_beta
-    product_10 = cos_beta * cos_epsilon
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_98, cos_epsilon
-    product_16 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    mean[..., 0] = -product_11 * sum_93
-    mean[..., 1] = -product_10 * sum_93
-    mean[..., 2] = r * sin_epsilon * sum_94
-    mean[..., 3] = product_17 - product_12 * sigma_r
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, sum_93, sum_94, product_12, product_17
-    covariance[..., 0, 0] = cos_beta_squared * sum_95 + sin_beta_squared * sum_96
-    covariance[..., 0, 1] = cos_beta * sin_beta * sum_97
-    covariance[..., 0, 2] = product_11 * product_16
-    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_11
-    del cos_beta, sin_beta, sum_97, product_11
+    sum_89 = rdot**2 + (3.0 + 3.0 * rho**2) * sigma_rdot_squared
+    product_12 = r * rdot
+    sum_90 = 2.0 * product_12 * product_8 + sigma_r * sum_89
+    product_7 = cos_epsilon * sin_beta
+    product_6 = cos_beta * cos_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_89, cos_epsilon
+    product_11 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = -product_7 * sum_84
+    mean[..., 1] = -product_6 * sum_84
+    mean[..., 2] = r * sin_epsilon * sum_85
+    mean[..., 3] = product_12 - product_8 * sigma_r
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, sum_84, sum_85, product_12, product_8
+    covariance[..., 0, 0] = cos_beta_squared * sum_86 + sin_beta_squared * sum_87
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_88
+    covariance[..., 0, 2] = product_11 * product_7
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_7
+    del cos_beta, sin_beta, sum_88, product_7
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta_squared * sum_96 + sin_beta_squared * sum_95
-    del cos_beta_squared, sin_beta_squared, sum_95, sum_96
-    covariance[..., 1, 2] = product_10 * product_16
-    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_10
+    covariance[..., 1, 1] = cos_beta_squared * sum_87 + sin_beta_squared * sum_86
+    del cos_beta_squared, sin_beta_squared, sum_86, sum_87
+    covariance[..., 1, 2] = product_11 * product_6
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_6
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_16, part_03_cos_epsilon_sin_beta, product_10, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_11, part_03_cos_epsilon_sin_beta, product_6, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_23_sin_epsilon * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
     covariance[..., 3, 2] = covariance[..., 2, 3]
-    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_99
-    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_99
+    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_90
+    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_90
 
 
 def spherical_doppler_unbiased(
@@ -4739,296 +4602,163 @@ def spherical_doppler_unbiased(
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     term_1 = 1.0 / attenuation_beta
     term_2 = 1.0 / attenuation_epsilon
-    product_7 = r * term_2
-    product_20 = product_7 * term_1
-    part_0_cos_epsilon_sin_beta = product_20
+    product_5 = r * term_2
+    part_0_cos_epsilon_sin_beta = product_5 * term_1
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
+    attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
     attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    sum_1 = 1.0 + attenuation_epsilon_squared_squared
-    sum_2 = 1.0 + attenuation_beta * sum_1 + attenuation_epsilon_squared_squared
-    sum_3 = 1.0 + attenuation_beta * sum_2 + attenuation_epsilon_squared_squared
+    sum_3 = 1.0 + attenuation_epsilon_squared_squared
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     sum_4 = 0.25 * r_squared + 0.25 * sigma_r_squared
-    sum_5 = 1.0 + attenuation_beta * sum_3 + attenuation_epsilon_squared_squared
-    product_16 = shortfall_beta * sum_4
-    part_00_cos_beta2_cos_epsilon2 = product_16 * sum_5
-    del term_2, sum_2, sum_3, sum_5
-    sum_6 = 1.0 + attenuation_epsilon
-    sum_7 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon
-    sum_8 = 1.0 + attenuation_beta + attenuation_epsilon * sum_7
-    product_1 = attenuation_epsilon * sum_6
-    sum_9 = 1.0 + attenuation_beta * sum_8 + product_1
-    sum_10 = 1.0 + attenuation_beta * (1.0 + attenuation_beta) + attenuation_epsilon * sum_9
-    product_2 = attenuation_epsilon * (1.0 + product_1)
-    del sum_7, sum_8, sum_9, product_1
-    sum_11 = 1.0 + attenuation_beta * sum_10 + product_2
-    part_00_cos_beta2_sin_epsilon2 = product_16 * shortfall_epsilon * sum_11
+    product_3 = shortfall_beta * sum_1
+    product_18 = sum_2 * sum_4
+    product_23 = product_18 * product_3
+    del term_2, sum_1, sum_2, product_18
+    part_00_cos_beta2_cos_epsilon2 = product_23 * sum_3
+    sum_5 = 1.0 + attenuation_epsilon
+    sum_6 = 1.0 + attenuation_epsilon_squared
+    product_4 = shortfall_epsilon * sum_5
+    product_21 = product_4 * sum_6
+    part_00_cos_beta2_sin_epsilon2 = product_21 * product_23
     term_3 = 1.0 / attenuation_beta**2
-    attenuation_beta_squared = attenuation_beta**2
-    attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
-    shortfall_epsilon_squared = shortfall_epsilon**2
-    shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
-    product_3 = shortfall_epsilon * shortfall_epsilon_squared
-    sum_12 = 24.0 * attenuation_epsilon + 56.0 * shortfall_epsilon
-    sum_13 = 54.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_12
-    del sum_10, product_16, sum_11, sum_12
-    sum_14 = 24.0 * product_3 + attenuation_epsilon * sum_13
-    sum_15 = 4.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_14
-    shortfall_beta_squared = shortfall_beta**2
-    shortfall_beta_squared_squared = shortfall_beta_squared**2
-    product_4 = shortfall_beta * shortfall_beta_squared
-    sum_16 = 24.0 * attenuation_beta + 56.0 * shortfall_beta
-    sum_17 = 54.0 * shortfall_beta_squared + attenuation_beta * sum_16
-    sum_18 = 24.0 * product_4 + attenuation_beta * sum_17
-    del sum_13, sum_14, sum_16, sum_17
-    sum_19 = 4.0 * shortfall_beta_squared_squared + attenuation_beta * sum_18
-    sum_20 = 192.0 * shortfall_epsilon + 32.0 * attenuation_epsilon
-    sum_21 = 192.0 * attenuation_epsilon + 648.0 * shortfall_epsilon
-    sum_22 = attenuation_beta * sum_20 + shortfall_beta * sum_21
-    sum_23 = 1032.0 * shortfall_beta + 368.0 * attenuation_beta
-    sum_24 = attenuation_epsilon * sum_22 + shortfall_epsilon_squared * sum_23
-    del sum_18, sum_20, sum_21, sum_22, sum_23
-    sum_25 = 1032.0 * shortfall_epsilon + 368.0 * attenuation_epsilon
-    sum_26 = 1488.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_25
-    sum_27 = attenuation_beta * sum_24 + shortfall_beta_squared * sum_26
-    sum_28 = 332.0 * attenuation_beta + 858.0 * shortfall_beta
-    sum_29 = 1172.0 * shortfall_beta_squared + attenuation_beta * sum_28
-    del sum_25, sum_24, sum_26, sum_28
-    sum_30 = attenuation_epsilon * sum_27 + product_3 * sum_29
-    sum_31 = 332.0 * attenuation_epsilon + 858.0 * shortfall_epsilon
-    sum_32 = 1172.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_31
-    sum_33 = 893.0 * product_3 + attenuation_epsilon * sum_32
-    del sum_27, sum_29, sum_31, sum_32
-    sum_34 = attenuation_beta * sum_30 + product_4 * sum_33
-    sum_35 = 144.0 * attenuation_beta + 360.0 * shortfall_beta
-    sum_36 = 480.0 * shortfall_beta_squared + attenuation_beta * sum_35
-    sum_37 = 360.0 * product_4 + attenuation_beta * sum_36
-    del sum_30, sum_33, sum_35, sum_36
-    sum_38 = attenuation_epsilon * sum_34 + shortfall_epsilon_squared_squared * sum_37
-    sum_39 = 144.0 * attenuation_epsilon + 360.0 * shortfall_epsilon
-    sum_40 = 480.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_39
-    sum_41 = 360.0 * product_3 + attenuation_epsilon * sum_40
-    del sum_34, sum_37, sum_39, sum_40
-    sum_42 = 144.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_41
-    sum_43 = attenuation_beta * sum_38 + shortfall_beta_squared_squared * sum_42
-    sum_44 = 24.0 * attenuation_beta + 60.0 * shortfall_beta
-    sum_45 = 80.0 * shortfall_beta_squared + attenuation_beta * sum_44
-    del sum_41, sum_38, sum_42, sum_44
-    sum_46 = 60.0 * product_4 + attenuation_beta * sum_45
-    product_5 = shortfall_epsilon * shortfall_epsilon_squared**2
-    sum_47 = 24.0 * shortfall_beta_squared_squared + attenuation_beta * sum_46
-    sum_48 = attenuation_epsilon * sum_43 + product_5 * sum_47
-    del sum_45, sum_46, sum_43, sum_47
-    sum_49 = 24.0 * attenuation_epsilon + 60.0 * shortfall_epsilon
-    sum_50 = 80.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_49
-    sum_51 = 60.0 * product_3 + attenuation_epsilon * sum_50
-    sum_52 = 24.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_51
-    product_6 = shortfall_beta * shortfall_beta_squared**2
-    sum_53 = 4.0 * product_5 + attenuation_epsilon * sum_52
-    del sum_49, sum_50, sum_51, sum_52
-    sum_54 = attenuation_beta * sum_48 + product_6 * sum_53
-    sum_55 = (
-        attenuation_epsilon_squared * attenuation_epsilon_squared**2 * shortfall_beta * sum_19
-        + shortfall_epsilon * sum_54
-    )
-    del sum_48, sum_53, attenuation_epsilon_squared, sum_19, sum_54
+    sum_7 = 1.0 + attenuation_beta_squared * sum_6 + attenuation_epsilon_squared
+    product_1 = attenuation_beta_squared * attenuation_epsilon_squared * sum_7
     term_4 = 1.0 / attenuation_epsilon**2
-    product_12 = attenuation_beta_squared_cubed * shortfall_epsilon_squared
-    sum_56 = product_12 * sum_15 + shortfall_beta * sum_55
+    product_10 = product_4 * term_4
+    sum_8 = 0.25 * (4.0 + product_1) * product_10 + 0.5 * (2.0 + attenuation_beta_squared) * product_3
+    sum_5_squared = sum_5**2
+    sum_9 = 2.0 + attenuation_epsilon_squared
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    product_22 = product_3 * term_3
+    del product_23, sum_7, product_4, product_3, term_3
+    product_9 = shortfall_epsilon_squared * term_4
+    product_20 = sum_5_squared * sum_9
+    product_25 = product_20 * product_9
+    del term_4, sum_5_squared, sum_9, product_20
+    sum_10 = product_22 * sum_8 + 0.5 * product_25
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    del attenuation_beta_squared_cubed, sum_15, sum_55, attenuation_beta_squared
-    sum_57 = 0.25 + 0.25 * attenuation_epsilon_squared_squared
-    sum_58 = 0.25 + attenuation_beta_squared_squared * sum_57 + 0.25 * attenuation_epsilon_squared_squared
-    product_8 = r_squared * term_4
-    product_21 = product_8 * term_3
-    part_00_cos_epsilon2_sin_beta2 = 0.25 * product_21 * sum_56 + sigma_r_squared * sum_58
-    del sum_57, term_4, term_3, sum_56, sum_58
-    sum_59 = 1.0 + attenuation_beta_squared_squared * sum_6 + attenuation_epsilon
-    sum_60 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_59
-    sum_61 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_60
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_4 * sum_61
-    del sum_6, sum_59, sum_60, sum_4, sum_61
-    sum_62 = 12.0 * attenuation_beta + 30.0 * shortfall_beta
-    sum_63 = 40.0 * shortfall_beta_squared + attenuation_beta * sum_62
-    sum_64 = 30.0 * product_4 + attenuation_beta * sum_63
-    sum_65 = 12.0 * shortfall_beta_squared_squared + attenuation_beta * sum_64
-    sum_66 = 2.0 * product_6 + attenuation_beta * sum_65
-    del sum_62, sum_63, sum_64, sum_65
-    sum_67 = 12.0 * shortfall_epsilon + 2.0 * attenuation_epsilon
-    sum_68 = 30.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_67
-    sum_69 = 40.0 * product_3 + attenuation_epsilon * sum_68
-    sum_70 = 30.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_69
-    sum_71 = 12.0 * product_5 + attenuation_epsilon * sum_70
-    del sum_67, sum_68, sum_69, sum_70
-    sum_72 = 180.0 * shortfall_beta + 72.0 * attenuation_beta
-    sum_73 = 240.0 * shortfall_beta_squared + attenuation_beta * sum_72
-    sum_74 = 180.0 * product_4 + attenuation_beta * sum_73
-    sum_75 = 72.0 * shortfall_beta_squared_squared + attenuation_beta * sum_74
-    sum_76 = 12.0 * attenuation_epsilon + 72.0 * shortfall_epsilon
-    sum_77 = 180.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_76
-    del sum_72, sum_73, sum_74, sum_76
-    sum_78 = 240.0 * product_3 + attenuation_epsilon * sum_77
-    sum_79 = 180.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_78
-    sum_80 = 164.0 * attenuation_beta + 426.0 * shortfall_beta
-    sum_81 = 584.0 * shortfall_beta_squared + attenuation_beta * sum_80
-    sum_82 = 446.0 * product_4 + attenuation_beta * sum_81
-    del sum_77, sum_78, sum_80, sum_81
-    sum_83 = 164.0 * shortfall_epsilon + 26.0 * attenuation_epsilon
-    sum_84 = 426.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_83
-    sum_85 = 584.0 * product_3 + attenuation_epsilon * sum_84
-    sum_86 = 176.0 * attenuation_beta + 504.0 * shortfall_beta
-    sum_87 = 736.0 * shortfall_beta_squared + attenuation_beta * sum_86
-    sum_88 = 176.0 * shortfall_epsilon + 24.0 * attenuation_epsilon
-    sum_89 = 504.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_88
-    del sum_83, sum_84, sum_86, sum_88
-    sum_90 = 306.0 * shortfall_beta + 84.0 * attenuation_beta
-    sum_91 = 6.0 * attenuation_epsilon + 84.0 * shortfall_epsilon
-    sum_92 = 4.0 * attenuation_epsilon - 8.0 * shortfall_epsilon
-    sum_93 = attenuation_beta * sum_92 - shortfall_beta * sum_91
-    sum_94 = attenuation_epsilon * sum_93 - shortfall_epsilon_squared * sum_90
-    del sum_91, sum_92, sum_90, sum_93
-    sum_95 = attenuation_beta * sum_94 - shortfall_beta_squared * sum_89
-    sum_96 = attenuation_epsilon * sum_95 - product_3 * sum_87
-    del sum_89, sum_94, sum_87, sum_95
-    sum_97 = attenuation_beta * sum_96 - product_4 * sum_85
-    sum_98 = attenuation_epsilon * sum_97 - shortfall_epsilon_squared_squared * sum_82
-    del product_4, sum_85, sum_96, sum_82, sum_97
-    sum_99 = attenuation_beta * sum_98 - shortfall_beta_squared_squared * sum_79
-    sum_100 = attenuation_epsilon * sum_99 - product_5 * sum_75
-    del shortfall_beta_squared_squared, sum_79, sum_98, sum_75, sum_99
-    sum_101 = attenuation_beta * sum_100 - product_6 * sum_71
-    sum_102 = (
-        attenuation_epsilon * sum_101
-        - shortfall_epsilon_squared * shortfall_epsilon_squared**2 * sum_66
-    )
-    del product_6, sum_100, sum_71, sum_101, sum_66
-    sum_103 = 12.0 * attenuation_epsilon + 28.0 * shortfall_epsilon
-    sum_104 = 27.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_103
-    sum_105 = 12.0 * product_3 + attenuation_epsilon * sum_104
-    sum_106 = 2.0 * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_105
-    sum_107 = product_12 * sum_106 - shortfall_beta * sum_102
-    del sum_103, sum_104, sum_105, product_12, sum_102, sum_106
+    sum_11 = 0.25 + 0.25 * attenuation_epsilon_squared_squared
+    sum_12 = 0.25 + attenuation_beta_squared_squared * sum_11 + 0.25 * attenuation_epsilon_squared_squared
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_10 + sigma_r_squared * sum_12
+    del sum_8, attenuation_beta_squared, sum_11, sum_10, sum_12
+    sum_13 = 1.0 + attenuation_beta_squared_squared
+    part_00_sin_beta2_sin_epsilon2 = product_21 * sum_13 * sum_4
+    shortfall_beta_squared = shortfall_beta**2
+    sum_14 = attenuation_beta - 2.0 * shortfall_beta
+    sum_15 = attenuation_beta * sum_14 - 5.0 * shortfall_beta_squared
+    del product_21, sum_13, sum_4, sum_14
+    sum_16 = attenuation_beta * sum_15 - 4.0 * shortfall_beta * shortfall_beta_squared
+    sum_17 = attenuation_beta * sum_16 - 0.5 * (2.0 + product_1) * product_10 - shortfall_beta_squared**2
+    del sum_15, product_1, shortfall_beta_squared, sum_16
+    sum_18 = product_22 * sum_17 - 0.5 * product_25
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_1
-        + 0.5 * product_21 * sum_107
+        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_3
+        - r_squared * sum_18
     )
-    sum_108 = 1.0 + product_2
-    del product_21, sum_1, sum_107, product_2
-    sum_109 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    product_17 = shortfall_epsilon * sum_108
-    product_19 = product_17 * sum_109
+    del product_22, product_25, sum_17, sum_18, sum_3
+    sum_19 = 1.0 + attenuation_epsilon * sum_5
+    sum_20 = 1.0 + attenuation_epsilon * sum_19
+    sum_21 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    product_16 = shortfall_epsilon * sum_20
+    product_19 = product_16 * sum_21
+    del sum_5, sum_19, sum_20, product_16, sum_21
     part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * product_19
-    del sum_108, product_17, sum_109, attenuation_beta_squared_squared
-    sum_110 = 2.0 * shortfall_beta + attenuation_beta
-    sum_111 = attenuation_beta * sum_110 + shortfall_beta_squared
-    sum_112 = 12.0 * shortfall_beta + 6.0 * attenuation_beta
-    sum_113 = 6.0 * shortfall_beta_squared + attenuation_beta * sum_112
-    sum_114 = 13.0 * attenuation_beta + 28.0 * shortfall_beta
-    sum_115 = 14.0 * shortfall_beta_squared + attenuation_beta * sum_114
-    sum_116 = 2.0 * attenuation_epsilon + 9.0 * shortfall_epsilon
-    sum_117 = 16.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_116
-    del sum_110, sum_112, sum_114, sum_116
-    sum_118 = 12.0 * attenuation_beta + 32.0 * shortfall_beta
-    sum_119 = 18.0 * shortfall_epsilon + 4.0 * attenuation_epsilon
-    sum_120 = 2.0 * attenuation_epsilon - 3.0 * shortfall_epsilon
-    sum_121 = attenuation_beta * sum_120 - shortfall_beta * sum_119
-    sum_122 = attenuation_epsilon * sum_121 - shortfall_epsilon_squared * sum_118
-    del sum_119, sum_120, sum_118, sum_121
-    sum_123 = attenuation_beta * sum_122 - shortfall_beta_squared * sum_117
-    sum_124 = attenuation_epsilon * sum_123 - product_3 * sum_115
-    del sum_117, sum_122, product_3, sum_115, sum_123
-    sum_125 = attenuation_epsilon * sum_124 - shortfall_epsilon_squared_squared * sum_113
-    sum_126 = attenuation_epsilon * sum_125 - product_5 * sum_111
-    del shortfall_epsilon_squared_squared, sum_113, sum_124, product_5, sum_111, sum_125
+    product_11 = attenuation_beta * attenuation_epsilon_squared
+    sum_22 = 1.0 + product_11 * sum_6
+    sum_23 = attenuation_epsilon - 2.0 * shortfall_epsilon
+    sum_24 = attenuation_epsilon * sum_23 - 5.0 * shortfall_epsilon_squared
+    del attenuation_beta_squared_squared, attenuation_epsilon_squared, sum_6, sum_23
+    sum_25 = attenuation_epsilon * sum_24 - 4.0 * shortfall_epsilon * shortfall_epsilon_squared
+    product_15 = shortfall_beta * term_1
+    sum_26 = attenuation_epsilon * sum_25 - product_15 * sum_22 - shortfall_epsilon_squared**2
+    del sum_24, shortfall_beta, term_1, sum_22, sum_25
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared_squared * sigma_r_squared
-        - product_8 * shortfall_epsilon * sum_126 * term_1
+        - product_10 * r_squared * sum_26
     )
-    sum_127 = 2.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
-    sum_128 = 2.0 * shortfall_epsilon_squared + attenuation_epsilon * sum_127
-    sum_129 = 2.0 * attenuation_beta + 4.0 * shortfall_beta
-    sum_130 = 4.0 * attenuation_epsilon + 8.0 * shortfall_epsilon
-    sum_131 = attenuation_epsilon - 4.0 * shortfall_epsilon
-    del sum_126, term_1, sum_127, shortfall_epsilon
-    sum_132 = attenuation_beta * sum_131 - shortfall_beta * sum_130
-    sum_133 = attenuation_epsilon * sum_132 - shortfall_epsilon_squared * sum_129
-    del shortfall_beta, sum_130, sum_129, sum_132
-    sum_134 = attenuation_beta * sum_133 - shortfall_beta_squared * sum_128
-    product_13 = attenuation_epsilon * rdot
-    product_18 = product_13 * sigma_r
-    del shortfall_beta_squared, sum_128, sum_133, product_13
-    product_9 = rho * sigma_rdot
-    sum_135 = attenuation_beta * product_18 + product_20 * product_9 * sum_134
-    part_03_cos_epsilon_sin_beta = sigma_r * sum_135
-    del attenuation_beta, product_20, sum_134, sum_135
+    sum_27 = 2.0 + 3.0 * product_11
+    sum_28 = attenuation_epsilon - 4.0 * shortfall_epsilon
+    del product_10, sum_26, product_11, shortfall_epsilon
+    product_2 = attenuation_epsilon * sum_28
+    sum_29 = product_2 - 2.0 * shortfall_epsilon_squared - product_15 * sum_27
+    product_12 = attenuation_epsilon * rdot
+    product_17 = product_12 * sigma_r
+    del sum_28, product_15, sum_27, product_12
+    product_6 = rho * sigma_rdot
+    product_24 = product_5 * product_6
+    sum_30 = attenuation_beta * product_17 + product_24 * sum_29
+    part_03_cos_epsilon_sin_beta = sigma_r * sum_30
     part_22_cos_epsilon2 = product_19
-    sum_136 = 3.0 + attenuation_epsilon * (2.0 + attenuation_epsilon)
-    sum_137 = 4.0 + attenuation_epsilon * sum_136
-    sum_138 = 2.0 + attenuation_epsilon * sum_137
-    sum_139 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    del product_19, sum_136, sum_137, attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = 0.5 * product_8 * shortfall_epsilon_squared * sum_138 + sigma_r_squared * sum_139
-    del product_8, sigma_r_squared, sum_138, sum_139
-    sum_140 = attenuation_epsilon * sum_131 - 2.0 * shortfall_epsilon_squared
-    sum_141 = product_18 + product_7 * product_9 * sum_140
-    del attenuation_epsilon, shortfall_epsilon_squared, sum_131, product_18, sum_140
-    part_23_sin_epsilon = sigma_r * sum_141
+    del attenuation_beta, sum_29, sum_30, product_19
+    sum_31 = 3.0 + attenuation_epsilon * (2.0 + attenuation_epsilon)
+    sum_32 = 4.0 + attenuation_epsilon * sum_31
+    sum_33 = 2.0 + attenuation_epsilon * sum_32
+    sum_34 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
+    del sum_31, attenuation_epsilon, sum_32, attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * product_9 * r_squared * sum_33 + sigma_r_squared * sum_34
+    del product_9, sigma_r_squared, sum_33, sum_34
+    sum_35 = product_2 - 2.0 * shortfall_epsilon_squared
+    sum_36 = product_17 + product_24 * sum_35
+    del product_2, shortfall_epsilon_squared, product_17, product_24, sum_35
+    part_23_sin_epsilon = sigma_r * sum_36
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
-    sum_142 = (
+    sum_37 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_143 = (
+    sum_38 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del sum_141, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
+    del sum_36, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_144 = (
+    sum_39 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
     sigma_rdot_squared = sigma_rdot**2
-    sum_145 = rdot**2 + (1.0 + 5.0 * rho**2) * sigma_rdot_squared
-    product_15 = r * rdot
-    sum_146 = 2.0 * product_15 * product_9 + sigma_r * sum_145
-    product_11 = cos_epsilon * sin_beta
-    product_10 = cos_beta * cos_epsilon
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_145, cos_epsilon
-    product_14 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    mean[..., 0] = part_0_cos_epsilon_sin_beta * product_11
-    mean[..., 1] = part_0_cos_epsilon_sin_beta * product_10
-    mean[..., 2] = product_7 * sin_epsilon
-    mean[..., 3] = product_15 - product_9 * sigma_r
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, part_0_cos_epsilon_sin_beta, product_7, product_15, product_9
-    covariance[..., 0, 0] = cos_beta_squared * sum_142 + sin_beta_squared * sum_143
-    covariance[..., 0, 1] = cos_beta * sin_beta * sum_144
-    covariance[..., 0, 2] = product_11 * product_14
-    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_11
-    del cos_beta, sin_beta, sum_144, product_11
+    sum_40 = rdot**2 + (1.0 + 5.0 * rho**2) * sigma_rdot_squared
+    product_14 = r * rdot
+    sum_41 = 2.0 * product_14 * product_6 + sigma_r * sum_40
+    product_8 = cos_epsilon * sin_beta
+    product_7 = cos_beta * cos_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_40, cos_epsilon
+    product_13 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = part_0_cos_epsilon_sin_beta * product_8
+    mean[..., 1] = part_0_cos_epsilon_sin_beta * product_7
+    mean[..., 2] = product_5 * sin_epsilon
+    mean[..., 3] = product_14 - product_6 * sigma_r
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, part_0_cos_epsilon_sin_beta, product_5, product_14, product_6
+    covariance[..., 0, 0] = cos_beta_squared * sum_37 + sin_beta_squared * sum_38
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_39
+    covariance[..., 0, 2] = product_13 * product_8
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_8
+    del cos_beta, sin_beta, sum_39, product_8
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta_squared * sum_143 + sin_beta_squared * sum_142
-    del cos_beta_squared, sin_beta_squared, sum_142, sum_143
-    covariance[..., 1, 2] = product_10 * product_14
-    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_10
+    covariance[..., 1, 1] = cos_beta_squared * sum_38 + sin_beta_squared * sum_37
+    del cos_beta_squared, sin_beta_squared, sum_37, sum_38
+    covariance[..., 1, 2] = product_13 * product_7
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_7
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_14, part_03_cos_epsilon_sin_beta, product_10, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_13, part_03_cos_epsilon_sin_beta, product_7, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_23_sin_epsilon * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
     covariance[..., 3, 2] = covariance[..., 2, 3]
-    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_146
-    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_146
+    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_41
+    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_41
 
 
 def spherical_doppler_posterior(
@@ -5055,155 +4785,150 @@ def spherical_doppler_posterior(
     sin_epsilon = np.sin(epsilon)
     attenuation_beta = np.exp(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
-    product_8 = attenuation_beta * attenuation_epsilon
-    part_0_cos_epsilon_sin_beta = product_8 * r
+    product_7 = attenuation_beta * attenuation_epsilon
+    part_0_cos_epsilon_sin_beta = product_7 * r
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
+    attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
     attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    sum_1 = 1.0 + attenuation_epsilon_squared_squared
-    sum_2 = 1.0 + attenuation_beta * sum_1 + attenuation_epsilon_squared_squared
-    sum_3 = 1.0 + attenuation_beta * sum_2 + attenuation_epsilon_squared_squared
+    sum_3 = 1.0 + attenuation_epsilon_squared_squared
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     sum_4 = 0.25 * r_squared + 0.25 * sigma_r_squared
-    sum_5 = 1.0 + attenuation_beta * sum_3 + attenuation_epsilon_squared_squared
-    product_12 = shortfall_beta * sum_4
-    part_00_cos_beta2_cos_epsilon2 = product_12 * sum_5
-    sum_6 = 1.0 + attenuation_epsilon
-    sum_7 = 1.0 + attenuation_beta * sum_6 + attenuation_epsilon
-    sum_8 = 1.0 + attenuation_beta + attenuation_epsilon * sum_7
-    del sum_2, sum_3, sum_5, sum_7
-    product_1 = attenuation_epsilon * sum_6
-    sum_9 = 1.0 + attenuation_beta * sum_8 + product_1
-    sum_10 = 1.0 + attenuation_beta * (1.0 + attenuation_beta) + attenuation_epsilon * sum_9
-    product_2 = attenuation_epsilon * (1.0 + product_1)
-    sum_11 = 1.0 + attenuation_beta * sum_10 + product_2
-    del sum_8, sum_9, product_1, sum_10
-    part_00_cos_beta2_sin_epsilon2 = product_12 * shortfall_epsilon * sum_11
-    attenuation_beta_squared = attenuation_beta**2
+    product_11 = shortfall_beta * sum_1
+    product_14 = sum_2 * sum_4
+    product_17 = product_11 * product_14
+    del sum_1, sum_2, product_11, product_14
+    part_00_cos_beta2_cos_epsilon2 = product_17 * sum_3
+    sum_5 = 1.0 + attenuation_epsilon
+    sum_6 = 1.0 + attenuation_epsilon_squared
+    product_6 = shortfall_epsilon * sum_5
+    product_16 = product_6 * sum_6
+    part_00_cos_beta2_sin_epsilon2 = product_16 * product_17
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    sum_12 = 2.0 * attenuation_epsilon + 2.0 * shortfall_epsilon
+    sum_7 = 2.0 * attenuation_epsilon + 2.0 * shortfall_epsilon
     shortfall_epsilon_squared = shortfall_epsilon**2
-    sum_13 = attenuation_epsilon * sum_12 + 0.5 * shortfall_epsilon_squared
-    sum_14 = 4.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
-    sum_15 = attenuation_epsilon * sum_14 + shortfall_epsilon_squared
-    del product_12, sum_11, sum_12, sum_14
-    sum_16 = 2.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
-    product_3 = shortfall_beta * sum_16
-    sum_17 = attenuation_beta * sum_16 + product_3
-    sum_18 = 6.0 * shortfall_beta + 8.0 * attenuation_beta
-    sum_19 = attenuation_epsilon * sum_17 + shortfall_epsilon_squared * sum_18
-    sum_20 = 0.5 * attenuation_epsilon + shortfall_epsilon
+    sum_8 = attenuation_epsilon * sum_7 + 0.5 * shortfall_epsilon_squared
+    sum_9 = 4.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
+    sum_10 = attenuation_epsilon * sum_9 + shortfall_epsilon_squared
+    del sum_6, product_17, sum_7, sum_9
+    sum_11 = 2.0 * attenuation_epsilon + 4.0 * shortfall_epsilon
+    product_1 = shortfall_beta * sum_11
+    sum_12 = attenuation_beta * sum_11 + product_1
+    sum_13 = 6.0 * shortfall_beta + 8.0 * attenuation_beta
+    sum_14 = attenuation_epsilon * sum_12 + shortfall_epsilon_squared * sum_13
+    sum_15 = 0.5 * attenuation_epsilon + shortfall_epsilon
     shortfall_beta_squared = shortfall_beta**2
-    sum_21 = 1.5 * shortfall_epsilon_squared + attenuation_epsilon * sum_20
-    del sum_16, sum_17, sum_18, sum_20
-    sum_22 = attenuation_beta * sum_19 + shortfall_beta_squared * sum_21
-    sum_23 = 4.0 * shortfall_beta + 6.0 * attenuation_beta
-    product_4 = shortfall_epsilon * shortfall_epsilon_squared
-    sum_24 = attenuation_beta * sum_23 + shortfall_beta_squared
-    sum_25 = attenuation_epsilon * sum_22 + product_4 * sum_24
-    del sum_19, sum_21, sum_23, sum_22, sum_24
-    sum_26 = 1.5 * attenuation_beta + shortfall_beta
+    sum_16 = 1.5 * shortfall_epsilon_squared + attenuation_epsilon * sum_15
+    del sum_11, sum_12, sum_13, sum_15
+    sum_17 = attenuation_beta * sum_14 + shortfall_beta_squared * sum_16
+    sum_18 = 4.0 * shortfall_beta + 6.0 * attenuation_beta
+    product_2 = shortfall_epsilon * shortfall_epsilon_squared
+    sum_19 = attenuation_beta * sum_18 + shortfall_beta_squared
+    sum_20 = attenuation_epsilon * sum_17 + product_2 * sum_19
+    del sum_14, sum_16, sum_18, sum_17, sum_19
+    sum_21 = 1.5 * attenuation_beta + shortfall_beta
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
-    sum_27 = attenuation_beta * sum_26 + 0.25 * shortfall_beta_squared
-    sum_28 = attenuation_epsilon * sum_25 + shortfall_epsilon_squared_squared * sum_27
-    del shortfall_beta_squared, sum_26, sum_25, sum_27
-    product_9 = attenuation_beta_squared * shortfall_epsilon_squared
-    sum_29 = attenuation_beta * product_9 * sum_15 + shortfall_beta * sum_28
-    sum_30 = attenuation_beta_squared_squared * shortfall_epsilon_squared * sum_13 + shortfall_beta * sum_29
-    del sum_15, sum_28, sum_13, sum_29
-    sum_31 = 0.25 + 0.25 * attenuation_epsilon_squared_squared
-    sum_32 = 0.25 + attenuation_beta_squared_squared * sum_31 + 0.25 * attenuation_epsilon_squared_squared
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_30 + sigma_r_squared * sum_32
-    sum_33 = 1.0 + attenuation_beta_squared_squared * sum_6 + attenuation_epsilon
-    sum_34 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_33
-    del sum_31, sum_30, sum_32, sum_33
-    sum_35 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon * sum_34
-    part_00_sin_beta2_sin_epsilon2 = shortfall_epsilon * sum_35 * sum_4
-    sum_36 = 4.0 * attenuation_epsilon + 8.0 * shortfall_epsilon
-    sum_37 = attenuation_beta * sum_36 + product_3
-    del sum_34, sum_35, sum_4, product_3, sum_36
-    sum_38 = 2.0 * shortfall_beta + 4.0 * attenuation_beta
-    sum_39 = attenuation_epsilon * sum_37 + shortfall_epsilon_squared * sum_38
-    sum_40 = 4.0 * product_9 - shortfall_beta * sum_39
-    del sum_37, sum_38, product_9, shortfall_beta, sum_39
-    sum_41 = 4.0 * attenuation_beta_squared * product_4 + attenuation_epsilon * sum_40
-    sum_42 = attenuation_beta_squared * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_41
-    del product_4, sum_40, shortfall_epsilon_squared_squared, sum_41
-    sum_43 = 0.5 * attenuation_beta_squared * sigma_r_squared * sum_1 + 0.5 * r_squared * sum_42
-    part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_43
-    del sum_1, sum_42, attenuation_beta_squared, sum_43
-    sum_44 = 1.0 + product_2
-    sum_45 = 0.5 * r_squared + 0.5 * sigma_r_squared
-    product_13 = shortfall_epsilon * sum_44
-    product_15 = product_13 * sum_45
-    del product_2, sum_44, product_13, sum_45
+    sum_22 = attenuation_beta * sum_21 + 0.25 * shortfall_beta_squared
+    sum_23 = attenuation_epsilon * sum_20 + shortfall_epsilon_squared_squared * sum_22
+    del shortfall_beta_squared, sum_21, sum_20, sum_22
+    product_8 = attenuation_beta_squared * shortfall_epsilon_squared
+    sum_24 = attenuation_beta * product_8 * sum_10 + shortfall_beta * sum_23
+    sum_25 = attenuation_beta_squared_squared * shortfall_epsilon_squared * sum_8 + shortfall_beta * sum_24
+    del sum_10, sum_23, sum_24, sum_8
+    sum_26 = 0.25 + 0.25 * attenuation_epsilon_squared_squared
+    sum_27 = 0.25 + attenuation_beta_squared_squared * sum_26 + 0.25 * attenuation_epsilon_squared_squared
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_25 + sigma_r_squared * sum_27
+    sum_28 = 1.0 + attenuation_beta_squared_squared
+    part_00_sin_beta2_sin_epsilon2 = product_16 * sum_28 * sum_4
+    del sum_26, sum_25, sum_27, product_16, sum_28, sum_4
+    sum_29 = 4.0 * attenuation_epsilon + 8.0 * shortfall_epsilon
+    sum_30 = attenuation_beta * sum_29 + product_1
+    sum_31 = 2.0 * shortfall_beta + 4.0 * attenuation_beta
+    sum_32 = attenuation_epsilon * sum_30 + shortfall_epsilon_squared * sum_31
+    del product_1, sum_29, sum_30, sum_31
+    sum_33 = 4.0 * product_8 - shortfall_beta * sum_32
+    sum_34 = 4.0 * attenuation_beta_squared * product_2 + attenuation_epsilon * sum_33
+    del product_8, shortfall_beta, sum_32, product_2, sum_33
+    sum_35 = attenuation_beta_squared * shortfall_epsilon_squared_squared + attenuation_epsilon * sum_34
+    sum_36 = 0.5 * attenuation_beta_squared * sigma_r_squared * sum_3 + 0.5 * r_squared * sum_35
+    del shortfall_epsilon_squared_squared, sum_34, sum_3, sum_35
+    part_01_cos_beta_cos_epsilon2_sin_beta = attenuation_beta_squared * sum_36
+    sum_37 = 1.0 + attenuation_epsilon * sum_5
+    sum_38 = 1.0 + attenuation_epsilon * sum_37
+    del attenuation_beta_squared, sum_36, sum_5, sum_37
+    sum_39 = 0.5 * r_squared + 0.5 * sigma_r_squared
+    product_12 = shortfall_epsilon * sum_38
+    product_15 = product_12 * sum_39
+    del shortfall_epsilon, sum_38, product_12, sum_39
     part_01_cos_beta_sin_beta_sin_epsilon2 = attenuation_beta_squared_squared * product_15
-    sum_46 = attenuation_epsilon_squared * sigma_r_squared - r_squared * shortfall_epsilon * sum_6
-    part_02_cos_epsilon_sin_beta_sin_epsilon = attenuation_beta * attenuation_epsilon_squared * sum_46
-    del attenuation_beta_squared_squared, shortfall_epsilon, sum_6, attenuation_beta, attenuation_epsilon_squared, sum_46
-    product_7 = rho * sigma_rdot
-    sum_47 = product_7 * r + rdot * sigma_r
-    product_14 = sigma_r * sum_47
-    part_03_cos_epsilon_sin_beta = product_14 * product_8
+    sum_40 = attenuation_epsilon_squared * sigma_r_squared - product_6 * r_squared
+    part_02_cos_epsilon_sin_beta_sin_epsilon = attenuation_beta * attenuation_epsilon_squared * sum_40
+    del attenuation_beta_squared_squared, product_6, attenuation_beta, attenuation_epsilon_squared, sum_40
+    product_5 = rho * sigma_rdot
+    sum_41 = product_5 * r + rdot * sigma_r
+    product_13 = sigma_r * sum_41
+    part_03_cos_epsilon_sin_beta = product_13 * product_7
     part_22_cos_epsilon2 = product_15
-    sum_48 = 1.0 + attenuation_epsilon * (2.0 + attenuation_epsilon)
-    sum_49 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    del sum_47, product_8, product_15, attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_48 + sigma_r_squared * sum_49
-    del shortfall_epsilon_squared, sigma_r_squared, sum_48, sum_49
-    part_23_sin_epsilon = attenuation_epsilon * product_14
+    sum_42 = 1.0 + attenuation_epsilon * (2.0 + attenuation_epsilon)
+    sum_43 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
+    del sum_41, product_7, product_15, attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_42 + sigma_r_squared * sum_43
+    del shortfall_epsilon_squared, sigma_r_squared, sum_42, sum_43
+    part_23_sin_epsilon = attenuation_epsilon * product_13
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
     sin_epsilon_squared = sin_epsilon**2
-    sum_50 = (
+    sum_44 = (
         cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    sum_51 = (
+    sum_45 = (
         cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_14, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
+    del product_13, part_00_cos_beta2_cos_epsilon2, part_00_cos_beta2_sin_epsilon2, part_00_cos_epsilon2_sin_beta2, part_00_sin_beta2_sin_epsilon2
     sin_beta_squared = sin_beta**2
-    sum_52 = (
+    sum_46 = (
         cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta
         + part_01_cos_beta_sin_beta_sin_epsilon2 * sin_epsilon_squared
     )
     sigma_rdot_squared = sigma_rdot**2
-    sum_53 = rdot**2 + (1.0 + rho**2) * sigma_rdot_squared
-    product_11 = r * rdot
-    sum_54 = 2.0 * product_11 * product_7 + sigma_r * sum_53
-    product_6 = cos_epsilon * sin_beta
-    product_5 = cos_beta * cos_epsilon
-    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_53, cos_epsilon
-    product_10 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-    mean[..., 0] = part_0_cos_epsilon_sin_beta * product_6
-    mean[..., 1] = part_0_cos_epsilon_sin_beta * product_5
+    sum_47 = rdot**2 + (1.0 + rho**2) * sigma_rdot_squared
+    product_10 = r * rdot
+    sum_48 = 2.0 * product_10 * product_5 + sigma_r * sum_47
+    product_4 = cos_epsilon * sin_beta
+    product_3 = cos_beta * cos_epsilon
+    del part_01_cos_beta_cos_epsilon2_sin_beta, part_01_cos_beta_sin_beta_sin_epsilon2, sum_47, cos_epsilon
+    product_9 = part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
+    mean[..., 0] = part_0_cos_epsilon_sin_beta * product_4
+    mean[..., 1] = part_0_cos_epsilon_sin_beta * product_3
     mean[..., 2] = attenuation_epsilon * r * sin_epsilon
-    mean[..., 3] = product_11 + product_7 * sigma_r
-    del part_02_cos_epsilon_sin_beta_sin_epsilon, part_0_cos_epsilon_sin_beta, attenuation_epsilon, product_11, product_7
-    covariance[..., 0, 0] = cos_beta_squared * sum_50 + sin_beta_squared * sum_51
-    covariance[..., 0, 1] = cos_beta * sin_beta * sum_52
-    covariance[..., 0, 2] = product_10 * product_6
-    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_6
-    del cos_beta, sin_beta, sum_52, product_6
+    mean[..., 3] = product_10 + product_5 * sigma_r
+    del part_02_cos_epsilon_sin_beta_sin_epsilon, part_0_cos_epsilon_sin_beta, attenuation_epsilon, product_10, product_5
+    covariance[..., 0, 0] = cos_beta_squared * sum_44 + sin_beta_squared * sum_45
+    covariance[..., 0, 1] = cos_beta * sin_beta * sum_46
+    covariance[..., 0, 2] = product_4 * product_9
+    covariance[..., 0, 3] = part_03_cos_epsilon_sin_beta * product_4
+    del cos_beta, sin_beta, sum_46, product_4
     covariance[..., 1, 0] = covariance[..., 0, 1]
-    covariance[..., 1, 1] = cos_beta_squared * sum_51 + sin_beta_squared * sum_50
-    del cos_beta_squared, sin_beta_squared, sum_50, sum_51
-    covariance[..., 1, 2] = product_10 * product_5
-    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_5
+    covariance[..., 1, 1] = cos_beta_squared * sum_45 + sin_beta_squared * sum_44
+    del cos_beta_squared, sin_beta_squared, sum_44, sum_45
+    covariance[..., 1, 2] = product_3 * product_9
+    covariance[..., 1, 3] = part_03_cos_epsilon_sin_beta * product_3
     covariance[..., 2, 0] = covariance[..., 0, 2]
     covariance[..., 2, 1] = covariance[..., 1, 2]
     covariance[..., 2, 2] = (
         cos_epsilon_squared * part_22_cos_epsilon2
         + part_22_sin_epsilon2 * sin_epsilon_squared
     )
-    del product_10, part_03_cos_epsilon_sin_beta, product_5, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
+    del product_9, part_03_cos_epsilon_sin_beta, product_3, cos_epsilon_squared, part_22_cos_epsilon2, part_22_sin_epsilon2, sin_epsilon_squared
     covariance[..., 2, 3] = part_23_sin_epsilon * sin_epsilon
     covariance[..., 3, 0] = covariance[..., 0, 3]
     covariance[..., 3, 1] = covariance[..., 1, 3]
     covariance[..., 3, 2] = covariance[..., 2, 3]
-    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_54
-    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_54
+    covariance[..., 3, 3] = r_squared * sigma_rdot_squared + sigma_r * sum_48
+    del part_23_sin_epsilon, sin_epsilon, r_squared, sigma_rdot_squared, sum_48

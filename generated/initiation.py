@@ -1,6 +1,6 @@
 """NumPy functions of the quantities initiation.*.
 
-Written by radartrack regenerate, generator 1, derivation 0b2b757c00c0fdee; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 13feed92288a652b; not to be edited.
 """
 
 import numpy as np
@@ -309,8 +309,8 @@ def one_plot_spherical_doppler_covariance(
     Returns:
         Shape of the broadcast arguments + (6, 6), unit [m, m, m, m/s, m/s, m/s] × [m, m, m, m/s, m/s, m/s].
 
-    Accuracy: at most 285 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 7 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, sigma_v)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, sigma_v = arguments
@@ -333,125 +333,103 @@ def one_plot_spherical_doppler_covariance(
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
     attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
-    product_1 = attenuation_beta * attenuation_beta_squared
-    sum_1 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_1
-        + product_1
-    )
+    sum_3 = 1.0 + attenuation_epsilon_squared
     likely_range_squared = likely_range**2
     sigma_likely_range_squared = sigma_likely_range**2
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * likely_range_squared * shortfall_beta * sum_1
-        + 0.25 * shortfall_beta * sigma_likely_range_squared * sum_1
+        0.25 * likely_range_squared * shortfall_beta * sum_1 * sum_2 * sum_3
+        + 0.25 * shortfall_beta * sigma_likely_range_squared * sum_1 * sum_2 * sum_3
     )
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_epsilon
-        + attenuation_epsilon * product_1
-        + product_1
-    )
+    sum_4 = 1.0 + attenuation_epsilon
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * likely_range_squared * shortfall_beta * shortfall_epsilon * sum_2
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_likely_range_squared * sum_2
+        0.25 * likely_range_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_4
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_likely_range_squared * sum_1 * sum_2 * sum_4
     )
     shortfall_beta_squared = shortfall_beta**2
-    product_2 = shortfall_beta * shortfall_beta_squared
-    product_3 = 2.0 * attenuation_beta * attenuation_epsilon_squared * product_2
+    product_1 = shortfall_beta * shortfall_beta_squared
     shortfall_epsilon_squared = shortfall_epsilon**2
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    product_4 = 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    product_5 = 0.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared
-    sum_3 = (
-        2.0 * attenuation_beta * attenuation_epsilon * product_2 * shortfall_epsilon
+    sum_5 = (
+        2.0 * attenuation_beta * attenuation_epsilon * product_1 * shortfall_epsilon
+        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_1
         + 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared
         + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + attenuation_beta * product_2 * shortfall_epsilon_squared
+        + attenuation_beta * attenuation_beta_squared * shortfall_beta * shortfall_epsilon_squared
+        + attenuation_beta * product_1 * shortfall_epsilon_squared
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared
         + 0.5 * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
-        + product_1 * shortfall_beta * shortfall_epsilon_squared
-        + product_3
-        + product_4
-        + product_5
+        + 0.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared
     )
-    product_6 = 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
-    sum_4 = 0.25 + 0.25 * attenuation_beta_squared_squared + 0.25 * attenuation_epsilon_squared + product_6
-    part_00_cos_epsilon2_sin_beta2 = likely_range_squared * sum_3 + sigma_likely_range_squared * sum_4
-    sum_5 = (
+    product_2 = 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+    sum_6 = 0.25 + 0.25 * attenuation_beta_squared_squared + 0.25 * attenuation_epsilon_squared + product_2
+    part_00_cos_epsilon2_sin_beta2 = likely_range_squared * sum_5 + sigma_likely_range_squared * sum_6
+    sum_7 = (
         1.0
         + attenuation_beta_squared_squared
         + attenuation_beta_squared_squared * attenuation_epsilon
         + attenuation_epsilon
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * likely_range_squared * shortfall_epsilon * sum_5
-        + 0.25 * shortfall_epsilon * sigma_likely_range_squared * sum_5
+        0.25 * likely_range_squared * shortfall_epsilon * sum_7
+        + 0.25 * shortfall_epsilon * sigma_likely_range_squared * sum_7
     )
-    sum_6 = (
+    sum_8 = (
         attenuation_beta_squared * shortfall_epsilon_squared
         - 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         - 2.0 * attenuation_epsilon_squared * shortfall_beta_squared
         - 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
         - 4.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
     )
-    sum_7 = 1.0 + attenuation_epsilon_squared
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * likely_range_squared * sum_6
-        + 0.5 * attenuation_beta_squared_squared * sigma_likely_range_squared * sum_7
+        0.5 * attenuation_beta_squared * likely_range_squared * sum_8
+        + 0.5 * attenuation_beta_squared_squared * sigma_likely_range_squared * sum_3
     )
-    sum_8 = 1.0 + attenuation_epsilon
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * likely_range_squared * shortfall_epsilon * sum_8
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_likely_range_squared * sum_8
+        0.5 * attenuation_beta_squared_squared * likely_range_squared * shortfall_epsilon * sum_4
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_likely_range_squared * sum_4
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared * sigma_likely_range_squared
         - attenuation_beta * attenuation_epsilon * likely_range_squared * shortfall_epsilon
     )
     part_03_cos_beta2_cos_epsilon2 = (
-        0.25 * likely_range * likely_rate * shortfall_beta * sum_1
-        + 0.25 * likely_rho * shortfall_beta * sigma_likely_range * sigma_likely_rate * sum_1
+        0.25 * likely_range * likely_rate * shortfall_beta * sum_1 * sum_2 * sum_3
+        + 0.25 * likely_rho * shortfall_beta * sigma_likely_range * sigma_likely_rate * sum_1 * sum_2 * sum_3
     )
     part_03_cos_beta2_sin_epsilon2 = (
-        0.25 * likely_range * likely_rate * shortfall_beta * shortfall_epsilon * sum_2
-        + 0.25 * likely_rho * shortfall_beta * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_2
+        0.25 * likely_range * likely_rate * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_4
+        + 0.25 * likely_rho * shortfall_beta * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_1 * sum_2 * sum_4
     )
     part_03_cos_epsilon2_sin_beta2 = (
-        likely_range * likely_rate * sum_3
-        + likely_rho * sigma_likely_range * sigma_likely_rate * sum_4
+        likely_range * likely_rate * sum_5
+        + likely_rho * sigma_likely_range * sigma_likely_rate * sum_6
     )
     part_03_sin_beta2_sin_epsilon2 = (
-        0.25 * likely_range * likely_rate * shortfall_epsilon * sum_5
-        + 0.25 * likely_rho * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_5
+        0.25 * likely_range * likely_rate * shortfall_epsilon * sum_7
+        + 0.25 * likely_rho * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_7
     )
     part_04_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * likely_range * likely_rate * sum_6
-        + 0.5 * attenuation_beta_squared_squared * likely_rho * sigma_likely_range * sigma_likely_rate * sum_7
+        0.5 * attenuation_beta_squared * likely_range * likely_rate * sum_8
+        + 0.5 * attenuation_beta_squared_squared * likely_rho * sigma_likely_range * sigma_likely_rate * sum_3
     )
     part_04_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * likely_range * likely_rate * shortfall_epsilon * sum_8
-        + 0.5 * attenuation_beta_squared_squared * likely_rho * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_8
+        0.5 * attenuation_beta_squared_squared * likely_range * likely_rate * shortfall_epsilon * sum_4
+        + 0.5 * attenuation_beta_squared_squared * likely_rho * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_4
     )
     part_05_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared * likely_rho * sigma_likely_range * sigma_likely_rate
         - attenuation_beta * attenuation_epsilon * likely_range * likely_rate * shortfall_epsilon
     )
     part_22_cos_epsilon2 = (
-        0.5 * likely_range_squared * shortfall_epsilon * sum_8
-        + 0.5 * shortfall_epsilon * sigma_likely_range_squared * sum_8
+        0.5 * likely_range_squared * shortfall_epsilon * sum_4
+        + 0.5 * shortfall_epsilon * sigma_likely_range_squared * sum_4
     )
     sum_9 = 0.5 + 0.5 * attenuation_epsilon_squared
     part_22_sin_epsilon2 = (
@@ -459,8 +437,8 @@ def one_plot_spherical_doppler_covariance(
         + sigma_likely_range_squared * sum_9
     )
     part_25_cos_epsilon2 = (
-        0.5 * likely_range * likely_rate * shortfall_epsilon * sum_8
-        + 0.5 * likely_rho * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_8
+        0.5 * likely_range * likely_rate * shortfall_epsilon * sum_4
+        + 0.5 * likely_rho * shortfall_epsilon * sigma_likely_range * sigma_likely_rate * sum_4
     )
     part_25_sin_epsilon2 = (
         0.5 * likely_range * likely_rate * shortfall_epsilon_squared
@@ -468,10 +446,10 @@ def one_plot_spherical_doppler_covariance(
     )
     likely_rate_squared = likely_rate**2
     sigma_likely_rate_squared = sigma_likely_rate**2
-    sum_10 = 0.75 - 0.25 * attenuation_epsilon_squared + 0.25 * attenuation_beta_squared_squared + product_6
+    sum_10 = 0.75 - 0.25 * attenuation_epsilon_squared + 0.25 * attenuation_beta_squared_squared + product_2
     part_33_cos_beta2_cos_epsilon2 = (
-        0.25 * likely_rate_squared * shortfall_beta * sum_1
-        + 0.25 * shortfall_beta * sigma_likely_rate_squared * sum_1
+        0.25 * likely_rate_squared * shortfall_beta * sum_1 * sum_2 * sum_3
+        + 0.25 * shortfall_beta * sigma_likely_rate_squared * sum_1 * sum_2 * sum_3
         + sigma_v_squared * sum_10
     )
     sum_11 = (
@@ -481,46 +459,31 @@ def one_plot_spherical_doppler_covariance(
         + 0.25 * attenuation_epsilon_squared
     )
     part_33_cos_beta2_sin_epsilon2 = (
-        0.25 * likely_rate_squared * shortfall_beta * shortfall_epsilon * sum_2
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_likely_rate_squared * sum_2
+        0.25 * likely_rate_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_4
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_likely_rate_squared * sum_1 * sum_2 * sum_4
         + sigma_v_squared * sum_11
     )
-    sum_12 = (
-        2.0 * attenuation_epsilon_squared * product_1 * shortfall_beta
-        + 3.0 * attenuation_beta * product_2 * shortfall_epsilon_squared
-        + 3.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared
-        + 1.5 * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
-        + 3.0 * product_1 * shortfall_beta * shortfall_epsilon_squared
-        + 0.75 * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 6.0 * attenuation_beta * attenuation_epsilon * product_2 * shortfall_epsilon
-        + 6.0 * attenuation_epsilon * product_1 * shortfall_beta * shortfall_epsilon
-        + 9.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-        + 4.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon * shortfall_epsilon
-        + product_3
-        + product_4
-        + product_5
-    )
+    sum_12 = 0.25 * shortfall_beta * sum_1 * sum_2 * sum_3 + 0.5 * shortfall_epsilon * sum_4
     part_33_cos_epsilon2_sin_beta2 = (
-        likely_rate_squared * sum_3
-        + sigma_likely_rate_squared * sum_4
+        likely_rate_squared * sum_5
+        + sigma_likely_rate_squared * sum_6
         + sigma_v_squared * sum_12
     )
-    sum_13 = 0.75 - 0.25 * attenuation_beta_squared_squared + 0.25 * attenuation_epsilon_squared + product_6
+    sum_13 = 0.75 - 0.25 * attenuation_beta_squared_squared + 0.25 * attenuation_epsilon_squared + product_2
     part_33_sin_beta2_sin_epsilon2 = (
-        0.25 * likely_rate_squared * shortfall_epsilon * sum_5
-        + 0.25 * shortfall_epsilon * sigma_likely_rate_squared * sum_5
+        0.25 * likely_rate_squared * shortfall_epsilon * sum_7
+        + 0.25 * shortfall_epsilon * sigma_likely_rate_squared * sum_7
         + sigma_v_squared * sum_13
     )
     sum_14 = -1.0 - attenuation_epsilon_squared
     part_34_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * likely_rate_squared * sum_6
-        + 0.5 * attenuation_beta_squared_squared * sigma_likely_rate_squared * sum_7
+        0.5 * attenuation_beta_squared * likely_rate_squared * sum_8
+        + 0.5 * attenuation_beta_squared_squared * sigma_likely_rate_squared * sum_3
         + 0.5 * attenuation_beta_squared_squared * sigma_v_squared * sum_14
     )
     part_34_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * likely_rate_squared * shortfall_epsilon * sum_8
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_likely_rate_squared * sum_8
+        0.5 * attenuation_beta_squared_squared * likely_rate_squared * shortfall_epsilon * sum_4
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_likely_rate_squared * sum_4
         + 0.5 * (-1.0 - attenuation_epsilon) * attenuation_beta_squared_squared * shortfall_epsilon * sigma_v_squared
     )
     part_35_cos_epsilon_sin_beta_sin_epsilon = (
@@ -529,13 +492,13 @@ def one_plot_spherical_doppler_covariance(
         - attenuation_beta * attenuation_epsilon_squared * sigma_v_squared
     )
     part_55_cos_epsilon2 = (
-        0.5 * likely_rate_squared * shortfall_epsilon * sum_8
-        + 0.5 * shortfall_epsilon * sigma_likely_rate_squared * sum_8
+        0.5 * likely_rate_squared * shortfall_epsilon * sum_4
+        + 0.5 * shortfall_epsilon * sigma_likely_rate_squared * sum_4
         + sigma_v_squared * sum_9
     )
     part_55_sin_epsilon2 = (
         0.5 * likely_rate_squared * shortfall_epsilon_squared
-        + 0.5 * shortfall_epsilon * sigma_v_squared * sum_8
+        + 0.5 * shortfall_epsilon * sigma_v_squared * sum_4
         + sigma_likely_rate_squared * sum_9
     )
     cos_beta_squared = cos_beta**2

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar.*.
 
-Written by radartrack regenerate, generator 1, derivation 46ca2bc4b0f19dc9; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 49d6429cd3520791; not to be edited.
 """
 
 import numpy as np
@@ -1151,8 +1151,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: at most 52.9 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 225.
+    Accuracy: measured, not proved: at most 5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho, predicted_sigma_r, predicted_sigma_beta, predicted_rho)
     r, beta, sigma_r, sigma_beta, rho, predicted_sigma_r, predicted_sigma_beta, predicted_rho = arguments
@@ -1167,26 +1167,21 @@ def decorrelated_covariance(
     predicted_rho_squared = predicted_rho**2
     predicted_sigma_r_squared = predicted_sigma_r**2
     term_1 = 1.0 / attenuation_beta
-    attenuation_beta_squared = attenuation_beta**2
-    shortfall_beta_squared = shortfall_beta**2
     sum_1 = (
-        2.0 * attenuation_beta * attenuation_predicted_beta * shortfall_beta
-        + 2.0 * attenuation_beta * shortfall_beta * shortfall_predicted_beta
-        + attenuation_beta_squared * shortfall_predicted_beta
-        + attenuation_predicted_beta * shortfall_beta_squared
-        + shortfall_beta_squared * shortfall_predicted_beta
+        0.5 * attenuation_beta * shortfall_predicted_beta
+        + 0.5 * (1.0 + attenuation_beta) * shortfall_beta * term_1
     )
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
     sum_2 = shortfall_beta - shortfall_beta * shortfall_predicted_beta + shortfall_predicted_beta
     r_squared = r**2
-    sum_3 = 1.0 + attenuation_beta_squared * attenuation_predicted_beta
+    sum_3 = 1.0 + attenuation_beta**2 * attenuation_predicted_beta
     part_00_cos_beta2 = (
         2.0 * attenuation_predicted_beta * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * shortfall_beta
         - 2.0 * attenuation_beta * attenuation_predicted_beta * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r
         + 0.5 * predicted_sigma_r_squared * shortfall_beta * sum_2 * term_1
         + 0.5 * r_squared * shortfall_beta * sum_2 * term_1
-        + 0.5 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1 * term_1
+        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
         + 0.5 * sigma_r_squared * sum_3 * term_1
     )
     sum_4 = 1.0 + attenuation_beta * attenuation_predicted_beta
@@ -1196,7 +1191,7 @@ def decorrelated_covariance(
         + 0.5 * predicted_sigma_r_squared * shortfall_beta * sum_4 * term_1
         + 0.5 * r_squared * shortfall_beta * sum_4 * term_1
         + 0.5 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_3 * term_1
-        + 0.5 * sigma_r_squared * sum_1 * term_1
+        + sigma_r_squared * sum_1
     )
     part_00_cos_beta_sin_beta = (
         4.0 * attenuation_predicted_beta * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * shortfall_beta

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities polar_doppler.*.
 
-Written by radartrack regenerate, generator 1, derivation 2e7caaa7aa9d4bb2; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 4b2841b2be3ef4a2; not to be edited.
 """
 
 import numpy as np
@@ -1139,8 +1139,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: at most 62.1 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1500.
+    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_rdot, predicted_rho)
     r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_rdot, predicted_rho = arguments
@@ -1150,56 +1150,35 @@ def decorrelated_covariance(
     shortfall_predicted_beta = -np.expm1(-0.5 * predicted_sigma_beta**2)
     attenuation_beta = np.exp(-sigma_beta**2)
     shortfall_beta = -np.expm1(-sigma_beta**2)
+    predicted_sigma_r_squared = predicted_sigma_r**2
     term_1 = 1.0 / attenuation_beta
     attenuation_predicted_beta_squared = attenuation_predicted_beta**2
-    product_1 = attenuation_predicted_beta * attenuation_predicted_beta_squared
-    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
-    product_2 = shortfall_predicted_beta * shortfall_predicted_beta_squared
-    shortfall_predicted_beta_squared_squared = shortfall_predicted_beta_squared**2
-    attenuation_predicted_beta_squared_squared = attenuation_predicted_beta_squared**2
-    sum_1 = (
-        4.0 * attenuation_beta * attenuation_predicted_beta * product_2
-        + 4.0 * attenuation_beta * product_1 * shortfall_predicted_beta
-        + 4.0 * attenuation_predicted_beta * product_2 * shortfall_beta
-        + 4.0 * product_1 * shortfall_beta * shortfall_predicted_beta
-        + 6.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared
-        + 6.0 * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared
-        + attenuation_beta * shortfall_predicted_beta_squared_squared
-        + attenuation_predicted_beta_squared_squared * shortfall_beta
-        + shortfall_beta * shortfall_predicted_beta_squared_squared
-    )
-    predicted_sigma_r_squared = predicted_sigma_r**2
+    sum_1 = 1.0 + attenuation_predicted_beta
+    sum_2 = 1.0 + attenuation_predicted_beta_squared
+    sum_3 = 0.5 * shortfall_beta**2 * term_1 + 0.5 * shortfall_beta * shortfall_predicted_beta * sum_1 * sum_2
     r_squared = r**2
-    attenuation_beta_squared = attenuation_beta**2
+    attenuation_predicted_beta_squared_squared = attenuation_predicted_beta_squared**2
     sigma_r_squared = sigma_r**2
-    sum_2 = 1.0 + attenuation_beta_squared * attenuation_predicted_beta_squared_squared
+    sum_4 = 1.0 + attenuation_beta**2 * attenuation_predicted_beta_squared_squared
     part_00_cos_beta2 = (
-        0.5 * predicted_sigma_r_squared * shortfall_beta * sum_1 * term_1
-        + 0.5 * r_squared * shortfall_beta * sum_1 * term_1
-        + 0.5 * sigma_r_squared * sum_2 * term_1
-    )
-    sum_3 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared_squared
-    shortfall_beta_squared = shortfall_beta**2
-    sum_4 = (
-        12.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared
-        + 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_beta
-        + 2.0 * attenuation_beta * shortfall_beta * shortfall_predicted_beta_squared_squared
-        + 4.0 * attenuation_beta_squared * attenuation_predicted_beta * product_2
-        + 4.0 * attenuation_beta_squared * product_1 * shortfall_predicted_beta
-        + 4.0 * attenuation_predicted_beta * product_2 * shortfall_beta_squared
-        + 4.0 * product_1 * shortfall_beta_squared * shortfall_predicted_beta
-        + 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared
-        + 6.0 * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_predicted_beta_squared
-        + 8.0 * attenuation_beta * attenuation_predicted_beta * product_2 * shortfall_beta
-        + 8.0 * attenuation_beta * product_1 * shortfall_beta * shortfall_predicted_beta
-        + attenuation_beta_squared * shortfall_predicted_beta_squared_squared
-        + attenuation_predicted_beta_squared_squared * shortfall_beta_squared
-        + shortfall_beta_squared * shortfall_predicted_beta_squared_squared
-    )
-    part_00_sin_beta2 = (
-        0.5 * predicted_sigma_r_squared * shortfall_beta * sum_3 * term_1
-        + 0.5 * r_squared * shortfall_beta * sum_3 * term_1
+        predicted_sigma_r_squared * sum_3
+        + r_squared * sum_3
         + 0.5 * sigma_r_squared * sum_4 * term_1
+    )
+    sum_5 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared_squared
+    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
+    sum_6 = (
+        2.0 * attenuation_beta * attenuation_predicted_beta * shortfall_predicted_beta
+        + 2.0 * attenuation_predicted_beta * shortfall_beta * shortfall_predicted_beta
+        + attenuation_beta * shortfall_predicted_beta_squared
+        + attenuation_predicted_beta_squared * shortfall_beta
+        + shortfall_beta * shortfall_predicted_beta_squared
+    )
+    sum_7 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared
+    part_00_sin_beta2 = (
+        0.5 * predicted_sigma_r_squared * shortfall_beta * sum_5 * term_1
+        + 0.5 * r_squared * shortfall_beta * sum_5 * term_1
+        + 0.5 * sigma_r_squared * sum_6 * sum_7 * term_1
     )
     part_01_cos_beta_sin_beta = (
         attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities spherical.*.
 
-Written by radartrack regenerate, generator 1, derivation ea10d1083c3754bb; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 7f75a8a7f72ff2b2; not to be edited.
 """
 
 import numpy as np
@@ -1056,8 +1056,8 @@ def covariance_truth(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 110 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1073,123 +1073,103 @@ def covariance_truth(
     attenuation_beta_squared = attenuation_beta**2
     attenuation_epsilon_squared = attenuation_epsilon**2
     shortfall_beta_squared = shortfall_beta**2
-    product_1 = attenuation_beta_squared * attenuation_epsilon_squared
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_2 = attenuation_beta_squared * shortfall_epsilon_squared
+    product_1 = attenuation_beta_squared * shortfall_epsilon_squared
     sum_1 = (
         attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
         - 2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
         - 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
         - attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         - attenuation_epsilon_squared * shortfall_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon_squared
         + product_1
-        + product_2
     )
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    product_3 = attenuation_beta * attenuation_beta_squared
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta_squared
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_3
-        + product_1
-        + product_3
-    )
+    sum_2 = 1.0 + attenuation_beta
+    sum_3 = 1.0 + attenuation_beta_squared
+    sum_4 = 1.0 + attenuation_epsilon_squared
     r_squared = r**2
     part_00_cos_beta2_cos_epsilon2 = (
         attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
-        + 0.25 * r_squared * shortfall_beta * sum_2
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+        + 0.25 * r_squared * shortfall_beta * sum_2 * sum_3 * sum_4
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2 * sum_3 * sum_4
     )
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    sum_3 = 1.0 + attenuation_epsilon
-    sum_4 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_epsilon
-        + attenuation_epsilon * product_3
-        + product_3
-    )
+    sum_5 = 1.0 + attenuation_epsilon
     part_00_cos_beta2_sin_epsilon2 = (
-        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_3
-        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_5
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2 * sum_3 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2 * sum_3 * sum_5
     )
-    sum_5 = -1.0 - attenuation_epsilon_squared
-    product_4 = shortfall_beta * shortfall_beta_squared
+    sum_6 = -1.0 - attenuation_epsilon_squared
+    product_2 = shortfall_beta * shortfall_beta_squared
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_6 = (
-        2.0 * attenuation_beta * attenuation_epsilon * product_4 * shortfall_epsilon
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_4
+    sum_7 = (
+        2.0 * attenuation_beta * attenuation_epsilon * product_2 * shortfall_epsilon
+        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_2
         + 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared
         + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + attenuation_beta * product_4 * shortfall_epsilon_squared
+        + attenuation_beta * attenuation_beta_squared * shortfall_beta * shortfall_epsilon_squared
+        + attenuation_beta * product_2 * shortfall_epsilon_squared
         + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared
         + 0.5 * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
         + 0.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared
-        + product_3 * shortfall_beta * shortfall_epsilon_squared
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared
     )
-    sum_7 = (
+    sum_8 = (
         0.25
         + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
         + 0.25 * attenuation_beta_squared_squared
         + 0.25 * attenuation_epsilon_squared
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
-        + r_squared * sum_6
-        + sigma_r_squared * sum_7
+        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_6
+        + r_squared * sum_7
+        + sigma_r_squared * sum_8
     )
-    sum_8 = -1.0 - attenuation_epsilon
-    sum_9 = (
+    sum_9 = -1.0 - attenuation_epsilon
+    sum_10 = (
         1.0
         + attenuation_beta_squared_squared
         + attenuation_beta_squared_squared * attenuation_epsilon
         + attenuation_epsilon
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
-        + 0.25 * r_squared * shortfall_epsilon * sum_9
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_9
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_9
+        + 0.25 * r_squared * shortfall_epsilon * sum_10
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_10
     )
-    sum_10 = (
-        product_2
+    sum_11 = (
+        product_1
         - 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         - 2.0 * attenuation_epsilon_squared * shortfall_beta_squared
         - 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
         - 4.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
     )
-    product_5 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
-    product_6 = 2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
-    product_7 = attenuation_epsilon_squared * shortfall_beta_squared
-    product_8 = attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-    sum_11 = (
-        product_5
+    product_3 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
+    product_4 = 2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
+    product_5 = attenuation_epsilon_squared * shortfall_beta_squared
+    product_6 = attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
+    sum_12 = (
+        product_3
         - 2.0 * attenuation_beta_squared * shortfall_epsilon_squared
         - 3.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
         - 3.0 * attenuation_beta_squared * attenuation_epsilon_squared
+        + product_4
+        + product_5
         + product_6
-        + product_7
-        + product_8
     )
-    sum_12 = 1.0 + attenuation_epsilon_squared
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * r_squared * sum_10
-        + attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11
-        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_12
+        0.5 * attenuation_beta_squared * r_squared * sum_11
+        + attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_12
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_4
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
-        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_3
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_3
+        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_9
+        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_5
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_5
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared * sigma_r_squared
@@ -1197,8 +1177,8 @@ def covariance_truth(
         - attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared
     )
     part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_3
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_3
+        0.5 * r_squared * shortfall_epsilon * sum_5
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_5
     )
     sum_13 = 0.5 + 0.5 * attenuation_epsilon_squared
     part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_13
@@ -1207,20 +1187,20 @@ def covariance_truth(
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
     sum_14 = (
-        product_5
+        product_3
         - attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
         - attenuation_beta_squared * attenuation_epsilon_squared
         - attenuation_beta_squared * shortfall_epsilon_squared
+        + product_4
+        + product_5
         + product_6
-        + product_7
-        + product_8
     )
     sum_15 = attenuation_epsilon - shortfall_epsilon
     sum_16 = shortfall_epsilon - attenuation_epsilon
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = (
         2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_1
-        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_3
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_5
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
@@ -1229,8 +1209,8 @@ def covariance_truth(
     result[..., 0, 1] = (
         attenuation_beta_squared * cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_1
         + attenuation_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_14
-        + attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_3
-        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_8
+        + attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_5
+        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_9
         + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
         + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
     )
@@ -1241,7 +1221,7 @@ def covariance_truth(
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = (
         2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_14
-        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_8
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_9
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
@@ -1289,8 +1269,8 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 668 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1342,99 +1322,63 @@ def covariance_averaged(
         + product_8
         + product_9
     )
-    product_13 = -attenuation_beta_squared * attenuation_epsilon
-    product_14 = -attenuation_beta_squared * product_2
-    product_15 = -attenuation_beta * attenuation_epsilon
-    product_16 = -attenuation_beta * product_2
+    sum_2 = 1.0 + attenuation_beta
+    product_13 = -attenuation_beta * attenuation_epsilon
+    product_14 = -attenuation_beta * product_2
     r_squared = r**2
-    sum_2 = (
+    sum_3 = (
         1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared_squared
         + attenuation_beta_squared
         + attenuation_beta_squared * attenuation_epsilon_squared_squared
         + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_12
-        + product_12
         + product_13
         + product_14
-        + product_15
-        + product_16
     )
-    product_17 = 2.0 * attenuation_beta * attenuation_epsilon_squared_squared
-    sum_3 = (
+    sum_4 = (
         2.0
-        + 2.0 * attenuation_beta
         + 2.0 * attenuation_beta_squared
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
         + 2.0 * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_epsilon_squared_squared * product_12
-        + 2.0 * product_12
         + product_13
         + product_14
-        + product_15
-        + product_16
-        + product_17
     )
     part_00_cos_beta2_cos_epsilon2 = (
         0.25 * attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
-        + 0.25 * r_squared * shortfall_beta * sum_2
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_3
+        + 0.25 * r_squared * shortfall_beta * sum_2 * sum_3
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2 * sum_4
     )
-    sum_4 = (
-        16.0 * product_1 * product_12
-        - 12.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
-        - 2.0 * product_2 * product_4
-        - 24.0 * attenuation_beta_squared * product_2 * shortfall_beta
-        - 3.0 * attenuation_beta * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        - 3.0 * attenuation_epsilon_squared * product_4 * shortfall_epsilon
-        - 36.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
-        - 6.0 * attenuation_beta * product_2 * shortfall_beta_squared
-        - 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        - attenuation_epsilon * product_4 * shortfall_epsilon_squared
-        + 44.0 * product_12 * product_2
-        + 54.0 * attenuation_epsilon * product_12 * shortfall_epsilon_squared
-        + 66.0 * attenuation_epsilon_squared * product_12 * shortfall_epsilon
-    )
-    sum_5 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * product_2
-        + attenuation_beta_squared
-        + attenuation_beta_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon * product_12
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_12
-        + product_12
-        + product_12 * product_2
-        + product_2
-    )
-    product_18 = 2.0 * attenuation_beta * product_2
+    sum_5 = 1.0 + attenuation_epsilon
     sum_6 = (
-        2.0
-        + 2.0 * attenuation_beta
-        + 2.0 * attenuation_beta_squared
-        + 2.0 * attenuation_beta_squared * product_2
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon * product_12
-        + 2.0 * attenuation_epsilon_squared
-        + 2.0 * attenuation_epsilon_squared * product_12
-        + 2.0 * product_12
-        + 2.0 * product_12 * product_2
-        + 2.0 * product_2
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + product_18
-    )
-    part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * attenuation_beta * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_4
-        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_5
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_6
+        16.0 * product_12 * shortfall_epsilon_squared
+        - 12.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta * shortfall_epsilon
+        - 12.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta
+        - 3.0 * attenuation_beta * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
+        - 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta_squared
+        - attenuation_epsilon * product_4 * shortfall_epsilon
+        - attenuation_epsilon_squared * product_4
+        + 22.0 * attenuation_epsilon * product_12 * shortfall_epsilon
+        + 22.0 * attenuation_epsilon_squared * product_12
     )
     sum_7 = (
+        1.0
+        + attenuation_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon_squared
+        + attenuation_epsilon_squared
+        + product_13
+    )
+    sum_8 = (
+        2.0
+        + 2.0 * attenuation_beta_squared
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared
+        + 2.0 * attenuation_epsilon_squared
+        + product_13
+    )
+    part_00_cos_beta2_sin_epsilon2 = (
+        0.25 * attenuation_beta * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_5 * sum_6
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2 * sum_5 * sum_7
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2 * sum_5 * sum_8
+    )
+    sum_9 = (
         12.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta
         - 16.0 * attenuation_epsilon_squared_squared * product_12
         - 16.0 * product_12 * shortfall_epsilon_squared_squared
@@ -1455,7 +1399,7 @@ def covariance_averaged(
     )
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_8 = (
+    sum_10 = (
         3.75 * attenuation_beta * attenuation_epsilon * product_1 * product_4
         + 5.25 * attenuation_beta * attenuation_epsilon_squared * product_4 * shortfall_epsilon_squared
         + 5.25 * attenuation_beta_squared * attenuation_epsilon * product_1 * shortfall_beta_squared
@@ -1478,7 +1422,7 @@ def covariance_averaged(
         + product_2 * shortfall_beta_squared_squared * shortfall_epsilon
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
     )
-    sum_9 = (
+    sum_11 = (
         0.5
         - 0.25 * attenuation_beta * attenuation_epsilon
         - 0.25 * attenuation_beta * product_2
@@ -1489,70 +1433,52 @@ def covariance_averaged(
         + 0.5 * attenuation_epsilon_squared_squared
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        0.25 * attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared * sum_7
-        + r_squared * sum_8
-        + sigma_r_squared * sum_9
-    )
-    sum_10 = (
-        9.0 * attenuation_beta_squared * attenuation_epsilon
-        - 16.0 * attenuation_epsilon * product_12
-        - 16.0 * attenuation_epsilon_squared * product_12
-        - 16.0 * product_12
-        - 16.0 * product_12 * product_2
-        - attenuation_epsilon
-        - attenuation_epsilon_squared
-        + 9.0 * attenuation_beta_squared * attenuation_epsilon_squared
-    )
-    product_19 = -attenuation_epsilon * product_12
-    product_20 = -attenuation_epsilon_squared * product_12
-    product_21 = -attenuation_beta * attenuation_epsilon_squared
-    sum_11 = (
-        1.0
-        + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
-        + attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon_squared
-        + product_15
-        + product_19
-        + product_2
-        + product_20
-        + product_21
+        0.25 * attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared * sum_9
+        + r_squared * sum_10
+        + sigma_r_squared * sum_11
     )
     sum_12 = (
+        16.0 * attenuation_epsilon_squared * product_12
+        - 9.0 * attenuation_beta_squared * attenuation_epsilon
+        + 16.0 * product_12
+        + attenuation_epsilon
+    )
+    product_15 = -attenuation_epsilon * product_12
+    sum_13 = (
+        1.0
+        + attenuation_beta_squared_squared
+        + attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + attenuation_epsilon_squared
+        + product_13
+        + product_15
+    )
+    sum_14 = (
         2.0
         + 2.0 * attenuation_beta_squared_squared
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon
         + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta_squared_squared * product_2
-        + 2.0 * attenuation_epsilon
         + 2.0 * attenuation_epsilon_squared
-        + 2.0 * product_2
+        + product_13
         + product_15
-        + product_19
-        + product_20
-        + product_21
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * attenuation_beta * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_10
-        + 0.25 * r_squared * shortfall_epsilon * sum_11
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_12
+        0.25 * r_squared * shortfall_epsilon * sum_13 * sum_5
+        - 0.25 * attenuation_beta * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_12 * sum_5
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_14 * sum_5
     )
-    product_22 = -2.0 * attenuation_epsilon_squared_squared * shortfall_beta
-    product_23 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
-    product_24 = -4.0 * product_2 * shortfall_beta * shortfall_epsilon
-    product_25 = -attenuation_epsilon * product_1 * shortfall_beta
-    sum_13 = (
+    product_16 = -2.0 * attenuation_epsilon_squared_squared * shortfall_beta
+    product_17 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
+    product_18 = -4.0 * product_2 * shortfall_beta * shortfall_epsilon
+    product_19 = -attenuation_epsilon * product_1 * shortfall_beta
+    sum_15 = (
         3.0 * attenuation_beta * attenuation_epsilon * product_1
         + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
         + attenuation_beta * shortfall_epsilon_squared_squared
-        + product_22
-        + product_23
-        + product_24
-        + product_25
+        + product_16
+        + product_17
+        + product_18
+        + product_19
     )
-    sum_14 = (
+    sum_16 = (
         18.0 * attenuation_epsilon_squared_squared * shortfall_beta
         - 14.0 * attenuation_beta * attenuation_epsilon_squared_squared
         - 16.0 * attenuation_beta * shortfall_epsilon_squared_squared
@@ -1563,36 +1489,37 @@ def covariance_averaged(
         + 36.0 * product_2 * shortfall_beta * shortfall_epsilon
         + 9.0 * attenuation_epsilon * product_1 * shortfall_beta
     )
-    product_26 = 4.0 * attenuation_beta * product_2 * shortfall_epsilon
-    sum_15 = (
+    product_20 = 2.0 * attenuation_beta * attenuation_epsilon_squared_squared
+    product_21 = 4.0 * attenuation_beta * product_2 * shortfall_epsilon
+    sum_17 = (
         2.0 * attenuation_beta * shortfall_epsilon_squared_squared
         + 7.0 * attenuation_beta * attenuation_epsilon * product_1
         + 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + product_16
         + product_17
+        + product_18
+        + product_19
+        + product_20
+        + product_21
+    )
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * product_12 * r_squared * sum_15
+        + 0.5 * product_12 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_16
+        + 0.5 * product_12 * sigma_r_squared * sum_17
+    )
+    product_22 = -2.0 * product_2 * shortfall_beta
+    product_23 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
+    product_24 = -attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
+    sum_18 = (
+        2.0 * attenuation_beta * product_2
+        + 3.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
+        + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon
+        + attenuation_beta * product_1
         + product_22
         + product_23
         + product_24
-        + product_25
-        + product_26
     )
-    part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * product_12 * r_squared * sum_13
-        + 0.5 * product_12 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_14
-        + 0.5 * product_12 * sigma_r_squared * sum_15
-    )
-    product_27 = -2.0 * product_2 * shortfall_beta
-    product_28 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
-    product_29 = -attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
-    sum_16 = (
-        3.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
-        + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon
-        + attenuation_beta * product_1
-        + product_18
-        + product_27
-        + product_28
-        + product_29
-    )
-    sum_17 = (
+    sum_19 = (
         18.0 * product_2 * shortfall_beta
         - 16.0 * attenuation_beta * product_1
         - 46.0 * attenuation_beta * product_2
@@ -1601,36 +1528,36 @@ def covariance_averaged(
         + 27.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
         + 9.0 * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
     )
-    sum_18 = (
+    sum_20 = (
         2.0 * attenuation_beta * product_1
         + 6.0 * attenuation_beta * product_2
         + 7.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
         + 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon
-        + product_27
-        + product_28
-        + product_29
+        + product_22
+        + product_23
+        + product_24
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * product_12 * r_squared * shortfall_epsilon * sum_16
-        + 0.5 * product_12 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_17
-        + 0.5 * product_12 * shortfall_epsilon * sigma_r_squared * sum_18
+        0.5 * product_12 * r_squared * shortfall_epsilon * sum_18
+        + 0.5 * product_12 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_19
+        + 0.5 * product_12 * shortfall_epsilon * sigma_r_squared * sum_20
     )
-    sum_19 = shortfall_epsilon - attenuation_epsilon
-    sum_20 = attenuation_epsilon - shortfall_epsilon
+    sum_21 = shortfall_epsilon - attenuation_epsilon
+    sum_22 = attenuation_epsilon - shortfall_epsilon
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
-        2.0 * attenuation_beta * product_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_19
+        2.0 * attenuation_beta * product_2 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_21
         - attenuation_beta * product_2 * r_squared * shortfall_epsilon
-        + attenuation_beta * product_2 * sigma_r_squared * sum_20
+        + attenuation_beta * product_2 * sigma_r_squared * sum_22
     )
-    sum_21 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_23 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
     part_22_cos_epsilon2 = (
         0.5 * (1.0 + product_2) * r_squared * shortfall_epsilon
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_21
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_23
     )
-    sum_22 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
-    sum_23 = 1.0 - 0.5 * attenuation_epsilon - 0.5 * product_2 + attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_22 + sigma_r_squared * sum_23
-    sum_24 = (
+    sum_24 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_25 = 1.0 - 0.5 * attenuation_epsilon - 0.5 * product_2 + attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_24 + sigma_r_squared * sum_25
+    sum_26 = (
         13.0 * attenuation_beta * attenuation_epsilon * product_1
         - 12.0 * product_2 * shortfall_beta * shortfall_epsilon
         - 3.0 * attenuation_epsilon * product_1 * shortfall_beta
@@ -1638,11 +1565,11 @@ def covariance_averaged(
         - 9.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
         + 15.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
         + 4.0 * attenuation_beta * shortfall_epsilon_squared_squared
-        + product_17
-        + product_26
+        + product_20
+        + product_21
     )
     cos_epsilon_squared = cos_epsilon**2
-    sum_25 = (
+    sum_27 = (
         10.0 * attenuation_beta * product_2
         - 3.0 * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
         - 6.0 * product_2 * shortfall_beta
@@ -1654,7 +1581,7 @@ def covariance_averaged(
     sin_epsilon_squared = sin_epsilon**2
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
-    sum_26 = (
+    sum_28 = (
         12.0 * product_2 * shortfall_beta * shortfall_epsilon
         - 13.0 * attenuation_beta * attenuation_epsilon * product_1
         - 15.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
@@ -1665,7 +1592,7 @@ def covariance_averaged(
         + 6.0 * attenuation_epsilon_squared_squared * shortfall_beta
         + 9.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
     )
-    sum_27 = (
+    sum_29 = (
         3.0 * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
         - 10.0 * attenuation_beta * product_2
         - 13.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
@@ -1674,12 +1601,12 @@ def covariance_averaged(
         + 6.0 * product_2 * shortfall_beta
         + 9.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
     )
-    sum_28 = attenuation_epsilon - 3.0 * shortfall_epsilon
-    sum_29 = 3.0 * shortfall_epsilon - attenuation_epsilon
+    sum_30 = attenuation_epsilon - 3.0 * shortfall_epsilon
+    sum_31 = 3.0 * shortfall_epsilon - attenuation_epsilon
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = (
-        cos_beta * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sin_beta * sum_24
-        + cos_beta * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_25
+        cos_beta * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sin_beta * sum_26
+        + cos_beta * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_27
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
@@ -1688,26 +1615,26 @@ def covariance_averaged(
     result[..., 0, 1] = (
         cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
         + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
-        + 0.5 * cos_beta_squared * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sum_24
-        + 0.5 * cos_beta_squared * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_25
-        + 0.5 * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_26
-        + 0.5 * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_27
+        + 0.5 * cos_beta_squared * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sum_26
+        + 0.5 * cos_beta_squared * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_27
+        + 0.5 * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_28
+        + 0.5 * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_29
     )
     result[..., 0, 2] = (
-        attenuation_beta * cos_beta * cos_epsilon * product_2 * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_28
+        attenuation_beta * cos_beta * cos_epsilon * product_2 * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_30
         + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
     )
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = (
-        cos_beta * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sin_beta * sum_26
-        + cos_beta * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_27
+        cos_beta * cos_epsilon_squared * product_12 * r * rho * sigma_beta * sigma_r * sin_beta * sum_28
+        + cos_beta * product_12 * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_29
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
         + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
     )
     result[..., 1, 2] = (
-        attenuation_beta * cos_epsilon * product_2 * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_29
+        attenuation_beta * cos_epsilon * product_2 * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_31
         + cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
     )
     result[..., 2, 0] = result[..., 0, 2]
@@ -1806,8 +1733,8 @@ def unbiased_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 222 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1823,295 +1750,166 @@ def unbiased_covariance(
     term_1 = 1.0 / attenuation_epsilon
     term_2 = 1.0 / attenuation_beta**2
     attenuation_beta_squared = attenuation_beta**2
+    product_1 = 2.0 * attenuation_beta_squared * attenuation_epsilon
     attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
     attenuation_epsilon_squared = attenuation_epsilon**2
-    product_1 = attenuation_epsilon * attenuation_epsilon_squared
-    product_2 = attenuation_beta_squared_cubed * product_1
+    product_2 = attenuation_epsilon * attenuation_epsilon_squared
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
     sum_1 = (
         1.0
-        + 2.0 * attenuation_beta_squared * attenuation_epsilon
         + attenuation_beta_squared_cubed * attenuation_epsilon
-        + product_2
+        + attenuation_beta_squared_cubed * product_2
+        + product_1
     )
-    product_3 = attenuation_beta * attenuation_beta_squared
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_3
-        + product_3
-    )
+    sum_2 = 1.0 + attenuation_beta
+    sum_3 = 1.0 + attenuation_beta_squared
+    sum_4 = 1.0 + attenuation_epsilon_squared
     r_squared = r**2
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_2
+        0.25 * r_squared * shortfall_beta * sum_2 * sum_3 * sum_4
         + rho_squared * sigma_beta_squared * sigma_r_squared * sum_1 * term_1 * term_2
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2 * sum_3 * sum_4
     )
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    sum_3 = 1.0 + attenuation_epsilon
-    sum_4 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_epsilon
-        + attenuation_epsilon * product_3
-        + product_3
-    )
+    sum_5 = 1.0 + attenuation_epsilon
     part_00_cos_beta2_sin_epsilon2 = (
-        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_3
-        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_5
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2 * sum_3 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2 * sum_3 * sum_5
     )
-    sum_5 = -1.0 - attenuation_epsilon_squared
+    sum_6 = -1.0 - attenuation_epsilon_squared
     shortfall_beta_squared = shortfall_beta**2
-    shortfall_beta_squared_cubed = shortfall_beta_squared * shortfall_beta_squared**2
+    product_3 = attenuation_beta_squared * attenuation_epsilon
+    product_4 = attenuation_beta_squared * attenuation_epsilon_squared
+    product_5 = attenuation_beta_squared_squared * attenuation_epsilon
+    product_6 = attenuation_beta_squared_squared * attenuation_epsilon_squared
+    sum_7 = 4.0 + product_3 + product_4 + product_5 + product_6
+    sum_8 = 2.0 + attenuation_epsilon
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_4 = attenuation_beta * attenuation_beta_squared**2
-    shortfall_beta_squared_squared = shortfall_beta_squared**2
-    product_5 = shortfall_beta * shortfall_beta_squared
-    product_6 = shortfall_epsilon * shortfall_epsilon_squared
-    product_7 = shortfall_beta * shortfall_beta_squared**2
-    sum_6 = (
-        12.0 * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        + 12.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 138.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        + 16.0 * attenuation_epsilon_squared * product_4 * shortfall_beta * shortfall_epsilon
-        + 166.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon
-        + 173.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 184.0 * attenuation_epsilon_squared * product_3 * product_5 * shortfall_epsilon
-        + 212.0 * attenuation_epsilon * product_3 * product_5 * shortfall_epsilon_squared
-        + 24.0 * attenuation_beta * product_1 * product_7
-        + 24.0 * attenuation_beta * product_6 * product_7
-        + 24.0 * attenuation_beta_squared_squared * product_1 * shortfall_beta_squared
-        + 24.0 * product_4 * product_6 * shortfall_beta
-        + 4.0 * attenuation_beta_squared_cubed * product_6
-        + 4.0 * product_1 * shortfall_beta_squared_cubed
-        + 4.0 * product_6 * shortfall_beta_squared_cubed
-        + 44.0 * attenuation_epsilon * product_4 * shortfall_beta * shortfall_epsilon_squared
-        + 54.0 * attenuation_beta_squared * product_1 * shortfall_beta_squared_squared
-        + 56.0 * product_1 * product_3 * product_5
-        + 6.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_epsilon_squared
-        + 60.0 * attenuation_beta_squared * product_6 * shortfall_beta_squared_squared
-        + 60.0 * attenuation_beta_squared_squared * product_6 * shortfall_beta_squared
-        + 72.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_epsilon_squared
-        + 72.0 * attenuation_beta * attenuation_epsilon_squared * product_7 * shortfall_epsilon
-        + 80.0 * product_3 * product_5 * product_6
-        + 96.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
+    product_7 = 0.5 * shortfall_epsilon_squared * sum_8 * term_1
+    sum_9 = (
+        product_7
+        + 0.25 * shortfall_beta * shortfall_epsilon * sum_2 * sum_7 * term_1 * term_2
+        + 0.5 * (2.0 + attenuation_beta_squared) * shortfall_beta_squared * sum_2**2 * term_2
     )
-    sum_7 = (
+    sum_10 = (
         0.25
         + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
         + 0.25 * attenuation_beta_squared_squared
         + 0.25 * attenuation_epsilon_squared
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
-        + 0.25 * r_squared * sum_6 * term_1 * term_2
-        + sigma_r_squared * sum_7
+        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_6
+        + r_squared * sum_9
+        + sigma_r_squared * sum_10
     )
-    sum_8 = -1.0 - attenuation_epsilon
-    sum_9 = (
-        1.0
-        + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
-        + attenuation_epsilon
-    )
+    sum_11 = -1.0 - attenuation_epsilon
+    sum_12 = 1.0 + attenuation_beta_squared_squared + attenuation_epsilon + product_5
     part_00_sin_beta2_sin_epsilon2 = (
-        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
-        + 0.25 * r_squared * shortfall_epsilon * sum_9
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_9
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_11
+        + 0.25 * r_squared * shortfall_epsilon * sum_12
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_12
     )
-    sum_10 = 1.0 + attenuation_epsilon_squared
-    sum_11 = (
-        104.0 * attenuation_epsilon * product_3 * product_5 * shortfall_epsilon_squared
-        - 4.0 * product_1 * product_4 * shortfall_beta
-        + 12.0 * attenuation_beta * product_1 * product_7
-        + 12.0 * attenuation_beta * product_6 * product_7
-        + 12.0 * product_4 * product_6 * shortfall_beta
-        + 2.0 * attenuation_beta_squared_cubed * product_6
-        + 2.0 * product_1 * shortfall_beta_squared_cubed
-        + 2.0 * product_6 * shortfall_beta_squared_cubed
-        + 20.0 * attenuation_epsilon * product_4 * shortfall_beta * shortfall_epsilon_squared
-        + 24.0 * product_1 * product_3 * product_5
-        + 26.0 * attenuation_beta_squared * product_1 * shortfall_beta_squared_squared
-        + 3.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_epsilon_squared
-        + 30.0 * attenuation_beta_squared * product_6 * shortfall_beta_squared_squared
-        + 30.0 * attenuation_beta_squared_squared * product_6 * shortfall_beta_squared
-        + 36.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_epsilon_squared
-        + 36.0 * attenuation_beta * attenuation_epsilon_squared * product_7 * shortfall_epsilon
-        + 4.0 * attenuation_epsilon_squared * product_4 * shortfall_beta * shortfall_epsilon
-        + 40.0 * product_3 * product_5 * product_6
-        + 42.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        + 6.0 * attenuation_beta_squared_squared * product_1 * shortfall_beta_squared
-        + 6.0 * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        + 6.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 66.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        + 82.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon
-        + 86.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 88.0 * attenuation_epsilon_squared * product_3 * product_5 * shortfall_epsilon
+    sum_13 = (
+        attenuation_beta_squared_squared
+        - 2.0 * attenuation_beta * attenuation_beta_squared * shortfall_beta
+        - 4.0 * attenuation_beta * shortfall_beta * shortfall_beta_squared
+        - 5.0 * attenuation_beta_squared * shortfall_beta_squared
+        - shortfall_beta_squared**2
     )
-    sum_12 = (
+    sum_14 = 2.0 + product_3 + product_4 + product_5 + product_6
+    sum_15 = (
+        product_7
+        - shortfall_beta * sum_13 * sum_2 * term_2
+        + 0.5 * shortfall_beta * shortfall_epsilon * sum_14 * sum_2 * term_1 * term_2
+    )
+    sum_16 = (
         -1.0
         - 2.0 * attenuation_beta_squared * attenuation_epsilon
         - 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon
-        - 2.0 * attenuation_beta_squared_cubed * product_1
+        - 2.0 * attenuation_beta_squared_cubed * product_2
     )
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_10
-        + 0.5 * r_squared * sum_11 * term_1 * term_2
-        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_12 * term_1 * term_2
+        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_4
+        + r_squared * sum_15
+        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_16 * term_1 * term_2
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
-        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_3
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_3
+        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_11
+        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_5
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_5
     )
+    sum_17 = attenuation_epsilon_squared - attenuation_epsilon * shortfall_epsilon - shortfall_epsilon_squared
     term_3 = 1.0 / attenuation_beta
-    sum_13 = (
-        2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
-        - attenuation_beta_squared * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared
-        + 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-        + 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
-        + attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
-        + attenuation_beta_squared * shortfall_epsilon_squared
-        + attenuation_epsilon_squared * shortfall_beta_squared
-        + shortfall_beta_squared * shortfall_epsilon_squared
+    sum_18 = 1.0 + attenuation_beta * attenuation_epsilon + attenuation_beta * attenuation_epsilon_squared
+    sum_19 = (
+        shortfall_beta * shortfall_epsilon * sum_18 * term_1 * term_3
+        - shortfall_epsilon * sum_17 * term_1
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared * sigma_r_squared
         - attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared
-        + r_squared * shortfall_epsilon * sum_13 * term_1 * term_3
+        + r_squared * sum_19
     )
     part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_3
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_3
+        0.5 * r_squared * shortfall_epsilon * sum_5
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_5
     )
-    sum_14 = 0.5 + 0.5 * attenuation_epsilon_squared
+    sum_20 = 0.5 + 0.5 * attenuation_epsilon_squared
     part_22_sin_epsilon2 = (
-        0.5 * (2.0 + attenuation_epsilon) * r_squared * shortfall_epsilon_squared * term_1
-        + sigma_r_squared * sum_14
+        0.5 * r_squared * shortfall_epsilon_squared * sum_8 * term_1
+        + sigma_r_squared * sum_20
     )
     sin_epsilon_squared = sin_epsilon**2
-    sum_15 = (
-        product_2
-        - 15.0 * attenuation_beta_squared * product_1 * shortfall_beta_squared_squared
-        - 15.0 * attenuation_beta_squared * product_6 * shortfall_beta_squared_squared
-        - 15.0 * attenuation_beta_squared_squared * product_1 * shortfall_beta_squared
-        - 15.0 * attenuation_beta_squared_squared * product_6 * shortfall_beta_squared
-        - 18.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_epsilon_squared
-        - 18.0 * attenuation_beta * attenuation_epsilon_squared * product_7 * shortfall_epsilon
-        - 18.0 * attenuation_epsilon * product_4 * shortfall_beta * shortfall_epsilon_squared
-        - 18.0 * attenuation_epsilon_squared * product_4 * shortfall_beta * shortfall_epsilon
-        - 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_epsilon_squared
-        - 20.0 * product_1 * product_3 * product_5
-        - 20.0 * product_3 * product_5 * product_6
-        - 3.0 * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        - 3.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon
-        - 45.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        - 45.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon
-        - 45.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        - 45.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        - 6.0 * attenuation_beta * product_1 * product_7
-        - 6.0 * attenuation_beta * product_6 * product_7
-        - 6.0 * product_1 * product_4 * shortfall_beta
-        - 6.0 * product_4 * product_6 * shortfall_beta
-        - 60.0 * attenuation_epsilon * product_3 * product_5 * shortfall_epsilon_squared
-        - 60.0 * attenuation_epsilon_squared * product_3 * product_5 * shortfall_epsilon
-        - attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_epsilon
-        - attenuation_beta_squared_cubed * product_6
-        - product_1 * shortfall_beta_squared_cubed
-        - product_6 * shortfall_beta_squared_cubed
-    )
-    cos_epsilon_squared = cos_epsilon**2
     cos_beta_squared = cos_beta**2
+    cos_epsilon_squared = cos_epsilon**2
+    sum_21 = (
+        1.0
+        + attenuation_beta_squared * product_2
+        + attenuation_beta_squared_squared * product_2
+        + product_3
+        + product_5
+    )
+    sum_22 = (
+        product_2
+        - 2.0 * attenuation_epsilon * shortfall_epsilon_squared
+        - attenuation_epsilon_squared * shortfall_epsilon
+        - shortfall_epsilon * shortfall_epsilon_squared
+    )
+    sum_23 = 2.0 * sum_22 * term_1 - 2.0 * shortfall_beta * sum_2 * sum_21 * term_1 * term_2
     sin_beta_squared = sin_beta**2
-    sum_16 = (
-        15.0 * attenuation_beta_squared * product_1 * shortfall_beta_squared_squared
-        - attenuation_beta_squared_cubed * product_1
-        + 15.0 * attenuation_beta_squared * product_6 * shortfall_beta_squared_squared
-        + 15.0 * attenuation_beta_squared_squared * product_1 * shortfall_beta_squared
-        + 15.0 * attenuation_beta_squared_squared * product_6 * shortfall_beta_squared
-        + 18.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_epsilon_squared
-        + 18.0 * attenuation_beta * attenuation_epsilon_squared * product_7 * shortfall_epsilon
-        + 18.0 * attenuation_epsilon * product_4 * shortfall_beta * shortfall_epsilon_squared
-        + 18.0 * attenuation_epsilon_squared * product_4 * shortfall_beta * shortfall_epsilon
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_epsilon_squared
-        + 20.0 * product_1 * product_3 * product_5
-        + 20.0 * product_3 * product_5 * product_6
-        + 3.0 * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        + 3.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 45.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 45.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon
-        + 45.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        + 45.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        + 6.0 * attenuation_beta * product_1 * product_7
-        + 6.0 * attenuation_beta * product_6 * product_7
-        + 6.0 * product_1 * product_4 * shortfall_beta
-        + 6.0 * product_4 * product_6 * shortfall_beta
-        + 60.0 * attenuation_epsilon * product_3 * product_5 * shortfall_epsilon_squared
-        + 60.0 * attenuation_epsilon_squared * product_3 * product_5 * shortfall_epsilon
-        + attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_epsilon
-        + attenuation_beta_squared_cubed * product_6
-        + product_1 * shortfall_beta_squared_cubed
-        + product_6 * shortfall_beta_squared_cubed
-    )
-    sum_17 = (
-        attenuation_beta_squared * product_1
-        - 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
-        - 2.0 * attenuation_beta * product_6 * shortfall_beta
-        - 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        - 3.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
-        - 3.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        - 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
-        - attenuation_beta_squared * product_6
-        - attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        - product_6 * shortfall_beta_squared
-    )
-    sum_18 = (
-        2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
-        - attenuation_beta_squared * product_1
-        + 2.0 * attenuation_beta * product_6 * shortfall_beta
-        + 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        + 3.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
-        + 3.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        + 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
-        + attenuation_beta_squared * product_6
-        + attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        + product_6 * shortfall_beta_squared
-    )
+    sum_24 = sum_22 * term_1 - shortfall_beta * sum_2 * sum_21 * term_1 * term_2
+    sum_25 = shortfall_beta * sum_2 * sum_21 * term_1 * term_2 - sum_22 * term_1
+    sum_26 = 1.0 + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared + product_1
+    sum_27 = attenuation_beta - shortfall_epsilon * sum_26 * term_1 * term_3
+    sum_28 = 2.0 * shortfall_beta * sum_2 * sum_21 * term_1 * term_2 - 2.0 * sum_22 * term_1
+    sum_29 = shortfall_epsilon * sum_26 * term_1 * term_3 - attenuation_beta
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = (
-        2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_3
-        + 2.0 * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_15 * term_1 * term_2
+        2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_5
+        + cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_23
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
         + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
     )
     result[..., 0, 1] = (
-        attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_3
-        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_8
+        attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_5
+        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_11
         + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
         + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
-        + cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_15 * term_1 * term_2
-        + cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_16 * term_1 * term_2
+        + cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_24
+        + cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_25
     )
     result[..., 0, 2] = (
-        cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_17 * term_1 * term_3
+        cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_27
         + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
     )
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = (
-        2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_8
-        + 2.0 * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_16 * term_1 * term_2
+        2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_11
+        + cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_28
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
@@ -2119,7 +1917,7 @@ def unbiased_covariance(
     )
     result[..., 1, 2] = (
         cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
-        + cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_18 * term_1 * term_3
+        + cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_29
     )
     result[..., 2, 0] = result[..., 0, 2]
     result[..., 2, 1] = result[..., 1, 2]
@@ -2215,8 +2013,8 @@ def posterior_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 110 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -2232,123 +2030,103 @@ def posterior_covariance(
     attenuation_beta_squared = attenuation_beta**2
     attenuation_epsilon_squared = attenuation_epsilon**2
     shortfall_beta_squared = shortfall_beta**2
-    product_1 = attenuation_beta_squared * attenuation_epsilon_squared
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_2 = attenuation_beta_squared * shortfall_epsilon_squared
+    product_1 = attenuation_beta_squared * shortfall_epsilon_squared
     sum_1 = (
         attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
         - 2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
         - 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
         - attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         - attenuation_epsilon_squared * shortfall_beta_squared
+        + attenuation_beta_squared * attenuation_epsilon_squared
         + product_1
-        + product_2
     )
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    product_3 = attenuation_beta * attenuation_beta_squared
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta_squared
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_3
-        + product_1
-        + product_3
-    )
+    sum_2 = 1.0 + attenuation_beta
+    sum_3 = 1.0 + attenuation_beta_squared
+    sum_4 = 1.0 + attenuation_epsilon_squared
     r_squared = r**2
     part_00_cos_beta2_cos_epsilon2 = (
         attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1
-        + 0.25 * r_squared * shortfall_beta * sum_2
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+        + 0.25 * r_squared * shortfall_beta * sum_2 * sum_3 * sum_4
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2 * sum_3 * sum_4
     )
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    sum_3 = 1.0 + attenuation_epsilon
-    sum_4 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_epsilon
-        + attenuation_epsilon * product_3
-        + product_3
-    )
+    sum_5 = 1.0 + attenuation_epsilon
     part_00_cos_beta2_sin_epsilon2 = (
-        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_3
-        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_5
+        + 0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2 * sum_3 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2 * sum_3 * sum_5
     )
-    sum_5 = -1.0 - attenuation_epsilon_squared
-    product_4 = shortfall_beta * shortfall_beta_squared
+    sum_6 = -1.0 - attenuation_epsilon_squared
+    product_2 = shortfall_beta * shortfall_beta_squared
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_6 = (
-        2.0 * attenuation_beta * attenuation_epsilon * product_4 * shortfall_epsilon
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_4
+    sum_7 = (
+        2.0 * attenuation_beta * attenuation_epsilon * product_2 * shortfall_epsilon
+        + 2.0 * attenuation_beta * attenuation_epsilon_squared * product_2
         + 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared
         + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + attenuation_beta * product_4 * shortfall_epsilon_squared
+        + attenuation_beta * attenuation_beta_squared * shortfall_beta * shortfall_epsilon_squared
+        + attenuation_beta * product_2 * shortfall_epsilon_squared
         + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared
         + 0.5 * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
         + 0.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared
-        + product_3 * shortfall_beta * shortfall_epsilon_squared
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared
     )
-    sum_7 = (
+    sum_8 = (
         0.25
         + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared
         + 0.25 * attenuation_beta_squared_squared
         + 0.25 * attenuation_epsilon_squared
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5
-        + r_squared * sum_6
-        + sigma_r_squared * sum_7
+        attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_6
+        + r_squared * sum_7
+        + sigma_r_squared * sum_8
     )
-    sum_8 = -1.0 - attenuation_epsilon
-    sum_9 = (
+    sum_9 = -1.0 - attenuation_epsilon
+    sum_10 = (
         1.0
         + attenuation_beta_squared_squared
         + attenuation_beta_squared_squared * attenuation_epsilon
         + attenuation_epsilon
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
-        + 0.25 * r_squared * shortfall_epsilon * sum_9
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_9
+        attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_9
+        + 0.25 * r_squared * shortfall_epsilon * sum_10
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_10
     )
-    sum_10 = (
-        product_2
+    sum_11 = (
+        product_1
         - 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
         - 2.0 * attenuation_epsilon_squared * shortfall_beta_squared
         - 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
         - 4.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
     )
-    product_5 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
-    product_6 = 2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
-    product_7 = attenuation_epsilon_squared * shortfall_beta_squared
-    product_8 = attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-    sum_11 = (
-        product_5
+    product_3 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
+    product_4 = 2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
+    product_5 = attenuation_epsilon_squared * shortfall_beta_squared
+    product_6 = attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
+    sum_12 = (
+        product_3
         - 2.0 * attenuation_beta_squared * shortfall_epsilon_squared
         - 3.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
         - 3.0 * attenuation_beta_squared * attenuation_epsilon_squared
+        + product_4
+        + product_5
         + product_6
-        + product_7
-        + product_8
     )
-    sum_12 = 1.0 + attenuation_epsilon_squared
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * r_squared * sum_10
-        + attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11
-        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_12
+        0.5 * attenuation_beta_squared * r_squared * sum_11
+        + attenuation_beta_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_12
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_4
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_8
-        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_3
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_3
+        2.0 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_9
+        + 0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_5
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_5
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared * sigma_r_squared
@@ -2356,8 +2134,8 @@ def posterior_covariance(
         - attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared
     )
     part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_3
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_3
+        0.5 * r_squared * shortfall_epsilon * sum_5
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_5
     )
     sum_13 = 0.5 + 0.5 * attenuation_epsilon_squared
     part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared + sigma_r_squared * sum_13
@@ -2366,20 +2144,20 @@ def posterior_covariance(
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
     sum_14 = (
-        product_5
+        product_3
         - attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
         - attenuation_beta_squared * attenuation_epsilon_squared
         - attenuation_beta_squared * shortfall_epsilon_squared
+        + product_4
+        + product_5
         + product_6
-        + product_7
-        + product_8
     )
     sum_15 = attenuation_epsilon - shortfall_epsilon
     sum_16 = shortfall_epsilon - attenuation_epsilon
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = (
         2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_1
-        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_3
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_5
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
@@ -2388,8 +2166,8 @@ def posterior_covariance(
     result[..., 0, 1] = (
         attenuation_beta_squared * cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_1
         + attenuation_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_14
-        + attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_3
-        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_8
+        + attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_5
+        + attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_9
         + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
         + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
     )
@@ -2400,7 +2178,7 @@ def posterior_covariance(
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = (
         2.0 * attenuation_beta_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_14
-        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_8
+        + 2.0 * attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_9
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
@@ -2457,8 +2235,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 398 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho = arguments
@@ -2482,778 +2260,205 @@ def decorrelated_covariance(
     sum_1 = 1.0 + product_1
     attenuation_predicted_beta_squared = attenuation_predicted_beta**2
     attenuation_predicted_beta_squared_squared = attenuation_predicted_beta_squared**2
-    product_2 = -attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon
-    product_3 = -attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_4 = attenuation_beta * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_5 = attenuation_beta * attenuation_predicted_epsilon * shortfall_epsilon_squared
-    product_6 = attenuation_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
     sum_2 = (
-        product_2
+        attenuation_beta * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
         - 2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon
         - 2.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta
-        + product_3
-        + product_4
-        + product_5
-        + product_6
+        - attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
+        - attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon
+        + attenuation_beta * attenuation_predicted_epsilon * shortfall_epsilon_squared
+        + attenuation_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
     )
     predicted_rho_squared = predicted_rho**2
     predicted_sigma_r_squared = predicted_sigma_r**2
     term_2 = 1.0 / attenuation_beta
-    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
-    product_7 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared
-    product_8 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_9 = attenuation_predicted_beta * attenuation_predicted_beta_squared
-    product_10 = 12.0 * attenuation_beta * attenuation_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_11 = shortfall_predicted_beta * shortfall_predicted_beta_squared
-    product_12 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_11 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_13 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_14 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    shortfall_beta_squared = shortfall_beta**2
-    product_15 = 12.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_predicted_beta_squared
-    product_16 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_17 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_18 = 18.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_19 = 2.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
-    shortfall_predicted_beta_squared_squared = shortfall_predicted_beta_squared**2
-    product_20 = 2.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared_squared
-    product_21 = 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_22 = 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon_squared
-    product_23 = 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_24 = 2.0 * attenuation_beta * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_25 = 2.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_26 = 2.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta_squared
-    product_27 = 2.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_predicted_beta_squared_squared
-    product_28 = 2.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon
-    product_29 = 2.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon
-    product_30 = 2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_31 = 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_32 = 3.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    attenuation_beta_squared = attenuation_beta**2
-    product_33 = 4.0 * attenuation_beta_squared * attenuation_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_34 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_11 * shortfall_epsilon * shortfall_predicted_epsilon
-    product_35 = 4.0 * attenuation_beta_squared * attenuation_predicted_epsilon * product_9 * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_36 = 4.0 * attenuation_beta_squared * product_9 * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_37 = 4.0 * attenuation_beta_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_epsilon_squared
-    product_38 = 4.0 * attenuation_beta_squared * attenuation_predicted_beta * product_11 * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_39 = 4.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_40 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta
-    product_41 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_11 * shortfall_beta * shortfall_predicted_epsilon
-    product_42 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon
-    product_43 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_44 = 4.0 * attenuation_epsilon_squared * product_9 * shortfall_beta_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_45 = 4.0 * attenuation_epsilon_squared * attenuation_predicted_beta * product_11 * shortfall_beta_squared * shortfall_predicted_epsilon
-    product_46 = 4.0 * attenuation_predicted_epsilon * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_47 = 4.0 * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_48 = 4.0 * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon_squared
-    product_49 = 4.0 * attenuation_predicted_beta * product_11 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_50 = 6.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_51 = 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_52 = 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_53 = 6.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_54 = 6.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_55 = 6.0 * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_56 = 6.0 * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_57 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_9 * shortfall_beta * shortfall_predicted_beta
-    product_58 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta
-    product_59 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
-    product_60 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon
-    product_61 = 8.0 * attenuation_beta * attenuation_predicted_epsilon * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_62 = 8.0 * attenuation_beta * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_63 = 8.0 * attenuation_beta * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon_squared
-    product_64 = 8.0 * attenuation_beta * attenuation_predicted_beta * product_11 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_65 = 8.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_9 * shortfall_beta_squared * shortfall_predicted_beta
-    product_66 = 8.0 * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared
-    product_67 = 8.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta
-    product_68 = 8.0 * attenuation_epsilon * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_69 = 8.0 * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon
-    product_70 = 8.0 * attenuation_epsilon * attenuation_predicted_beta * product_11 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon
-    product_71 = attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_72 = attenuation_beta_squared * attenuation_predicted_epsilon * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_73 = attenuation_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_74 = attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_75 = attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_predicted_epsilon
-    product_76 = attenuation_epsilon_squared * shortfall_beta_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_77 = attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-    product_78 = attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_79 = attenuation_predicted_epsilon * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_80 = shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    sum_3 = (
-        product_10
-        + product_12
-        + product_13
-        + product_14
-        + product_15
-        + product_16
-        + product_17
-        + product_18
-        + product_19
-        + product_20
-        + product_21
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_59
-        + product_60
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_7
-        + product_70
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_8
-        + product_80
+    sum_3 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared_squared
+    sum_4 = shortfall_epsilon - shortfall_epsilon * shortfall_predicted_epsilon + shortfall_predicted_epsilon
+    sum_5 = 1.0 + attenuation_predicted_beta
+    sum_6 = 1.0 + attenuation_predicted_beta_squared
+    sum_7 = (
+        0.25 * shortfall_beta * sum_1 * sum_3 * term_1 * term_2
+        + 0.25 * shortfall_epsilon * shortfall_predicted_beta * sum_4 * sum_5 * sum_6 * term_1
     )
     r_squared = r**2
-    sum_4 = (
+    attenuation_beta_squared = attenuation_beta**2
+    product_2 = attenuation_beta_squared * attenuation_predicted_beta_squared_squared
+    sum_8 = (
         1.0
         + attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon
-        + attenuation_beta_squared * attenuation_predicted_beta_squared_squared
         + product_1
+        + product_2
     )
     rho_squared = rho**2
     sigma_r_squared = sigma_r**2
-    product_81 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_82 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_83 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_84 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
-    product_85 = 16.0 * attenuation_beta * attenuation_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_86 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon
-    product_87 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_11 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_88 = 2.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_89 = 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_90 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_91 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_92 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_93 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_9 * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_94 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * product_11 * shortfall_predicted_epsilon
-    product_95 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_96 = 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_97 = 6.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_98 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_beta
-    product_99 = 8.0 * attenuation_beta_squared * attenuation_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_100 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_epsilon
-    product_101 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_11 * shortfall_epsilon * shortfall_predicted_epsilon
-    product_102 = 8.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_103 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_11 * shortfall_beta * shortfall_predicted_epsilon
-    product_104 = attenuation_beta_squared * attenuation_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    sum_5 = (
-        12.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_predicted_beta_squared
-        + 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta
-        + 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_9 * shortfall_beta * shortfall_predicted_beta
-        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_predicted_beta_squared_squared
-        + 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared
-        + 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta * shortfall_predicted_beta_squared_squared
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_9 * shortfall_predicted_beta
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_13
-        + product_14
-        + product_15
-        + product_16
-        + product_17
-        + product_19
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_40
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_51
-        + product_52
-        + product_54
-        + product_55
-        + product_56
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_72
-        + product_73
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
+    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
+    sum_9 = (
+        2.0 * attenuation_beta * attenuation_predicted_beta * shortfall_predicted_beta
+        + 2.0 * attenuation_predicted_beta * shortfall_beta * shortfall_predicted_beta
+        + attenuation_beta * shortfall_predicted_beta_squared
+        + attenuation_predicted_beta_squared * shortfall_beta
+        + shortfall_beta * shortfall_predicted_beta_squared
     )
+    sum_10 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared
     part_00_cos_beta2_cos_epsilon2 = (
         attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_1 * term_1
         + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_2 * term_1
-        + 0.25 * predicted_sigma_r_squared * sum_3 * term_1 * term_2
-        + 0.25 * r_squared * sum_3 * term_1 * term_2
-        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_4 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_5 * term_1 * term_2
+        + predicted_sigma_r_squared * sum_7
+        + r_squared * sum_7
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_8 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_1 * sum_10 * sum_9 * term_1 * term_2
     )
-    sum_6 = (
+    sum_11 = 1.0 + attenuation_epsilon * attenuation_predicted_epsilon
+    sum_12 = (
+        attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_11 * term_1
+        - attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
+    )
+    sum_13 = 1.0 + attenuation_epsilon
+    sum_14 = (
+        attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
+        + attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_13 * term_1
+    )
+    sum_15 = (
+        0.25 * shortfall_beta * shortfall_predicted_epsilon * sum_3 * term_2
+        + 0.25 * shortfall_epsilon * sum_10 * sum_11 * sum_9 * term_1 * term_2
+    )
+    sum_16 = 1.0 + product_2
+    sum_17 = (
         2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon
         + 2.0 * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
         + attenuation_epsilon_squared * shortfall_predicted_epsilon
         + attenuation_predicted_epsilon * shortfall_epsilon_squared
         + shortfall_epsilon_squared * shortfall_predicted_epsilon
     )
-    sum_7 = (
-        2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon
-        + product_2
-        + product_3
-        + product_4
-        + product_5
-        + product_6
-    )
-    sum_8 = (
-        product_10
-        + product_100
-        + product_12
-        + product_13
-        + product_14
-        + product_16
-        + product_17
-        + product_18
-        + product_19
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_80
-        + product_81
-        + product_84
-        + product_86
-        + product_88
-        + product_91
-        + product_95
-        + product_98
-    )
-    product_105 = 2.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_epsilon_squared
-    product_106 = 2.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_107 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * shortfall_epsilon
-    sum_9 = (
-        2.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
-        + 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_epsilon * shortfall_predicted_epsilon
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_105
-        + product_106
-        + product_107
-        + product_13
-        + product_14
-        + product_16
-        + product_17
-        + product_19
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_51
-        + product_52
-        + product_54
-        + product_55
-        + product_56
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_72
-        + product_73
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
-    )
-    sum_10 = (
-        product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_13
-        + product_14
-        + product_16
-        + product_17
-        + product_19
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_51
-        + product_52
-        + product_54
-        + product_55
-        + product_56
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_72
-        + product_73
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
-    )
     part_00_cos_beta2_sin_epsilon2 = (
-        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_6 * term_1
-        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_7 * term_1
-        + 0.25 * predicted_sigma_r_squared * sum_8 * term_1 * term_2
-        + 0.25 * r_squared * sum_8 * term_1 * term_2
-        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_9 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_10 * term_1 * term_2
+        predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_12
+        + predicted_sigma_r_squared * sum_15
+        + r_squared * sum_15
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_16 * sum_17 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_10 * sum_17 * sum_9 * term_1 * term_2
+        + predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_14
     )
-    sum_11 = -1.0 - attenuation_epsilon_squared * attenuation_predicted_epsilon
-    product_108 = -attenuation_beta * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
-    product_109 = -attenuation_beta * attenuation_predicted_epsilon * shortfall_epsilon_squared
-    product_110 = -attenuation_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_111 = attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon
-    product_112 = attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    sum_12 = (
+    sum_18 = -1.0 - attenuation_epsilon_squared * attenuation_predicted_epsilon
+    sum_19 = (
         2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_beta * shortfall_epsilon
+        - attenuation_beta * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
+        - attenuation_beta * attenuation_predicted_epsilon * shortfall_epsilon_squared
+        - attenuation_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
         + 2.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * shortfall_beta
-        + product_108
-        + product_109
-        + product_110
-        + product_111
-        + product_112
+        + attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
+        + attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon
     )
-    product_113 = 2.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_epsilon * shortfall_predicted_epsilon
-    product_114 = 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    sum_13 = (
-        product_10
-        + product_105
-        + product_106
-        + product_113
-        + product_114
-        + product_12
-        + product_13
-        + product_14
-        + product_15
-        + product_16
-        + product_17
-        + product_18
-        + product_20
-        + product_21
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_41
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_59
-        + product_60
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_7
-        + product_70
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_8
-        + product_80
+    product_3 = attenuation_predicted_beta * attenuation_predicted_beta_squared
+    product_4 = shortfall_predicted_beta * shortfall_predicted_beta_squared
+    shortfall_predicted_beta_squared_squared = shortfall_predicted_beta_squared**2
+    sum_20 = (
+        4.0 * attenuation_beta * attenuation_predicted_beta * product_4
+        + 4.0 * attenuation_beta * product_3 * shortfall_predicted_beta
+        + 4.0 * attenuation_predicted_beta * product_4 * shortfall_beta
+        + 4.0 * product_3 * shortfall_beta * shortfall_predicted_beta
+        + 6.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared
+        + 6.0 * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared
+        + attenuation_beta * shortfall_predicted_beta_squared_squared
+        + attenuation_predicted_beta_squared_squared * shortfall_beta
+        + shortfall_beta * shortfall_predicted_beta_squared_squared
+    )
+    sum_21 = 1.0 + attenuation_predicted_beta_squared_squared
+    sum_22 = (
+        0.25 * shortfall_beta * sum_1 * sum_20 * term_1 * term_2
+        + 0.25 * shortfall_epsilon * sum_21 * sum_4 * term_1
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_11 * term_1
-        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_12 * term_1
-        + 0.25 * predicted_sigma_r_squared * sum_13 * term_1 * term_2
-        + 0.25 * r_squared * sum_13 * term_1 * term_2
-        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_5 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_4 * term_1 * term_2
+        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_18 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_19 * term_1
+        + predicted_sigma_r_squared * sum_22
+        + r_squared * sum_22
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1 * sum_10 * sum_9 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_8 * term_1 * term_2
     )
-    sum_14 = (
-        -2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon
-        - 2.0 * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
-        - attenuation_epsilon_squared * shortfall_predicted_epsilon
-        - attenuation_predicted_epsilon * shortfall_epsilon_squared
-        - shortfall_epsilon_squared * shortfall_predicted_epsilon
+    sum_23 = (
+        attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
+        - attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_11 * term_1
     )
-    sum_15 = (
-        product_108
-        - 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_epsilon
-        + product_109
-        + product_110
-        + product_111
-        + product_112
+    sum_24 = (
+        -attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
+        - attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_13 * term_1
     )
-    sum_16 = (
-        product_10
-        + product_100
-        + product_105
-        + product_106
-        + product_107
-        + product_113
-        + product_114
-        + product_12
-        + product_13
-        + product_14
-        + product_16
-        + product_17
-        + product_18
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_41
-        + product_42
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_80
-        + product_81
-        + product_84
-        + product_86
-        + product_88
-        + product_91
-        + product_95
-        + product_98
+    sum_25 = (
+        0.25 * shortfall_beta * shortfall_predicted_epsilon * sum_20 * term_2
+        + 0.25 * shortfall_epsilon * sum_11 * sum_16 * term_1 * term_2
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_14 * term_1
-        + attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_15 * term_1
-        + 0.25 * predicted_sigma_r_squared * sum_16 * term_1 * term_2
-        + 0.25 * r_squared * sum_16 * term_1 * term_2
-        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_10 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_9 * term_1 * term_2
+        predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_23
+        + predicted_sigma_r_squared * sum_25
+        + r_squared * sum_25
+        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_10 * sum_17 * sum_9 * term_1 * term_2
+        + 0.25 * sigma_r_squared * sum_16 * sum_17 * term_1 * term_2
+        + predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_24
     )
     part_00_cos_beta_cos_epsilon2_sin_beta = (
         2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_2 * term_1
         + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_1 * term_1
     )
+    sum_26 = (
+        2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_11 * term_1
+        - 2.0 * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
+    )
     part_00_cos_beta_sin_beta_sin_epsilon2 = (
-        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_7 * term_1
-        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_6 * term_1
+        r * rho * sigma_beta * sigma_r * sum_14
+        + predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_26
     )
     part_01_cos_beta2_cos_epsilon2 = (
         0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_1 * term_1
         + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_2 * term_1
     )
+    sum_27 = (
+        0.5 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
+        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_13 * term_1
+    )
     part_01_cos_beta2_sin_epsilon2 = (
-        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_6 * term_1
-        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_7 * term_1
+        predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_12
+        + r * rho * sigma_beta * sigma_r * sum_27
     )
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_11 * term_1
-        + 2.0 * attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_12 * term_1
-        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_11 * term_1
+        2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_18 * term_1
+        + 2.0 * attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_19 * term_1
+        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_18 * term_1
         + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_1 * term_1
         + 0.5 * attenuation_predicted_beta_squared_squared * predicted_sigma_r_squared * sum_2 * term_1
         + 0.5 * attenuation_predicted_beta_squared_squared * r_squared * sum_2 * term_1
     )
+    sum_28 = (
+        2.0 * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
+        - 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_11 * term_1
+    )
+    sum_29 = (
+        -2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
+        - 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_13 * term_1
+    )
+    sum_30 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_11 * term_1
+        - 0.5 * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon
+    )
+    sum_31 = (
+        -0.5 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon
+        - 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_13 * term_1
+    )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_14 * term_1
-        + 2.0 * attenuation_predicted_beta_squared_squared * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_15 * term_1
-        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_14 * term_1
-        + 0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_6 * term_1
-        + 0.5 * attenuation_predicted_beta_squared_squared * predicted_sigma_r_squared * sum_7 * term_1
-        + 0.5 * attenuation_predicted_beta_squared_squared * r_squared * sum_7 * term_1
+        predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * sum_28
+        + predicted_sigma_r_squared * sum_30
+        + r_squared * sum_30
+        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_31
+        + sigma_r_squared * sum_27
+        + predicted_rho * predicted_sigma_beta * predicted_sigma_r * rho * sigma_beta * sigma_r * sum_29
     )
     part_01_cos_epsilon2_sin_beta2 = (
-        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_11 * term_1
-        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_12 * term_1
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_18 * term_1
+        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_19 * term_1
     )
     part_01_sin_beta2_sin_epsilon2 = (
-        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_14 * term_1
-        + attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_15 * term_1
+        predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_23
+        + r * rho * sigma_beta * sigma_r * sum_31
     )
     part_02_cos_beta_cos_epsilon_sin_epsilon = (
         attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * r * rho * sigma_beta * sigma_r
@@ -3267,23 +2472,25 @@ def decorrelated_covariance(
         + attenuation_predicted_beta * attenuation_predicted_epsilon * predicted_rho_squared * predicted_sigma_beta_squared * predicted_sigma_r_squared * shortfall_epsilon
     )
     part_11_cos_beta_cos_epsilon2_sin_beta = (
-        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_12 * term_1
-        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_11 * term_1
+        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_19 * term_1
+        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_18 * term_1
     )
     part_11_cos_beta_sin_beta_sin_epsilon2 = (
-        2.0 * attenuation_predicted_beta_squared_squared * predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_15 * term_1
-        + attenuation_beta * attenuation_predicted_beta_squared_squared * r * rho * sigma_beta * sigma_r * sum_14 * term_1
+        r * rho * sigma_beta * sigma_r * sum_24
+        + predicted_rho * predicted_sigma_beta * predicted_sigma_r * r * sum_28
     )
-    sum_17 = 1.0 + attenuation_epsilon * attenuation_predicted_epsilon
+    sum_32 = (
+        0.5 * attenuation_epsilon * shortfall_predicted_epsilon
+        + 0.5 * shortfall_epsilon * sum_13 * term_1
+    )
     part_22_cos_epsilon2 = (
-        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_17 * term_1
-        + 0.5 * r_squared * shortfall_epsilon * sum_17 * term_1
-        + 0.5 * sigma_r_squared * sum_6 * term_1
+        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_11 * term_1
+        + 0.5 * r_squared * shortfall_epsilon * sum_11 * term_1
+        + sigma_r_squared * sum_32
     )
-    sum_18 = shortfall_epsilon - shortfall_epsilon * shortfall_predicted_epsilon + shortfall_predicted_epsilon
     part_22_sin_epsilon2 = (
-        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_18 * term_1
-        + 0.5 * r_squared * shortfall_epsilon * sum_18 * term_1
+        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_4 * term_1
+        + 0.5 * r_squared * shortfall_epsilon * sum_4 * term_1
         + 0.5 * sigma_r_squared * sum_1 * term_1
     )
     cos_beta_squared = cos_beta**2
@@ -3362,8 +2569,8 @@ def unbiased_covariance_truth(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 90.2 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -3412,17 +2619,15 @@ def unbiased_covariance_truth(
         + 0.25 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_4 * term_1 * term_2
         + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_3 * term_1 * term_2
     )
-    shortfall_epsilon_squared = shortfall_epsilon**2
     shortfall_beta_squared = shortfall_beta**2
+    shortfall_epsilon_squared = shortfall_epsilon**2
     sum_5 = (
-        2.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared
-        + 2.0 * attenuation_beta_squared * shortfall_epsilon_squared
-        + 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-        + 2.0 * attenuation_epsilon_squared * shortfall_beta_squared
-        + shortfall_beta_squared * shortfall_epsilon_squared
+        0.25 * shortfall_beta_squared * shortfall_epsilon_squared * term_1 * term_2
+        + 0.5 * shortfall_beta_squared * term_1
+        + 0.5 * shortfall_epsilon_squared * term_2
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        0.25 * r_squared * sum_5 * term_1 * term_2
+        r_squared * sum_5
         + 0.25 * rho_squared * shortfall_beta * sigma_beta_squared * sigma_r_squared * sum_2 * term_1 * term_2
         + 0.25 * sigma_r_squared * sum_1 * term_1 * term_2
     )
@@ -3433,15 +2638,11 @@ def unbiased_covariance_truth(
     )
     sum_6 = -1.0 - attenuation_epsilon_squared
     sum_7 = 1.0 + attenuation_epsilon_squared
-    sum_8 = (
-        attenuation_beta * shortfall_epsilon_squared
-        - 2.0 * attenuation_epsilon * shortfall_beta * shortfall_epsilon
-        - 2.0 * attenuation_epsilon_squared * shortfall_beta
-    )
+    sum_8 = 0.5 * attenuation_beta * shortfall_epsilon_squared * term_2 - shortfall_beta
     part_01_cos_beta_cos_epsilon2_sin_beta = (
         0.5 * attenuation_beta * rho_squared * sigma_beta_squared * sigma_r_squared * sum_6 * term_2
         + 0.5 * attenuation_beta * sigma_r_squared * sum_7 * term_2
-        + 0.5 * r_squared * sum_8 * term_2
+        + r_squared * sum_8
     )
     sum_9 = 1.0 + attenuation_epsilon
     sum_10 = -1.0 - attenuation_epsilon
@@ -3539,8 +2740,8 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 2330 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 7 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -3572,499 +2773,366 @@ def unbiased_covariance_averaged(
         + attenuation_epsilon_squared_squared
         + product_1
     )
+    sum_2 = 1.0 + attenuation_beta
+    sum_3 = 1.0 + attenuation_beta_squared
     product_3 = -attenuation_beta_squared * attenuation_epsilon
     product_4 = -attenuation_beta_squared * product_2
-    product_5 = attenuation_beta * attenuation_beta_squared
-    product_6 = -attenuation_epsilon * product_5
-    product_7 = -product_2 * product_5
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    product_8 = -attenuation_beta_squared_squared * attenuation_epsilon
-    product_9 = -attenuation_beta_squared_squared * product_2
-    product_10 = attenuation_beta * attenuation_beta_squared**2
-    product_11 = -attenuation_epsilon * product_10
-    product_12 = -product_10 * product_2
-    product_13 = attenuation_beta * attenuation_beta_squared * attenuation_beta_squared**2
     r_squared = r**2
-    sum_2 = (
+    sum_4 = (
         1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared_cubed
-        + attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared
         + attenuation_beta_squared_squared
         + attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
         + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_10
-        + attenuation_epsilon_squared_squared * product_13
-        + attenuation_epsilon_squared_squared * product_5
-        + product_10
-        + product_11
-        + product_12
-        + product_13
         + product_3
         + product_4
-        + product_5
-        + product_6
-        + product_7
-        + product_8
-        + product_9
     )
-    product_14 = 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
-    sum_3 = (
+    sum_5 = (
         2.0
-        + 2.0 * attenuation_beta
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_beta_squared
-        + 2.0 * attenuation_beta_squared_cubed
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared
         + 2.0 * attenuation_beta_squared_squared
         + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
         + 2.0 * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_epsilon_squared_squared * product_10
-        + 2.0 * attenuation_epsilon_squared_squared * product_13
-        + 2.0 * attenuation_epsilon_squared_squared * product_5
-        + 2.0 * product_10
-        + 2.0 * product_13
-        + 2.0 * product_5
-        + product_11
-        + product_12
-        + product_14
         + product_3
         + product_4
-        + product_6
-        + product_7
-        + product_8
-        + product_9
     )
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_2 * term_1 * term_3
+        0.25 * r_squared * shortfall_beta * sum_2 * sum_3 * sum_4 * term_1 * term_3
         + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_1 * term_1 * term_3
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_3 * term_1 * term_3
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_2 * sum_3 * sum_5 * term_1 * term_3
     )
-    sum_4 = (
+    sum_6 = 1.0 + attenuation_epsilon
+    sum_7 = (
         1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta * product_2
-        + attenuation_beta_squared
-        + attenuation_beta_squared * product_2
-        + attenuation_beta_squared_cubed
-        + attenuation_beta_squared_cubed * attenuation_epsilon
-        + attenuation_beta_squared_cubed * attenuation_epsilon_squared
-        + attenuation_beta_squared_cubed * product_2
         + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon * product_13
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_13
-        + product_10
-        + product_10 * product_2
-        + product_13
-        + product_13 * product_2
-        + product_2
-        + product_2 * product_5
-        + product_5
-    )
-    product_15 = 2.0 * attenuation_beta_squared * product_2
-    sum_5 = (
-        2.0
-        + 2.0 * attenuation_beta
-        + 2.0 * attenuation_beta * attenuation_epsilon
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta * product_2
-        + 2.0 * attenuation_beta_squared
-        + 2.0 * attenuation_beta_squared_cubed
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta_squared_cubed * product_2
-        + 2.0 * attenuation_beta_squared_squared
-        + 2.0 * attenuation_beta_squared_squared * product_2
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon * product_13
-        + 2.0 * attenuation_epsilon_squared
-        + 2.0 * attenuation_epsilon_squared * product_13
-        + 2.0 * product_10
-        + 2.0 * product_10 * product_2
-        + 2.0 * product_13
-        + 2.0 * product_13 * product_2
-        + 2.0 * product_2
-        + 2.0 * product_2 * product_5
-        + 2.0 * product_5
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
         + attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + attenuation_epsilon * product_10
-        + attenuation_epsilon * product_5
-        + attenuation_epsilon_squared * product_10
-        + attenuation_epsilon_squared * product_5
-        + product_15
+        + attenuation_epsilon_squared
+        + product_3
     )
-    sum_6 = (
+    sum_8 = (
+        2.0
+        + 2.0 * attenuation_beta_squared_squared
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 2.0 * attenuation_epsilon_squared
+        + product_3
+    )
+    sum_9 = (
         1.0
-        - 4.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared
-        + 9.0 * attenuation_epsilon * term_2
         + 9.0 * attenuation_epsilon_squared * term_2
-        + 9.0 * product_2 * term_2
         + 9.0 * term_2
-        + attenuation_epsilon
         + attenuation_epsilon_squared
         + product_1
-        + product_2
     )
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_4 * term_1 * term_3
-        + 0.25 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_6 * term_1 * term_3
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_5 * term_1 * term_3
+        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2 * sum_3 * sum_6 * sum_7 * term_1 * term_3
+        + 0.25 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_6 * sum_9 * term_1 * term_3
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2 * sum_3 * sum_6 * sum_8 * term_1 * term_3
     )
+    product_5 = attenuation_beta * attenuation_beta_squared
     shortfall_beta_squared = shortfall_beta**2
-    product_16 = shortfall_beta * shortfall_beta_squared**2
+    product_6 = shortfall_beta * shortfall_beta_squared**2
     shortfall_beta_squared_cubed = shortfall_beta_squared * shortfall_beta_squared**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_17 = shortfall_epsilon * shortfall_epsilon_squared
-    product_18 = shortfall_beta * shortfall_beta_squared
-    product_19 = shortfall_beta * shortfall_beta_squared * shortfall_beta_squared**2
-    product_20 = 16.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_19
+    product_7 = shortfall_epsilon * shortfall_epsilon_squared
+    product_8 = attenuation_beta * attenuation_beta_squared**2
+    product_9 = shortfall_beta * shortfall_beta_squared
+    product_10 = shortfall_beta * shortfall_beta_squared * shortfall_beta_squared**2
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
     term_4 = (shortfall_beta_squared**2)**2
-    product_21 = 2.0 * attenuation_epsilon_squared_squared * term_4
-    product_22 = 28.0 * attenuation_beta_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared_squared
-    product_23 = 28.0 * attenuation_beta_squared_cubed * shortfall_beta_squared * shortfall_epsilon_squared_squared
-    product_24 = 32.0 * attenuation_beta * product_19 * product_2 * shortfall_epsilon
-    product_25 = 32.0 * attenuation_beta * attenuation_epsilon * product_17 * product_19
-    product_26 = 4.0 * product_2 * shortfall_epsilon * term_4
-    product_27 = 4.0 * attenuation_epsilon * product_17 * term_4
-    product_28 = 48.0 * attenuation_beta * attenuation_epsilon_squared * product_19 * shortfall_epsilon_squared
-    product_29 = 56.0 * product_16 * product_5 * shortfall_epsilon_squared_squared
-    product_30 = 56.0 * product_10 * product_18 * shortfall_epsilon_squared_squared
-    product_31 = 6.0 * attenuation_epsilon_squared * shortfall_epsilon_squared * term_4
-    product_32 = 70.0 * attenuation_beta_squared_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
-    product_33 = 8.0 * product_13 * shortfall_beta * shortfall_epsilon_squared_squared
-    product_34 = 8.0 * attenuation_beta * product_19 * shortfall_epsilon_squared_squared
-    product_35 = shortfall_epsilon_squared_squared * term_4
-    sum_7 = (
-        100.0 * attenuation_epsilon_squared_squared * product_16 * product_5
+    product_11 = attenuation_beta * attenuation_beta_squared * attenuation_beta_squared**2
+    sum_10 = (
+        100.0 * attenuation_epsilon_squared_squared * product_5 * product_6
         + 108.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared_cubed * shortfall_epsilon
         + 110.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared
-        + 111.0 * attenuation_beta_squared * attenuation_epsilon * product_17 * shortfall_beta_squared_cubed
+        + 111.0 * attenuation_beta_squared * attenuation_epsilon * product_7 * shortfall_beta_squared_cubed
         + 120.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + 144.0 * product_10 * product_18 * product_2 * shortfall_epsilon
+        + 144.0 * product_2 * product_8 * product_9 * shortfall_epsilon
+        + 16.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_10
         + 165.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared
+        + 2.0 * attenuation_epsilon_squared_squared * term_4
         + 2.0 * shortfall_epsilon_squared_squared * term_2
-        + 200.0 * product_16 * product_2 * product_5 * shortfall_epsilon
-        + 204.0 * attenuation_epsilon * product_10 * product_17 * product_18
-        + 218.0 * attenuation_epsilon * product_16 * product_17 * product_5
+        + 200.0 * product_2 * product_5 * product_6 * shortfall_epsilon
+        + 204.0 * attenuation_epsilon * product_7 * product_8 * product_9
+        + 218.0 * attenuation_epsilon * product_5 * product_6 * product_7
         + 220.0 * attenuation_beta_squared_squared * product_2 * shortfall_beta_squared_squared * shortfall_epsilon
         + 24.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared * shortfall_beta_squared
-        + 24.0 * attenuation_epsilon * product_13 * product_17 * shortfall_beta
-        + 24.0 * attenuation_epsilon_squared * product_13 * shortfall_beta * shortfall_epsilon_squared
-        + 265.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_17 * shortfall_beta_squared_squared
-        + 276.0 * attenuation_epsilon_squared * product_10 * product_18 * shortfall_epsilon_squared
-        + 318.0 * attenuation_epsilon_squared * product_16 * product_5 * shortfall_epsilon_squared
+        + 24.0 * attenuation_epsilon * product_11 * product_7 * shortfall_beta
+        + 24.0 * attenuation_epsilon_squared * product_11 * shortfall_beta * shortfall_epsilon_squared
+        + 265.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_7 * shortfall_beta_squared_squared
+        + 276.0 * attenuation_epsilon_squared * product_8 * product_9 * shortfall_epsilon_squared
+        + 28.0 * attenuation_beta_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared_squared
+        + 28.0 * attenuation_beta_squared_cubed * shortfall_beta_squared * shortfall_epsilon_squared_squared
+        + 318.0 * attenuation_epsilon_squared * product_5 * product_6 * shortfall_epsilon_squared
+        + 32.0 * attenuation_beta * attenuation_epsilon * product_10 * product_7
+        + 32.0 * attenuation_beta * product_10 * product_2 * shortfall_epsilon
         + 375.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
+        + 4.0 * attenuation_epsilon * product_7 * term_4
+        + 4.0 * product_2 * shortfall_epsilon * term_4
+        + 48.0 * attenuation_beta * attenuation_epsilon_squared * product_10 * shortfall_epsilon_squared
         + 48.0 * attenuation_beta_squared_cubed * product_2 * shortfall_beta_squared * shortfall_epsilon
         + 54.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_cubed
-        + 6.0 * attenuation_epsilon * product_17 * term_2
+        + 56.0 * product_5 * product_6 * shortfall_epsilon_squared_squared
+        + 56.0 * product_8 * product_9 * shortfall_epsilon_squared_squared
+        + 6.0 * attenuation_epsilon * product_7 * term_2
         + 6.0 * attenuation_epsilon_squared * shortfall_epsilon_squared * term_2
-        + 72.0 * attenuation_epsilon_squared_squared * product_10 * product_18
-        + 96.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_17 * shortfall_beta_squared
-        + product_20
-        + product_21
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
+        + 6.0 * attenuation_epsilon_squared * shortfall_epsilon_squared * term_4
+        + 70.0 * attenuation_beta_squared_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
+        + 72.0 * attenuation_epsilon_squared_squared * product_8 * product_9
+        + 8.0 * attenuation_beta * product_10 * shortfall_epsilon_squared_squared
+        + 8.0 * product_11 * shortfall_beta * shortfall_epsilon_squared_squared
+        + 96.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_7 * shortfall_beta_squared
+        + shortfall_epsilon_squared_squared * term_4
     )
-    sum_8 = (
-        112.0 * attenuation_beta_squared * attenuation_epsilon * product_17 * shortfall_beta_squared_cubed
-        - 16.0 * product_2 * shortfall_epsilon * term_2
-        - 28.0 * attenuation_epsilon * product_17 * term_2
-        - 36.0 * attenuation_epsilon_squared * shortfall_epsilon_squared * term_2
-        - 8.0 * attenuation_epsilon_squared_squared * term_2
-        - 8.0 * shortfall_epsilon_squared_squared * term_2
-        + 112.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 112.0 * attenuation_epsilon_squared_squared * product_10 * product_18
-        + 112.0 * attenuation_epsilon_squared_squared * product_16 * product_5
-        + 116.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_17 * shortfall_beta_squared
-        + 128.0 * attenuation_beta_squared_cubed * product_2 * shortfall_beta_squared * shortfall_epsilon
-        + 140.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared
-        + 168.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        + 180.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + 224.0 * attenuation_epsilon * product_10 * product_17 * product_18
-        + 224.0 * attenuation_epsilon * product_16 * product_17 * product_5
-        + 224.0 * product_10 * product_18 * product_2 * shortfall_epsilon
-        + 224.0 * product_16 * product_2 * product_5 * shortfall_epsilon
-        + 280.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_17 * shortfall_beta_squared_squared
-        + 280.0 * attenuation_beta_squared_squared * product_2 * shortfall_beta_squared_squared * shortfall_epsilon
-        + 32.0 * attenuation_epsilon_squared_squared * product_13 * shortfall_beta
-        + 336.0 * attenuation_epsilon_squared * product_10 * product_18 * shortfall_epsilon_squared
-        + 336.0 * attenuation_epsilon_squared * product_16 * product_5 * shortfall_epsilon_squared
-        + 40.0 * attenuation_epsilon * product_13 * product_17 * shortfall_beta
-        + 420.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 56.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_cubed
-        + 64.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared * shortfall_beta_squared
-        + 64.0 * product_13 * product_2 * shortfall_beta * shortfall_epsilon
-        + 72.0 * attenuation_epsilon_squared * product_13 * shortfall_beta * shortfall_epsilon_squared
-        + product_20
-        + product_21
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
+    sum_11 = (
+        4.0 * term_2
+        - 16.0 * product_11 * shortfall_beta
+        - 28.0 * attenuation_beta_squared * shortfall_beta_squared_cubed
+        - 32.0 * attenuation_beta_squared_cubed * shortfall_beta_squared
+        - 56.0 * product_5 * product_6
+        - 56.0 * product_8 * product_9
+        - 70.0 * attenuation_beta_squared_squared * shortfall_beta_squared_squared
+        - 8.0 * attenuation_beta * product_10
+        - term_4
     )
-    product_36 = -attenuation_beta_squared_cubed * attenuation_epsilon
-    sum_9 = (
+    sum_12 = (
+        112.0 * attenuation_epsilon * product_5 * product_6 * shortfall_epsilon_squared
+        - 112.0 * product_2 * product_5 * product_6
+        - 112.0 * product_2 * product_8 * product_9
+        - 12.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
+        - 12.0 * attenuation_epsilon_squared * shortfall_epsilon * term_2
+        - 140.0 * attenuation_beta_squared_squared * product_2 * shortfall_beta_squared_squared
+        - 16.0 * attenuation_beta * product_10 * product_2
+        - 2.0 * product_2 * term_4
+        - 20.0 * attenuation_epsilon * shortfall_epsilon_squared * term_2
+        - 24.0 * attenuation_epsilon_squared * product_11 * shortfall_beta * shortfall_epsilon
+        - 32.0 * product_11 * product_2 * shortfall_beta
+        - 56.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared_cubed
+        - 64.0 * attenuation_beta_squared_cubed * product_2 * shortfall_beta_squared
+        - 8.0 * product_7 * term_2
+        + 112.0 * attenuation_epsilon * product_8 * product_9 * shortfall_epsilon_squared
+        + 140.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
+        + 16.0 * attenuation_beta * attenuation_epsilon * product_10 * shortfall_epsilon_squared
+        + 2.0 * attenuation_epsilon * shortfall_epsilon_squared * term_4
+        + 28.0 * attenuation_beta_squared * product_7 * shortfall_beta_squared_cubed
+        + 28.0 * attenuation_beta_squared_cubed * product_7 * shortfall_beta_squared
+        + 52.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
+        + 56.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
+        + 56.0 * product_5 * product_6 * product_7
+        + 56.0 * product_7 * product_8 * product_9
+        + 70.0 * attenuation_beta_squared_squared * product_7 * shortfall_beta_squared_squared
+        + 8.0 * attenuation_beta * product_10 * product_7
+        + 8.0 * attenuation_epsilon * product_11 * shortfall_beta * shortfall_epsilon_squared
+        + 8.0 * product_11 * product_7 * shortfall_beta
+        + 8.0 * product_2 * term_2
+        + product_7 * term_4
+    )
+    sum_13 = 0.25 * shortfall_epsilon * sum_12 * term_1 * term_3 - 0.5 * sum_11 * term_3
+    product_12 = -attenuation_beta_squared_cubed * attenuation_epsilon
+    sum_14 = (
         2.0
         - attenuation_beta_squared_cubed * product_2
         + 2.0 * attenuation_epsilon_squared_squared
         + 2.0 * attenuation_epsilon_squared_squared * term_2
         + 2.0 * term_2
+        + product_12
         + product_3
-        + product_36
         + product_4
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        0.25 * r_squared * sum_7 * term_1 * term_3
-        + 0.25 * rho_squared * sigma_beta_squared * sigma_r_squared * sum_8 * term_1 * term_3
-        + 0.25 * sigma_r_squared * sum_9 * term_1 * term_3
+        0.25 * r_squared * sum_10 * term_1 * term_3
+        + rho_squared * sigma_beta_squared * sigma_r_squared * sum_13
+        + 0.25 * sigma_r_squared * sum_14 * term_1 * term_3
     )
-    product_37 = -attenuation_beta_squared * attenuation_epsilon_squared
-    product_38 = -attenuation_beta_squared_cubed * attenuation_epsilon_squared
-    sum_10 = (
+    sum_15 = (
+        12.0 * attenuation_epsilon * shortfall_epsilon * term_2
+        - 112.0 * attenuation_epsilon * product_5 * product_6 * shortfall_epsilon
+        - 112.0 * attenuation_epsilon * product_8 * product_9 * shortfall_epsilon
+        - 112.0 * attenuation_epsilon_squared * product_5 * product_6
+        - 112.0 * attenuation_epsilon_squared * product_8 * product_9
+        - 140.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon
+        - 140.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared
+        - 16.0 * attenuation_beta * attenuation_epsilon * product_10 * shortfall_epsilon
+        - 16.0 * attenuation_beta * attenuation_epsilon_squared * product_10
+        - 2.0 * attenuation_epsilon * shortfall_epsilon * term_4
+        - 2.0 * attenuation_epsilon_squared * term_4
+        - 24.0 * attenuation_epsilon * product_11 * shortfall_beta * shortfall_epsilon
+        - 24.0 * attenuation_epsilon_squared * product_11 * shortfall_beta
+        - 28.0 * attenuation_beta_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared
+        - 28.0 * attenuation_beta_squared_cubed * shortfall_beta_squared * shortfall_epsilon_squared
+        - 56.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon
+        - 56.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_cubed
+        - 56.0 * product_5 * product_6 * shortfall_epsilon_squared
+        - 56.0 * product_8 * product_9 * shortfall_epsilon_squared
+        - 60.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
+        - 60.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_beta_squared
+        - 70.0 * attenuation_beta_squared_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
+        - 8.0 * attenuation_beta * product_10 * shortfall_epsilon_squared
+        - 8.0 * product_11 * shortfall_beta * shortfall_epsilon_squared
+        - shortfall_epsilon_squared * term_4
+        + 12.0 * attenuation_epsilon_squared * term_2
+        + 8.0 * shortfall_epsilon_squared * term_2
+    )
+    sum_16 = (
         1.0
-        + attenuation_epsilon
-        + attenuation_epsilon * term_2
         + attenuation_epsilon_squared
         + attenuation_epsilon_squared * term_2
-        + product_2
-        + product_2 * term_2
+        + product_12
         + product_3
-        + product_36
-        + product_37
-        + product_38
         + term_2
     )
-    sum_11 = (
-        112.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        - 24.0 * product_2 * term_2
-        - 28.0 * attenuation_epsilon * shortfall_epsilon_squared * term_2
-        - 36.0 * attenuation_epsilon_squared * shortfall_epsilon * term_2
-        - 8.0 * product_17 * term_2
-        + 112.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared_cubed
-        + 116.0 * attenuation_beta_squared_cubed * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-        + 120.0 * attenuation_beta_squared_cubed * product_2 * shortfall_beta_squared
-        + 168.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 180.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-        + 224.0 * attenuation_epsilon * product_10 * product_18 * shortfall_epsilon_squared
-        + 224.0 * attenuation_epsilon * product_16 * product_5 * shortfall_epsilon_squared
-        + 224.0 * product_10 * product_18 * product_2
-        + 224.0 * product_16 * product_2 * product_5
-        + 28.0 * attenuation_beta_squared * product_17 * shortfall_beta_squared_cubed
-        + 28.0 * attenuation_beta_squared_cubed * product_17 * shortfall_beta_squared
-        + 280.0 * attenuation_beta_squared_squared * attenuation_epsilon * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 280.0 * attenuation_beta_squared_squared * product_2 * shortfall_beta_squared_squared
-        + 32.0 * attenuation_beta * attenuation_epsilon * product_19 * shortfall_epsilon_squared
-        + 32.0 * attenuation_beta * product_19 * product_2
-        + 336.0 * attenuation_epsilon_squared * product_10 * product_18 * shortfall_epsilon
-        + 336.0 * attenuation_epsilon_squared * product_16 * product_5 * shortfall_epsilon
-        + 4.0 * attenuation_epsilon * shortfall_epsilon_squared * term_4
-        + 4.0 * product_2 * term_4
-        + 40.0 * attenuation_epsilon * product_13 * shortfall_beta * shortfall_epsilon_squared
-        + 420.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon
-        + 48.0 * attenuation_beta * attenuation_epsilon_squared * product_19 * shortfall_epsilon
-        + 48.0 * product_13 * product_2 * shortfall_beta
-        + 56.0 * product_10 * product_17 * product_18
-        + 56.0 * product_16 * product_17 * product_5
-        + 6.0 * attenuation_epsilon_squared * shortfall_epsilon * term_4
-        + 70.0 * attenuation_beta_squared_squared * product_17 * shortfall_beta_squared_squared
-        + 72.0 * attenuation_epsilon_squared * product_13 * shortfall_beta * shortfall_epsilon
-        + 8.0 * attenuation_beta * product_17 * product_19
-        + 8.0 * product_13 * product_17 * shortfall_beta
-        + product_17 * term_4
-    )
-    sum_12 = (
+    sum_17 = (
         2.0
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon * term_2
         + 2.0 * attenuation_epsilon_squared
         + 2.0 * attenuation_epsilon_squared * term_2
-        + 2.0 * product_2
-        + 2.0 * product_2 * term_2
         + 2.0 * term_2
+        + product_12
         + product_3
-        + product_36
-        + product_37
-        + product_38
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_epsilon * sum_10 * term_1 * term_3
-        + 0.25 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_11 * term_1 * term_3
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_12 * term_1 * term_3
+        0.25 * r_squared * shortfall_epsilon * sum_16 * sum_6 * term_1 * term_3
+        - 0.25 * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_15 * sum_6 * term_1 * term_3
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_17 * sum_6 * term_1 * term_3
     )
-    product_39 = -2.0 * attenuation_beta * attenuation_epsilon * product_17 * shortfall_beta
-    product_40 = -2.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
-    product_41 = -3.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
-    product_42 = -4.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
-    product_43 = -4.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
-    product_44 = -6.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
-    product_45 = -8.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
-    product_46 = -attenuation_epsilon * product_17 * shortfall_beta_squared
-    sum_13 = (
-        3.0 * attenuation_beta_squared * attenuation_epsilon * product_17
+    product_13 = -2.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_beta
+    product_14 = -2.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
+    product_15 = -3.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
+    product_16 = -4.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
+    product_17 = -4.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
+    product_18 = -6.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
+    product_19 = -8.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
+    product_20 = -attenuation_epsilon * product_7 * shortfall_beta_squared
+    sum_18 = (
+        3.0 * attenuation_beta_squared * attenuation_epsilon * product_7
         + 3.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         + attenuation_beta_squared * shortfall_epsilon_squared_squared
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
+        + product_13
+        + product_14
+        + product_15
+        + product_16
+        + product_17
+        + product_18
+        + product_19
+        + product_20
     )
-    sum_14 = (
+    sum_19 = (
         12.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
         - 10.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
         - 20.0 * attenuation_beta_squared * product_2 * shortfall_epsilon
-        - 32.0 * attenuation_beta_squared * attenuation_epsilon * product_17
+        - 32.0 * attenuation_beta_squared * attenuation_epsilon * product_7
         - 42.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         - 9.0 * attenuation_beta_squared * shortfall_epsilon_squared_squared
         + 16.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
         + 16.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
         + 24.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
         + 32.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
-        + 4.0 * attenuation_epsilon * product_17 * shortfall_beta_squared
-        + 8.0 * attenuation_beta * attenuation_epsilon * product_17 * shortfall_beta
+        + 4.0 * attenuation_epsilon * product_7 * shortfall_beta_squared
+        + 8.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_beta
         + 8.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
     )
-    product_47 = 4.0 * attenuation_beta_squared * product_2 * shortfall_epsilon
-    sum_15 = (
+    product_21 = 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
+    product_22 = 4.0 * attenuation_beta_squared * product_2 * shortfall_epsilon
+    sum_20 = (
         2.0 * attenuation_beta_squared * shortfall_epsilon_squared_squared
-        + 7.0 * attenuation_beta_squared * attenuation_epsilon * product_17
+        + 7.0 * attenuation_beta_squared * attenuation_epsilon * product_7
         + 9.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + product_13
         + product_14
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
+        + product_15
+        + product_16
+        + product_17
+        + product_18
+        + product_19
+        + product_20
+        + product_21
+        + product_22
     )
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared_squared * r_squared * sum_13 * term_1
-        + 0.5 * attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_14 * term_1
-        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_15 * term_1
+        0.5 * attenuation_beta_squared_squared * r_squared * sum_18 * term_1
+        + 0.5 * attenuation_beta_squared_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_19 * term_1
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_20 * term_1
     )
-    product_48 = -2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
-    product_49 = -2.0 * product_2 * shortfall_beta_squared
-    product_50 = -3.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
-    product_51 = -4.0 * attenuation_beta * product_2 * shortfall_beta
-    product_52 = -6.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
-    product_53 = -attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
-    sum_16 = (
-        3.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
+    product_23 = -2.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
+    product_24 = -2.0 * product_2 * shortfall_beta_squared
+    product_25 = -3.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
+    product_26 = -4.0 * attenuation_beta * product_2 * shortfall_beta
+    product_27 = -6.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
+    product_28 = -attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
+    sum_21 = (
+        2.0 * attenuation_beta_squared * product_2
+        + 3.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
         + 3.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        + attenuation_beta_squared * product_17
-        + product_15
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
+        + attenuation_beta_squared * product_7
+        + product_23
+        + product_24
+        + product_25
+        + product_26
+        + product_27
+        + product_28
     )
-    sum_17 = (
+    sum_22 = (
         12.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
         - 28.0 * attenuation_beta_squared * product_2
         - 32.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
         - 42.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        - 9.0 * attenuation_beta_squared * product_17
+        - 9.0 * attenuation_beta_squared * product_7
         + 16.0 * attenuation_beta * product_2 * shortfall_beta
         + 24.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
         + 4.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
         + 8.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
         + 8.0 * product_2 * shortfall_beta_squared
     )
-    sum_18 = (
-        2.0 * attenuation_beta_squared * product_17
+    sum_23 = (
+        2.0 * attenuation_beta_squared * product_7
         + 6.0 * attenuation_beta_squared * product_2
         + 7.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
         + 9.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
+        + product_23
+        + product_24
+        + product_25
+        + product_26
+        + product_27
+        + product_28
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_16 * term_1
-        + 0.5 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_17 * term_1
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_18 * term_1
+        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_21 * term_1
+        + 0.5 * attenuation_beta_squared_squared * rho_squared * shortfall_epsilon * sigma_beta_squared * sigma_r_squared * sum_22 * term_1
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_23 * term_1
     )
-    sum_19 = shortfall_epsilon - attenuation_epsilon
-    sum_20 = attenuation_epsilon - shortfall_epsilon
+    sum_24 = shortfall_epsilon - attenuation_epsilon
+    sum_25 = attenuation_epsilon - shortfall_epsilon
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
-        attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_19
+        attenuation_beta * attenuation_epsilon_squared * rho_squared * sigma_beta_squared * sigma_r_squared * sum_24
         - attenuation_beta * attenuation_epsilon_squared * r_squared * shortfall_epsilon
-        + attenuation_beta * attenuation_epsilon_squared * sigma_r_squared * sum_20
+        + attenuation_beta * attenuation_epsilon_squared * sigma_r_squared * sum_25
     )
-    sum_21 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_26 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
     part_22_cos_epsilon2 = (
         0.5 * (1.0 + product_2) * r_squared * shortfall_epsilon * term_1
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_21 * term_1
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_26 * term_1
     )
-    sum_22 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
-    sum_23 = 2.0 - attenuation_epsilon - product_2 + 2.0 * attenuation_epsilon_squared_squared
+    sum_27 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_28 = 2.0 - attenuation_epsilon - product_2 + 2.0 * attenuation_epsilon_squared_squared
     part_22_sin_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon_squared * sum_22 * term_1
-        + 0.5 * sigma_r_squared * sum_23 * term_1
+        0.5 * r_squared * shortfall_epsilon_squared * sum_27 * term_1
+        + 0.5 * sigma_r_squared * sum_28 * term_1
     )
-    sum_24 = (
-        10.0 * attenuation_beta_squared * attenuation_epsilon * product_17
+    sum_29 = (
+        10.0 * attenuation_beta_squared * attenuation_epsilon * product_7
         - 12.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
         - 16.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
-        - 2.0 * attenuation_epsilon * product_17 * shortfall_beta_squared
-        - 4.0 * attenuation_beta * attenuation_epsilon * product_17 * shortfall_beta
+        - 2.0 * attenuation_epsilon * product_7 * shortfall_beta_squared
+        - 4.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_beta
         - 4.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
         - 6.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
         - 8.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
         - 8.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
         + 12.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         + 3.0 * attenuation_beta_squared * shortfall_epsilon_squared_squared
-        + product_14
-        + product_47
+        + product_21
+        + product_22
     )
     cos_epsilon_squared = cos_epsilon**2
-    sum_25 = (
+    sum_30 = (
         10.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
         - 12.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
         - 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
@@ -4073,32 +3141,32 @@ def unbiased_covariance_averaged(
         - 6.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
         - 8.0 * attenuation_beta * product_2 * shortfall_beta
         + 12.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        + 3.0 * attenuation_beta_squared * product_17
+        + 3.0 * attenuation_beta_squared * product_7
         + 8.0 * attenuation_beta_squared * product_2
     )
     sin_epsilon_squared = sin_epsilon**2
     cos_beta_squared = cos_beta**2
     sin_beta_squared = sin_beta**2
-    sum_26 = (
+    sum_31 = (
         12.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
-        - 10.0 * attenuation_beta_squared * attenuation_epsilon * product_17
+        - 10.0 * attenuation_beta_squared * attenuation_epsilon * product_7
         - 12.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         - 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
         - 3.0 * attenuation_beta_squared * shortfall_epsilon_squared_squared
         - 4.0 * attenuation_beta_squared * product_2 * shortfall_epsilon
         + 16.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
-        + 2.0 * attenuation_epsilon * product_17 * shortfall_beta_squared
-        + 4.0 * attenuation_beta * attenuation_epsilon * product_17 * shortfall_beta
+        + 2.0 * attenuation_epsilon * product_7 * shortfall_beta_squared
+        + 4.0 * attenuation_beta * attenuation_epsilon * product_7 * shortfall_beta
         + 4.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
         + 6.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
         + 8.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
         + 8.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
     )
-    sum_27 = (
+    sum_32 = (
         12.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
         - 10.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared
         - 12.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon
-        - 3.0 * attenuation_beta_squared * product_17
+        - 3.0 * attenuation_beta_squared * product_7
         - 8.0 * attenuation_beta_squared * product_2
         + 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared
         + 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
@@ -4106,40 +3174,40 @@ def unbiased_covariance_averaged(
         + 6.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon
         + 8.0 * attenuation_beta * product_2 * shortfall_beta
     )
-    sum_28 = attenuation_epsilon - 2.0 * shortfall_epsilon
-    sum_29 = 2.0 * shortfall_epsilon - attenuation_epsilon
+    sum_33 = attenuation_epsilon - 2.0 * shortfall_epsilon
+    sum_34 = 2.0 * shortfall_epsilon - attenuation_epsilon
     result = _empty(arguments, (3, 3))
     result[..., 0, 0] = (
-        attenuation_beta_squared_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_24 * term_1
-        + attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_25 * term_1
+        attenuation_beta_squared_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_29 * term_1
+        + attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_30 * term_1
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2
         + cos_beta_squared * part_00_cos_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2 * sin_beta_squared
         + part_00_sin_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
     )
     result[..., 0, 1] = (
-        0.5 * attenuation_beta_squared_squared * cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_24 * term_1
-        + 0.5 * attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_25 * term_1
-        + 0.5 * attenuation_beta_squared_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_26 * term_1
-        + 0.5 * attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_27 * term_1
+        0.5 * attenuation_beta_squared_squared * cos_beta_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sum_29 * term_1
+        + 0.5 * attenuation_beta_squared_squared * cos_beta_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_epsilon_squared * sum_30 * term_1
+        + 0.5 * attenuation_beta_squared_squared * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta_squared * sum_31 * term_1
+        + 0.5 * attenuation_beta_squared_squared * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta_squared * sin_epsilon_squared * sum_32 * term_1
         + cos_beta * cos_epsilon_squared * part_01_cos_beta_cos_epsilon2_sin_beta * sin_beta
         + cos_beta * part_01_cos_beta_sin_beta_sin_epsilon2 * sin_beta * sin_epsilon_squared
     )
     result[..., 0, 2] = (
-        attenuation_beta * attenuation_epsilon_squared * cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_28
+        attenuation_beta * attenuation_epsilon_squared * cos_beta * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_epsilon * sum_33
         + cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_beta * sin_epsilon
     )
     result[..., 1, 0] = result[..., 0, 1]
     result[..., 1, 1] = (
-        attenuation_beta_squared_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_26 * term_1
-        + attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_27 * term_1
+        attenuation_beta_squared_squared * cos_beta * cos_epsilon_squared * r * rho * sigma_beta * sigma_r * sin_beta * sum_31 * term_1
+        + attenuation_beta_squared_squared * cos_beta * r * rho * shortfall_epsilon * sigma_beta * sigma_r * sin_beta * sin_epsilon_squared * sum_32 * term_1
         + cos_beta_squared * cos_epsilon_squared * part_00_cos_epsilon2_sin_beta2
         + cos_beta_squared * part_00_sin_beta2_sin_epsilon2 * sin_epsilon_squared
         + cos_epsilon_squared * part_00_cos_beta2_cos_epsilon2 * sin_beta_squared
         + part_00_cos_beta2_sin_epsilon2 * sin_beta_squared * sin_epsilon_squared
     )
     result[..., 1, 2] = (
-        attenuation_beta * attenuation_epsilon_squared * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_29
+        attenuation_beta * attenuation_epsilon_squared * cos_epsilon * r * rho * sigma_beta * sigma_r * sin_beta * sin_epsilon * sum_34
         + cos_beta * cos_epsilon * part_02_cos_epsilon_sin_beta_sin_epsilon * sin_epsilon
     )
     result[..., 2, 0] = result[..., 0, 2]

@@ -1,6 +1,6 @@
 """NumPy functions of the quantities spherical_doppler.*.
 
-Written by radartrack regenerate, generator 1, derivation 415b27661c08e587; not to be edited.
+Written by radartrack regenerate, generator 1, derivation 59949510cc001a53; not to be edited.
 """
 
 import numpy as np
@@ -1009,8 +1009,8 @@ def covariance_truth(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 171 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -1022,120 +1022,87 @@ def covariance_truth(
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
     attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
     attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    product_1 = attenuation_beta * attenuation_beta_squared
-    sum_1 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_1
-        + product_1
-    )
+    sum_3 = 1.0 + attenuation_epsilon_squared_squared
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_1
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_1
+        0.25 * r_squared * shortfall_beta * sum_1 * sum_2 * sum_3
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_1 * sum_2 * sum_3
     )
-    product_2 = attenuation_epsilon * attenuation_epsilon_squared
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta * product_2
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon * product_1
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_1
-        + product_1
-        + product_1 * product_2
-        + product_2
-    )
+    sum_4 = 1.0 + attenuation_epsilon
+    sum_5 = 1.0 + attenuation_epsilon_squared
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2
+        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_4 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_1 * sum_2 * sum_4 * sum_5
     )
     shortfall_beta_squared = shortfall_beta**2
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_3 = shortfall_epsilon * shortfall_epsilon_squared
-    product_4 = shortfall_beta * shortfall_beta_squared
+    product_1 = shortfall_epsilon * shortfall_epsilon_squared
+    product_2 = shortfall_beta * shortfall_beta_squared
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_3 = (
-        2.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_4
+    product_3 = attenuation_epsilon * attenuation_epsilon_squared
+    product_4 = attenuation_beta * attenuation_beta_squared
+    sum_6 = (
+        2.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_2
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_3
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_1
         + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
         + 1.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 4.0 * attenuation_beta * attenuation_epsilon * product_3 * product_4
-        + 4.0 * attenuation_beta * product_2 * product_4 * shortfall_epsilon
-        + 4.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared * shortfall_epsilon
-        + 4.0 * attenuation_epsilon * product_1 * product_3 * shortfall_beta
-        + 4.0 * attenuation_epsilon_squared * product_1 * shortfall_beta * shortfall_epsilon_squared
-        + 6.0 * attenuation_beta * attenuation_epsilon_squared * product_4 * shortfall_epsilon_squared
-        + 6.0 * attenuation_beta_squared * attenuation_epsilon * product_3 * shortfall_beta_squared
+        + 4.0 * attenuation_beta * attenuation_epsilon * product_1 * product_2
+        + 4.0 * attenuation_beta * product_2 * product_3 * shortfall_epsilon
+        + 4.0 * attenuation_beta_squared * product_3 * shortfall_beta_squared * shortfall_epsilon
+        + 4.0 * attenuation_epsilon * product_1 * product_4 * shortfall_beta
+        + 4.0 * attenuation_epsilon_squared * product_4 * shortfall_beta * shortfall_epsilon_squared
+        + 6.0 * attenuation_beta * attenuation_epsilon_squared * product_2 * shortfall_epsilon_squared
+        + 6.0 * attenuation_beta_squared * attenuation_epsilon * product_1 * shortfall_beta_squared
         + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + attenuation_beta * product_4 * shortfall_epsilon_squared_squared
+        + attenuation_beta * product_2 * shortfall_epsilon_squared_squared
         + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared_squared
-        + attenuation_epsilon * product_3 * shortfall_beta_squared_squared
+        + attenuation_epsilon * product_1 * shortfall_beta_squared_squared
         + 0.5 * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared
-        + product_1 * shortfall_beta * shortfall_epsilon_squared_squared
-        + product_2 * shortfall_beta_squared_squared * shortfall_epsilon
+        + product_3 * shortfall_beta_squared_squared * shortfall_epsilon
+        + product_4 * shortfall_beta * shortfall_epsilon_squared_squared
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
     )
-    sum_4 = (
+    sum_7 = (
         0.25
         + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
         + 0.25 * attenuation_beta_squared_squared
         + 0.25 * attenuation_epsilon_squared_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_3 + sigma_r_squared * sum_4
-    sum_5 = (
-        1.0
-        + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
-        + attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon_squared
-        + product_2
-    )
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_6 + sigma_r_squared * sum_7
+    sum_8 = 1.0 + attenuation_beta_squared_squared
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_epsilon * sum_5
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_5
+        0.25 * r_squared * shortfall_epsilon * sum_4 * sum_5 * sum_8
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_4 * sum_5 * sum_8
     )
-    sum_6 = (
-        4.0 * attenuation_beta_squared * attenuation_epsilon * product_3
+    sum_9 = (
+        4.0 * attenuation_beta_squared * attenuation_epsilon * product_1
         - 2.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
         - 2.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
         - 4.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
         - 4.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
-        - 4.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
-        - 8.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
+        - 4.0 * product_3 * shortfall_beta_squared * shortfall_epsilon
+        - 8.0 * attenuation_beta * product_3 * shortfall_beta * shortfall_epsilon
         + 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         + attenuation_beta_squared * shortfall_epsilon_squared_squared
     )
-    sum_7 = 1.0 + attenuation_epsilon_squared_squared
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * r_squared * sum_6
-        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_7
+        0.5 * attenuation_beta_squared * r_squared * sum_9
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_3
     )
-    sum_8 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared + product_2
+    sum_10 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared + product_3
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_8
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_8
+        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_10
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_10
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         (-1.0 - attenuation_epsilon) * attenuation_beta * attenuation_epsilon_squared * r_squared * shortfall_epsilon
@@ -1146,12 +1113,12 @@ def covariance_truth(
         + attenuation_beta * attenuation_epsilon * rdot * sigma_r_squared
     )
     part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_8
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_8
+        0.5 * r_squared * shortfall_epsilon * sum_10
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_10
     )
-    sum_9 = 1.0 + 2.0 * attenuation_epsilon + attenuation_epsilon_squared
-    sum_10 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_9 + sigma_r_squared * sum_10
+    sum_11 = 1.0 + 2.0 * attenuation_epsilon + attenuation_epsilon_squared
+    sum_12 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_11 + sigma_r_squared * sum_12
     part_23_sin_epsilon = (
         attenuation_epsilon * r * rho * sigma_r * sigma_rdot
         + attenuation_epsilon * rdot * sigma_r_squared
@@ -1236,8 +1203,8 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 675 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -1249,118 +1216,86 @@ def covariance_averaged(
     shortfall_beta = -np.expm1(-sigma_beta**2)
     attenuation_epsilon = np.exp(-sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
-    attenuation_beta_squared = attenuation_beta**2
-    product_1 = -attenuation_beta_squared * attenuation_epsilon
+    sum_1 = 1.0 + attenuation_beta
+    product_1 = -attenuation_beta * attenuation_epsilon
     attenuation_epsilon_squared = attenuation_epsilon**2
     product_2 = attenuation_epsilon * attenuation_epsilon_squared
-    product_3 = -attenuation_beta_squared * product_2
-    product_4 = -attenuation_beta * attenuation_epsilon
-    product_5 = -attenuation_beta * product_2
+    product_3 = -attenuation_beta * product_2
+    attenuation_beta_squared = attenuation_beta**2
     attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    product_6 = attenuation_beta * attenuation_beta_squared
     r_squared = r**2
-    sum_1 = (
+    sum_2 = (
         1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared_squared
         + attenuation_beta_squared
         + attenuation_beta_squared * attenuation_epsilon_squared_squared
         + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_6
         + product_1
         + product_3
-        + product_4
-        + product_5
-        + product_6
     )
-    product_7 = 2.0 * attenuation_beta * attenuation_epsilon_squared_squared
     sigma_r_squared = sigma_r**2
-    sum_2 = (
+    sum_3 = (
         2.0
-        + 2.0 * attenuation_beta
         + 2.0 * attenuation_beta_squared
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
         + 2.0 * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_epsilon_squared_squared * product_6
-        + 2.0 * product_6
         + product_1
         + product_3
-        + product_4
-        + product_5
-        + product_7
     )
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_1
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_2
+        0.25 * r_squared * shortfall_beta * sum_1 * sum_2
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_1 * sum_3
     )
-    sum_3 = (
+    sum_4 = 1.0 + attenuation_epsilon
+    sum_5 = (
         1.0
-        + attenuation_beta
-        + attenuation_beta * product_2
         + attenuation_beta_squared
-        + attenuation_beta_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon * product_6
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_6
-        + product_2
-        + product_2 * product_6
-        + product_6
-    )
-    product_8 = 2.0 * attenuation_beta * product_2
-    sum_4 = (
-        2.0
-        + 2.0 * attenuation_beta
-        + 2.0 * attenuation_beta_squared
-        + 2.0 * attenuation_beta_squared * product_2
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon * product_6
-        + 2.0 * attenuation_epsilon_squared
-        + 2.0 * attenuation_epsilon_squared * product_6
-        + 2.0 * product_2
-        + 2.0 * product_2 * product_6
-        + 2.0 * product_6
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta_squared * attenuation_epsilon
         + attenuation_beta_squared * attenuation_epsilon_squared
-        + product_8
+        + attenuation_epsilon_squared
+        + product_1
+    )
+    sum_6 = (
+        2.0
+        + 2.0 * attenuation_beta_squared
+        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared
+        + 2.0 * attenuation_epsilon_squared
+        + product_1
     )
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_3
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4
+        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_4 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_1 * sum_4 * sum_6
     )
     shortfall_beta_squared = shortfall_beta**2
-    product_9 = shortfall_beta * shortfall_beta_squared
+    product_4 = shortfall_beta * shortfall_beta_squared
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_10 = shortfall_epsilon * shortfall_epsilon_squared
+    product_5 = shortfall_epsilon * shortfall_epsilon_squared
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
+    product_6 = attenuation_beta * attenuation_beta_squared
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_5 = (
-        3.75 * attenuation_beta * attenuation_epsilon * product_10 * product_9
-        + 5.25 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_epsilon_squared
-        + 5.25 * attenuation_beta_squared * attenuation_epsilon * product_10 * shortfall_beta_squared
+    sum_7 = (
+        3.75 * attenuation_beta * attenuation_epsilon * product_4 * product_5
+        + 5.25 * attenuation_beta * attenuation_epsilon_squared * product_4 * shortfall_epsilon_squared
+        + 5.25 * attenuation_beta_squared * attenuation_epsilon * product_5 * shortfall_beta_squared
         + 6.75 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + 1.5 * attenuation_beta * attenuation_epsilon_squared_squared * product_9
-        + 3.0 * attenuation_beta * product_2 * product_9 * shortfall_epsilon
+        + 1.5 * attenuation_beta * attenuation_epsilon_squared_squared * product_4
+        + 3.0 * attenuation_beta * product_2 * product_4 * shortfall_epsilon
         + 1.5 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared
         + 3.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared * shortfall_epsilon
         + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
-        + 1.5 * attenuation_beta_squared_squared * attenuation_epsilon * product_10
+        + 1.5 * attenuation_beta_squared_squared * attenuation_epsilon * product_5
         + 1.5 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
-        + 3.0 * attenuation_epsilon * product_10 * product_6 * shortfall_beta
+        + 3.0 * attenuation_epsilon * product_5 * product_6 * shortfall_beta
         + 3.0 * attenuation_epsilon_squared * product_6 * shortfall_beta * shortfall_epsilon_squared
         + 1.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + attenuation_beta * product_9 * shortfall_epsilon_squared_squared
+        + attenuation_beta * product_4 * shortfall_epsilon_squared_squared
         + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared_squared
-        + attenuation_epsilon * product_10 * shortfall_beta_squared_squared
+        + attenuation_epsilon * product_5 * shortfall_beta_squared_squared
         + 0.5 * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared
         + product_2 * shortfall_beta_squared_squared * shortfall_epsilon
         + product_6 * shortfall_beta * shortfall_epsilon_squared_squared
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
     )
-    sum_6 = (
+    sum_8 = (
         0.5
         - 0.25 * attenuation_beta * attenuation_epsilon
         - 0.25 * attenuation_beta * product_2
@@ -1370,112 +1305,98 @@ def covariance_averaged(
         + 0.5 * attenuation_beta_squared_squared
         + 0.5 * attenuation_epsilon_squared_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_5 + sigma_r_squared * sum_6
-    product_11 = -attenuation_epsilon * product_6
-    product_12 = -attenuation_epsilon_squared * product_6
-    product_13 = -attenuation_beta * attenuation_epsilon_squared
-    sum_7 = (
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_7 + sigma_r_squared * sum_8
+    product_7 = -attenuation_epsilon * product_6
+    sum_9 = (
         1.0
         + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
         + attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared_squared * product_2
-        + attenuation_epsilon
         + attenuation_epsilon_squared
-        + product_11
-        + product_12
-        + product_13
-        + product_2
-        + product_4
-    )
-    sum_8 = (
-        2.0
-        + 2.0 * attenuation_beta_squared_squared
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta_squared_squared * product_2
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon_squared
-        + 2.0 * product_2
-        + product_11
-        + product_12
-        + product_13
-        + product_4
-    )
-    part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_epsilon * sum_7
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_8
-    )
-    product_14 = -2.0 * attenuation_epsilon_squared_squared * shortfall_beta
-    product_15 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
-    product_16 = -4.0 * product_2 * shortfall_beta * shortfall_epsilon
-    product_17 = -attenuation_epsilon * product_10 * shortfall_beta
-    sum_9 = (
-        3.0 * attenuation_beta * attenuation_epsilon * product_10
-        + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
-        + attenuation_beta * shortfall_epsilon_squared_squared
-        + product_14
-        + product_15
-        + product_16
-        + product_17
-    )
-    sum_10 = (
-        2.0 * attenuation_beta * shortfall_epsilon_squared_squared
-        + 4.0 * attenuation_beta * product_2 * shortfall_epsilon
-        + 7.0 * attenuation_beta * attenuation_epsilon * product_10
-        + 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
-        + product_14
-        + product_15
-        + product_16
-        + product_17
+        + product_1
         + product_7
     )
-    part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * product_6 * r_squared * sum_9
-        + 0.5 * product_6 * sigma_r_squared * sum_10
+    sum_10 = (
+        2.0
+        + 2.0 * attenuation_beta_squared_squared
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 2.0 * attenuation_epsilon_squared
+        + product_1
+        + product_7
     )
-    product_18 = -2.0 * product_2 * shortfall_beta
-    product_19 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
-    product_20 = -attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
+    part_00_sin_beta2_sin_epsilon2 = (
+        0.25 * r_squared * shortfall_epsilon * sum_4 * sum_9
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_10 * sum_4
+    )
+    product_8 = -2.0 * attenuation_epsilon_squared_squared * shortfall_beta
+    product_9 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
+    product_10 = -4.0 * product_2 * shortfall_beta * shortfall_epsilon
+    product_11 = -attenuation_epsilon * product_5 * shortfall_beta
     sum_11 = (
-        3.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
-        + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon
-        + attenuation_beta * product_10
-        + product_18
-        + product_19
-        + product_20
+        3.0 * attenuation_beta * attenuation_epsilon * product_5
+        + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + attenuation_beta * shortfall_epsilon_squared_squared
+        + product_10
+        + product_11
         + product_8
+        + product_9
     )
     sum_12 = (
-        2.0 * attenuation_beta * product_10
+        2.0 * attenuation_beta * attenuation_epsilon_squared_squared
+        + 2.0 * attenuation_beta * shortfall_epsilon_squared_squared
+        + 4.0 * attenuation_beta * product_2 * shortfall_epsilon
+        + 7.0 * attenuation_beta * attenuation_epsilon * product_5
+        + 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + product_10
+        + product_11
+        + product_8
+        + product_9
+    )
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * product_6 * r_squared * sum_11
+        + 0.5 * product_6 * sigma_r_squared * sum_12
+    )
+    product_12 = -2.0 * product_2 * shortfall_beta
+    product_13 = -3.0 * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon
+    product_14 = -attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared
+    sum_13 = (
+        2.0 * attenuation_beta * product_2
+        + 3.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
+        + 3.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon
+        + attenuation_beta * product_5
+        + product_12
+        + product_13
+        + product_14
+    )
+    sum_14 = (
+        2.0 * attenuation_beta * product_5
         + 6.0 * attenuation_beta * product_2
         + 7.0 * attenuation_beta * attenuation_epsilon * shortfall_epsilon_squared
         + 9.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_epsilon
-        + product_18
-        + product_19
-        + product_20
+        + product_12
+        + product_13
+        + product_14
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * product_6 * r_squared * shortfall_epsilon * sum_11
-        + 0.5 * product_6 * shortfall_epsilon * sigma_r_squared * sum_12
+        0.5 * product_6 * r_squared * shortfall_epsilon * sum_13
+        + 0.5 * product_6 * shortfall_epsilon * sigma_r_squared * sum_14
     )
-    sum_13 = attenuation_epsilon - shortfall_epsilon
+    sum_15 = attenuation_epsilon - shortfall_epsilon
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
-        attenuation_beta * product_2 * sigma_r_squared * sum_13
+        attenuation_beta * product_2 * sigma_r_squared * sum_15
         - attenuation_beta * product_2 * r_squared * shortfall_epsilon
     )
     part_03_cos_epsilon_sin_beta = (
         attenuation_beta * attenuation_epsilon * r * rho * sigma_r * sigma_rdot
         + attenuation_beta * attenuation_epsilon * rdot * sigma_r_squared
     )
-    sum_14 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_16 = 2.0 + 2.0 * product_2 + attenuation_epsilon + attenuation_epsilon_squared
     part_22_cos_epsilon2 = (
         0.5 * (1.0 + product_2) * r_squared * shortfall_epsilon
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_14
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_16
     )
-    sum_15 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
-    sum_16 = 1.0 - 0.5 * attenuation_epsilon - 0.5 * product_2 + attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_15 + sigma_r_squared * sum_16
+    sum_17 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared
+    sum_18 = 1.0 - 0.5 * attenuation_epsilon - 0.5 * product_2 + attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_17 + sigma_r_squared * sum_18
     part_23_sin_epsilon = (
         attenuation_epsilon * r * rho * sigma_r * sigma_rdot
         + attenuation_epsilon * rdot * sigma_r_squared
@@ -1614,8 +1535,8 @@ def unbiased_covariance(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 324 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -1627,260 +1548,128 @@ def unbiased_covariance(
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
     attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
     attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    product_1 = attenuation_beta * attenuation_beta_squared
-    sum_1 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_1
-        + product_1
-    )
+    sum_3 = 1.0 + attenuation_epsilon_squared_squared
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_1
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_1
+        0.25 * r_squared * shortfall_beta * sum_1 * sum_2 * sum_3
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_1 * sum_2 * sum_3
     )
-    product_2 = attenuation_beta_squared * attenuation_epsilon_squared
-    product_3 = attenuation_epsilon * attenuation_epsilon_squared
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta * product_3
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_beta_squared * product_3
-        + attenuation_epsilon
-        + attenuation_epsilon * product_1
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_1
-        + product_1
-        + product_1 * product_3
-        + product_2
-        + product_3
-    )
+    sum_4 = 1.0 + attenuation_epsilon
+    sum_5 = 1.0 + attenuation_epsilon_squared
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2
+        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_4 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_1 * sum_2 * sum_4 * sum_5
     )
-    shortfall_beta_squared = shortfall_beta**2
-    product_4 = shortfall_beta * shortfall_beta_squared
-    shortfall_epsilon_squared = shortfall_epsilon**2
-    attenuation_beta_squared_squared = attenuation_beta_squared**2
-    product_5 = shortfall_epsilon * shortfall_epsilon_squared
-    shortfall_beta_squared_squared = shortfall_beta_squared**2
-    shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
-    product_6 = attenuation_beta * attenuation_beta_squared**2
-    product_7 = shortfall_epsilon * shortfall_epsilon_squared**2
-    product_8 = attenuation_epsilon * attenuation_epsilon_squared**2
-    product_9 = shortfall_beta * shortfall_beta_squared**2
-    attenuation_epsilon_squared_cubed = attenuation_epsilon_squared * attenuation_epsilon_squared**2
-    shortfall_epsilon_squared_cubed = shortfall_epsilon_squared * shortfall_epsilon_squared**2
-    attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
-    shortfall_beta_squared_cubed = shortfall_beta_squared * shortfall_beta_squared**2
     term_1 = 1.0 / attenuation_beta**2
+    shortfall_beta_squared = shortfall_beta**2
+    product_1 = attenuation_beta_squared * attenuation_epsilon_squared
+    product_2 = attenuation_beta_squared * attenuation_epsilon_squared_squared
+    attenuation_beta_squared_squared = attenuation_beta_squared**2
+    product_3 = attenuation_beta_squared_squared * attenuation_epsilon_squared
+    product_4 = attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
     term_2 = 1.0 / attenuation_epsilon**2
-    sum_3 = (
-        1032.0 * attenuation_beta_squared_squared * product_3 * product_5 * shortfall_beta_squared
-        + 1032.0 * attenuation_epsilon_squared_squared * product_1 * product_4 * shortfall_epsilon_squared
-        + 1172.0 * attenuation_beta_squared * product_3 * product_5 * shortfall_beta_squared_squared
-        + 1172.0 * attenuation_epsilon_squared * product_1 * product_4 * shortfall_epsilon_squared_squared
-        + 144.0 * attenuation_beta * attenuation_epsilon * product_7 * product_9
-        + 144.0 * attenuation_beta * product_8 * product_9 * shortfall_epsilon
-        + 144.0 * attenuation_epsilon * product_6 * product_7 * shortfall_beta
-        + 1488.0 * product_1 * product_3 * product_4 * product_5
-        + 192.0 * attenuation_beta_squared_squared * product_8 * shortfall_beta_squared * shortfall_epsilon
-        + 192.0 * attenuation_epsilon_squared_squared * product_6 * shortfall_beta * shortfall_epsilon_squared
-        + 24.0 * attenuation_beta * attenuation_epsilon_squared_cubed * product_9
-        + 24.0 * attenuation_beta * product_9 * shortfall_epsilon_squared_cubed
-        + 24.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_7
-        + 24.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared * shortfall_epsilon_squared
-        + 24.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_cubed * shortfall_beta_squared
-        + 24.0 * attenuation_epsilon * product_7 * shortfall_beta_squared_cubed
-        + 24.0 * product_6 * shortfall_beta * shortfall_epsilon_squared_cubed
-        + 24.0 * product_8 * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 32.0 * product_6 * product_8 * shortfall_beta * shortfall_epsilon
-        + 332.0 * attenuation_beta_squared * product_8 * shortfall_beta_squared_squared * shortfall_epsilon
-        + 332.0 * attenuation_epsilon_squared * product_6 * shortfall_beta * shortfall_epsilon_squared_squared
-        + 360.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_epsilon_squared_squared
-        + 360.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_9 * shortfall_epsilon_squared
-        + 360.0 * attenuation_beta_squared * attenuation_epsilon * product_7 * shortfall_beta_squared_squared
-        + 360.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_7 * shortfall_beta_squared
-        + 368.0 * product_1 * product_4 * product_8 * shortfall_epsilon
-        + 368.0 * product_3 * product_5 * product_6 * shortfall_beta
-        + 4.0 * attenuation_beta_squared_cubed * shortfall_epsilon_squared_cubed
-        + 4.0 * attenuation_epsilon_squared_cubed * shortfall_beta_squared_cubed
-        + 4.0 * shortfall_beta_squared_cubed * shortfall_epsilon_squared_cubed
-        + 480.0 * attenuation_beta * product_3 * product_5 * product_9
-        + 480.0 * attenuation_epsilon * product_1 * product_4 * product_7
-        + 54.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_beta_squared_squared
-        + 54.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_epsilon_squared_squared
-        + 56.0 * attenuation_beta_squared_cubed * product_3 * product_5
-        + 56.0 * attenuation_epsilon_squared_cubed * product_1 * product_4
-        + 60.0 * attenuation_beta_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_cubed
-        + 60.0 * attenuation_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared_cubed
-        + 60.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared_squared
-        + 60.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        + 648.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + 80.0 * product_1 * product_4 * shortfall_epsilon_squared_cubed
-        + 80.0 * product_3 * product_5 * shortfall_beta_squared_cubed
-        + 858.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 858.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
-        + 893.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
+    sum_6 = 4.0 + product_1 + product_2 + product_3 + product_4
+    shortfall_epsilon_squared = shortfall_epsilon**2
+    sum_7 = 2.0 + attenuation_epsilon_squared
+    product_5 = 0.5 * shortfall_epsilon_squared * sum_4**2 * sum_7 * term_2
+    sum_8 = (
+        product_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sum_1 * sum_4 * sum_6 * term_1 * term_2
+        + 0.5 * (2.0 + attenuation_beta_squared) * shortfall_beta_squared * sum_1**2 * term_1
     )
-    sum_4 = (
+    sum_9 = (
         0.25
         + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
         + 0.25 * attenuation_beta_squared_squared
         + 0.25 * attenuation_epsilon_squared_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = 0.25 * r_squared * sum_3 * term_1 * term_2 + sigma_r_squared * sum_4
-    sum_5 = (
-        1.0
-        + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
-        + attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared_squared * product_3
-        + attenuation_epsilon
-        + attenuation_epsilon_squared
-        + product_3
-    )
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_8 + sigma_r_squared * sum_9
+    sum_10 = 1.0 + attenuation_beta_squared_squared
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_epsilon * sum_5
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_5
+        0.25 * r_squared * shortfall_epsilon * sum_10 * sum_4 * sum_5
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_10 * sum_4 * sum_5
     )
-    sum_6 = 1.0 + attenuation_epsilon_squared_squared
-    sum_7 = (
-        12.0 * attenuation_beta * attenuation_epsilon_squared_cubed * product_9
-        - 4.0 * attenuation_epsilon_squared_cubed * product_6 * shortfall_beta
-        + 12.0 * attenuation_beta * product_9 * shortfall_epsilon_squared_cubed
-        + 12.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_7
-        + 12.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared * shortfall_epsilon_squared
-        + 12.0 * attenuation_epsilon * product_7 * shortfall_beta_squared_cubed
-        + 12.0 * product_6 * shortfall_beta * shortfall_epsilon_squared_cubed
-        + 12.0 * product_8 * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 164.0 * attenuation_beta_squared * product_8 * shortfall_beta_squared_squared * shortfall_epsilon
-        + 164.0 * attenuation_epsilon_squared * product_6 * shortfall_beta * shortfall_epsilon_squared_squared
-        + 176.0 * product_1 * product_4 * product_8 * shortfall_epsilon
-        + 176.0 * product_3 * product_5 * product_6 * shortfall_beta
-        + 180.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_epsilon_squared_squared
-        + 180.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_9 * shortfall_epsilon_squared
-        + 180.0 * attenuation_beta_squared * attenuation_epsilon * product_7 * shortfall_beta_squared_squared
-        + 180.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_7 * shortfall_beta_squared
-        + 2.0 * attenuation_beta_squared_cubed * shortfall_epsilon_squared_cubed
-        + 2.0 * attenuation_epsilon_squared_cubed * shortfall_beta_squared_cubed
-        + 2.0 * shortfall_beta_squared_cubed * shortfall_epsilon_squared_cubed
-        + 24.0 * attenuation_epsilon_squared_cubed * product_1 * product_4
-        + 240.0 * attenuation_beta * product_3 * product_5 * product_9
-        + 240.0 * attenuation_epsilon * product_1 * product_4 * product_7
-        + 26.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_beta_squared_squared
-        + 27.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_epsilon_squared_squared
-        + 28.0 * attenuation_beta_squared_cubed * product_3 * product_5
-        + 30.0 * attenuation_beta_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_cubed
-        + 30.0 * attenuation_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared_cubed
-        + 30.0 * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared_squared
-        + 30.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared
-        + 306.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + 40.0 * product_1 * product_4 * shortfall_epsilon_squared_cubed
-        + 40.0 * product_3 * product_5 * shortfall_beta_squared_cubed
-        + 426.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 426.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
-        + 446.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
-        + 504.0 * attenuation_beta_squared_squared * product_3 * product_5 * shortfall_beta_squared
-        + 504.0 * attenuation_epsilon_squared_squared * product_1 * product_4 * shortfall_epsilon_squared
-        + 584.0 * attenuation_beta_squared * product_3 * product_5 * shortfall_beta_squared_squared
-        + 584.0 * attenuation_epsilon_squared * product_1 * product_4 * shortfall_epsilon_squared_squared
-        + 6.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_cubed * shortfall_beta_squared
-        + 72.0 * attenuation_beta * attenuation_epsilon * product_7 * product_9
-        + 72.0 * attenuation_beta * product_8 * product_9 * shortfall_epsilon
-        + 72.0 * attenuation_epsilon * product_6 * product_7 * shortfall_beta
-        + 736.0 * product_1 * product_3 * product_4 * product_5
-        + 8.0 * product_6 * product_8 * shortfall_beta * shortfall_epsilon
-        + 84.0 * attenuation_beta_squared_squared * product_8 * shortfall_beta_squared * shortfall_epsilon
-        + 84.0 * attenuation_epsilon_squared_squared * product_6 * shortfall_beta * shortfall_epsilon_squared
+    sum_11 = (
+        attenuation_beta_squared_squared
+        - 2.0 * attenuation_beta * attenuation_beta_squared * shortfall_beta
+        - 4.0 * attenuation_beta * shortfall_beta * shortfall_beta_squared
+        - 5.0 * attenuation_beta_squared * shortfall_beta_squared
+        - shortfall_beta_squared**2
+    )
+    sum_12 = 2.0 + product_1 + product_2 + product_3 + product_4
+    sum_13 = (
+        product_5
+        - shortfall_beta * sum_1 * sum_11 * term_1
+        + 0.5 * shortfall_beta * shortfall_epsilon * sum_1 * sum_12 * sum_4 * term_1 * term_2
     )
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_6
-        + 0.5 * r_squared * sum_7 * term_1 * term_2
+        0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_3
+        + r_squared * sum_13
     )
-    sum_8 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared + product_3
+    product_6 = attenuation_epsilon * attenuation_epsilon_squared
+    sum_14 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared + product_6
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_8
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_8
+        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_14
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_14
+    )
+    sum_15 = (
+        attenuation_epsilon_squared_squared
+        - 2.0 * product_6 * shortfall_epsilon
+        - 4.0 * attenuation_epsilon * shortfall_epsilon * shortfall_epsilon_squared
+        - 5.0 * attenuation_epsilon_squared * shortfall_epsilon_squared
+        - shortfall_epsilon_squared**2
     )
     term_3 = 1.0 / attenuation_beta
-    sum_9 = (
-        12.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon_squared_squared
-        - 2.0 * attenuation_beta_squared * product_8
-        + 12.0 * attenuation_beta_squared * product_3 * shortfall_epsilon_squared
-        + 13.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_5
-        + 14.0 * attenuation_epsilon_squared * product_5 * shortfall_beta_squared
-        + 16.0 * product_3 * shortfall_beta_squared * shortfall_epsilon_squared
-        + 18.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta * shortfall_epsilon
-        + 2.0 * attenuation_beta * product_7 * shortfall_beta
-        + 2.0 * product_8 * shortfall_beta_squared
-        + 28.0 * attenuation_beta * attenuation_epsilon_squared * product_5 * shortfall_beta
-        + 3.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_epsilon
-        + 32.0 * attenuation_beta * product_3 * shortfall_beta * shortfall_epsilon_squared
-        + 4.0 * attenuation_beta * product_8 * shortfall_beta
-        + 6.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared_squared
-        + 6.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon_squared_squared
-        + 9.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon
-        + attenuation_beta_squared * product_7
-        + product_7 * shortfall_beta_squared
+    sum_16 = (
+        1.0
+        + attenuation_beta * attenuation_epsilon_squared
+        + attenuation_beta * attenuation_epsilon_squared_squared
+    )
+    sum_17 = (
+        shortfall_beta * shortfall_epsilon * sum_16 * sum_4 * term_2 * term_3
+        - shortfall_epsilon * sum_15 * sum_4 * term_2
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_beta * attenuation_epsilon_squared_squared * sigma_r_squared
-        + r_squared * shortfall_epsilon * sum_9 * term_2 * term_3
+        + r_squared * sum_17
     )
     term_4 = 1.0 / attenuation_epsilon
-    sum_10 = (
-        product_2
-        - 2.0 * attenuation_beta_squared * shortfall_epsilon_squared
-        - 2.0 * attenuation_epsilon_squared * shortfall_beta_squared
-        - 2.0 * shortfall_beta_squared * shortfall_epsilon_squared
-        - 4.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta
-        - 4.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared
-        - 4.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon
-        - 4.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-        - 8.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon
-    )
-    part_03_cos_epsilon_sin_beta = (
-        attenuation_beta * attenuation_epsilon * rdot * sigma_r_squared
-        + r * rho * sigma_r * sigma_rdot * sum_10 * term_3 * term_4
-    )
-    part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_8
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_8
-    )
-    sum_11 = (
-        2.0
-        + 2.0 * product_3
-        + 3.0 * attenuation_epsilon_squared
-        + 4.0 * attenuation_epsilon
-        + attenuation_epsilon_squared_squared
-    )
-    sum_12 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon_squared * sum_11 * term_2
-        + sigma_r_squared * sum_12
-    )
-    sum_13 = (
+    sum_18 = (
         attenuation_epsilon_squared
         - 2.0 * shortfall_epsilon_squared
         - 4.0 * attenuation_epsilon * shortfall_epsilon
     )
+    sum_19 = 2.0 + 3.0 * attenuation_beta * attenuation_epsilon_squared
+    sum_20 = sum_18 * term_4 - shortfall_beta * sum_19 * term_3 * term_4
+    part_03_cos_epsilon_sin_beta = (
+        attenuation_beta * attenuation_epsilon * rdot * sigma_r_squared
+        + r * rho * sigma_r * sigma_rdot * sum_20
+    )
+    part_22_cos_epsilon2 = (
+        0.5 * r_squared * shortfall_epsilon * sum_14
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_14
+    )
+    sum_21 = (
+        2.0
+        + 2.0 * product_6
+        + 3.0 * attenuation_epsilon_squared
+        + 4.0 * attenuation_epsilon
+        + attenuation_epsilon_squared_squared
+    )
+    sum_22 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = (
+        0.5 * r_squared * shortfall_epsilon_squared * sum_21 * term_2
+        + sigma_r_squared * sum_22
+    )
     part_23_sin_epsilon = (
         attenuation_epsilon * rdot * sigma_r_squared
-        + r * rho * sigma_r * sigma_rdot * sum_13 * term_4
+        + r * rho * sigma_r * sigma_rdot * sum_18 * term_4
     )
     cos_beta_squared = cos_beta**2
     cos_epsilon_squared = cos_epsilon**2
@@ -2015,8 +1804,8 @@ def posterior_covariance(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 171 ulp anywhere in this domain with independent errors, proved for elementary functions
-    within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -2028,120 +1817,87 @@ def posterior_covariance(
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
     attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
     attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    product_1 = attenuation_beta * attenuation_beta_squared
-    sum_1 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_1
-        + product_1
-    )
+    sum_3 = 1.0 + attenuation_epsilon_squared_squared
     r_squared = r**2
     sigma_r_squared = sigma_r**2
     part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_1
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_1
+        0.25 * r_squared * shortfall_beta * sum_1 * sum_2 * sum_3
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_1 * sum_2 * sum_3
     )
-    product_2 = attenuation_epsilon * attenuation_epsilon_squared
-    sum_2 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta * product_2
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon * product_1
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_1
-        + product_1
-        + product_1 * product_2
-        + product_2
-    )
+    sum_4 = 1.0 + attenuation_epsilon
+    sum_5 = 1.0 + attenuation_epsilon_squared
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2
+        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_4 * sum_5
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_1 * sum_2 * sum_4 * sum_5
     )
     shortfall_beta_squared = shortfall_beta**2
     attenuation_beta_squared_squared = attenuation_beta_squared**2
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_3 = shortfall_epsilon * shortfall_epsilon_squared
-    product_4 = shortfall_beta * shortfall_beta_squared
+    product_1 = shortfall_epsilon * shortfall_epsilon_squared
+    product_2 = shortfall_beta * shortfall_beta_squared
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
-    sum_3 = (
-        2.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_4
+    product_3 = attenuation_epsilon * attenuation_epsilon_squared
+    product_4 = attenuation_beta * attenuation_beta_squared
+    sum_6 = (
+        2.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_2
         + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_3
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_1
         + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         + 1.5 * attenuation_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
         + 1.5 * attenuation_epsilon_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared
-        + 4.0 * attenuation_beta * attenuation_epsilon * product_3 * product_4
-        + 4.0 * attenuation_beta * product_2 * product_4 * shortfall_epsilon
-        + 4.0 * attenuation_beta_squared * product_2 * shortfall_beta_squared * shortfall_epsilon
-        + 4.0 * attenuation_epsilon * product_1 * product_3 * shortfall_beta
-        + 4.0 * attenuation_epsilon_squared * product_1 * shortfall_beta * shortfall_epsilon_squared
-        + 6.0 * attenuation_beta * attenuation_epsilon_squared * product_4 * shortfall_epsilon_squared
-        + 6.0 * attenuation_beta_squared * attenuation_epsilon * product_3 * shortfall_beta_squared
+        + 4.0 * attenuation_beta * attenuation_epsilon * product_1 * product_2
+        + 4.0 * attenuation_beta * product_2 * product_3 * shortfall_epsilon
+        + 4.0 * attenuation_beta_squared * product_3 * shortfall_beta_squared * shortfall_epsilon
+        + 4.0 * attenuation_epsilon * product_1 * product_4 * shortfall_beta
+        + 4.0 * attenuation_epsilon_squared * product_4 * shortfall_beta * shortfall_epsilon_squared
+        + 6.0 * attenuation_beta * attenuation_epsilon_squared * product_2 * shortfall_epsilon_squared
+        + 6.0 * attenuation_beta_squared * attenuation_epsilon * product_1 * shortfall_beta_squared
         + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
-        + attenuation_beta * product_4 * shortfall_epsilon_squared_squared
+        + attenuation_beta * product_2 * shortfall_epsilon_squared_squared
         + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon_squared_squared
-        + attenuation_epsilon * product_3 * shortfall_beta_squared_squared
+        + attenuation_epsilon * product_1 * shortfall_beta_squared_squared
         + 0.5 * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared
-        + product_1 * shortfall_beta * shortfall_epsilon_squared_squared
-        + product_2 * shortfall_beta_squared_squared * shortfall_epsilon
+        + product_3 * shortfall_beta_squared_squared * shortfall_epsilon
+        + product_4 * shortfall_beta * shortfall_epsilon_squared_squared
         + 0.25 * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
     )
-    sum_4 = (
+    sum_7 = (
         0.25
         + 0.25 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
         + 0.25 * attenuation_beta_squared_squared
         + 0.25 * attenuation_epsilon_squared_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_3 + sigma_r_squared * sum_4
-    sum_5 = (
-        1.0
-        + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
-        + attenuation_beta_squared_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared_squared * product_2
-        + attenuation_epsilon
-        + attenuation_epsilon_squared
-        + product_2
-    )
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_6 + sigma_r_squared * sum_7
+    sum_8 = 1.0 + attenuation_beta_squared_squared
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_epsilon * sum_5
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_5
+        0.25 * r_squared * shortfall_epsilon * sum_4 * sum_5 * sum_8
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_4 * sum_5 * sum_8
     )
-    sum_6 = (
-        4.0 * attenuation_beta_squared * attenuation_epsilon * product_3
+    sum_9 = (
+        4.0 * attenuation_beta_squared * attenuation_epsilon * product_1
         - 2.0 * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
         - 2.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared
         - 4.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
         - 4.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
-        - 4.0 * product_2 * shortfall_beta_squared * shortfall_epsilon
-        - 8.0 * attenuation_beta * product_2 * shortfall_beta * shortfall_epsilon
+        - 4.0 * product_3 * shortfall_beta_squared * shortfall_epsilon
+        - 8.0 * attenuation_beta * product_3 * shortfall_beta * shortfall_epsilon
         + 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
         + attenuation_beta_squared * shortfall_epsilon_squared_squared
     )
-    sum_7 = 1.0 + attenuation_epsilon_squared_squared
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared * r_squared * sum_6
-        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_7
+        0.5 * attenuation_beta_squared * r_squared * sum_9
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_3
     )
-    sum_8 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared + product_2
+    sum_10 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared + product_3
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_8
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_8
+        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_10
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_10
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         (-1.0 - attenuation_epsilon) * attenuation_beta * attenuation_epsilon_squared * r_squared * shortfall_epsilon
@@ -2152,12 +1908,12 @@ def posterior_covariance(
         + attenuation_beta * attenuation_epsilon * rdot * sigma_r_squared
     )
     part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_8
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_8
+        0.5 * r_squared * shortfall_epsilon * sum_10
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_10
     )
-    sum_9 = 1.0 + 2.0 * attenuation_epsilon + attenuation_epsilon_squared
-    sum_10 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
-    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_9 + sigma_r_squared * sum_10
+    sum_11 = 1.0 + 2.0 * attenuation_epsilon + attenuation_epsilon_squared
+    sum_12 = 0.5 + 0.5 * attenuation_epsilon_squared_squared
+    part_22_sin_epsilon2 = 0.5 * r_squared * shortfall_epsilon_squared * sum_11 + sigma_r_squared * sum_12
     part_23_sin_epsilon = (
         attenuation_epsilon * r * rho * sigma_r * sigma_rdot
         + attenuation_epsilon * rdot * sigma_r_squared
@@ -2253,8 +2009,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 1650 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 6.5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_sigma_rdot, predicted_rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_sigma_rdot, predicted_rho = arguments
@@ -2270,1781 +2026,134 @@ def decorrelated_covariance(
     shortfall_beta = -np.expm1(-sigma_beta**2)
     attenuation_epsilon = np.exp(-sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-sigma_epsilon**2)
+    predicted_sigma_r_squared = predicted_sigma_r**2
     term_1 = 1.0 / attenuation_beta
     term_2 = 1.0 / attenuation_epsilon
     attenuation_predicted_beta_squared = attenuation_predicted_beta**2
-    attenuation_predicted_epsilon_squared = attenuation_predicted_epsilon**2
-    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
-    shortfall_predicted_epsilon_squared = shortfall_predicted_epsilon**2
-    product_1 = 108.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    attenuation_epsilon_squared = attenuation_epsilon**2
-    attenuation_predicted_epsilon_squared_squared = attenuation_predicted_epsilon_squared**2
-    product_2 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_predicted_beta_squared
     attenuation_predicted_beta_squared_squared = attenuation_predicted_beta_squared**2
-    product_3 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon_squared
-    product_4 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_5 = attenuation_predicted_beta * attenuation_predicted_beta_squared
+    sum_1 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared_squared
+    attenuation_epsilon_squared = attenuation_epsilon**2
+    attenuation_predicted_epsilon_squared = attenuation_predicted_epsilon**2
+    attenuation_predicted_epsilon_squared_squared = attenuation_predicted_epsilon_squared**2
+    product_1 = attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared
+    sum_2 = 1.0 + product_1
+    product_2 = attenuation_predicted_epsilon * attenuation_predicted_epsilon_squared
+    shortfall_predicted_epsilon_squared = shortfall_predicted_epsilon**2
+    product_3 = shortfall_predicted_epsilon * shortfall_predicted_epsilon_squared
     shortfall_predicted_epsilon_squared_squared = shortfall_predicted_epsilon_squared**2
-    product_6 = 12.0 * attenuation_beta * attenuation_epsilon * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_7 = shortfall_predicted_beta * shortfall_predicted_beta_squared
-    product_8 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_7 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_9 = attenuation_predicted_epsilon * attenuation_predicted_epsilon_squared
-    shortfall_predicted_beta_squared_squared = shortfall_predicted_beta_squared**2
-    product_10 = 12.0 * attenuation_beta * attenuation_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_11 = shortfall_predicted_epsilon * shortfall_predicted_epsilon_squared
-    product_12 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    shortfall_epsilon_squared = shortfall_epsilon**2
-    product_13 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_14 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_15 = 12.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_16 = 12.0 * attenuation_beta * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    shortfall_beta_squared = shortfall_beta**2
-    product_17 = 12.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_predicted_beta_squared
-    product_18 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_19 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_20 = 12.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_21 = 12.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    attenuation_beta_squared = attenuation_beta**2
-    product_22 = 16.0 * attenuation_beta_squared * attenuation_epsilon * product_5 * product_9 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_23 = 16.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_epsilon * shortfall_predicted_beta
-    product_24 = 16.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_7 * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-    product_25 = 16.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_epsilon
-    product_26 = 16.0 * attenuation_beta_squared * product_5 * product_9 * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_27 = 16.0 * attenuation_beta_squared * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_28 = 16.0 * attenuation_beta_squared * attenuation_predicted_beta * product_7 * product_9 * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_29 = 16.0 * attenuation_beta_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_epsilon_squared
-    product_30 = 16.0 * attenuation_beta * attenuation_epsilon_squared * product_5 * product_9 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_31 = 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta * shortfall_predicted_beta
-    product_32 = 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta * shortfall_predicted_epsilon
-    product_33 = 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta
-    product_34 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_35 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon
-    product_36 = 16.0 * attenuation_epsilon_squared * product_5 * product_9 * shortfall_beta_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_37 = 16.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta_squared * shortfall_predicted_beta
-    product_38 = 16.0 * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta_squared * shortfall_predicted_epsilon
-    product_39 = 16.0 * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta_squared
-    product_40 = 16.0 * product_5 * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_41 = 16.0 * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_42 = 16.0 * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_43 = 16.0 * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta_squared * shortfall_epsilon_squared
-    product_44 = 18.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_45 = 18.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_46 = 2.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon_squared_squared
-    product_47 = 2.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_predicted_beta_squared_squared
-    product_48 = 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_49 = 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon_squared
-    product_50 = 2.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    product_51 = 2.0 * attenuation_beta * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_52 = 2.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_53 = 2.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared
-    product_54 = 2.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_predicted_beta_squared_squared
-    product_55 = 2.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon
-    product_56 = 2.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_57 = 2.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_58 = 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_59 = 24.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * product_9 * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_60 = 24.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_61 = 24.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon_squared * product_5 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_62 = 24.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_63 = 24.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * product_9 * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_64 = 24.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_65 = 24.0 * attenuation_beta_squared * attenuation_predicted_epsilon_squared * product_5 * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_66 = 24.0 * attenuation_beta_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_67 = 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * product_9 * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_68 = 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_predicted_beta_squared
-    product_69 = 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_70 = 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta * shortfall_predicted_epsilon_squared
-    product_71 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_72 = 24.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * product_9 * shortfall_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_73 = 24.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_predicted_beta_squared
-    product_74 = 24.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_75 = 24.0 * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta_squared * shortfall_predicted_epsilon_squared
-    product_76 = 24.0 * attenuation_predicted_beta_squared * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_77 = 24.0 * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_78 = 24.0 * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_79 = 24.0 * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_80 = 3.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_81 = 32.0 * attenuation_beta * product_5 * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_82 = 32.0 * attenuation_beta * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_83 = 32.0 * attenuation_beta * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_84 = 32.0 * attenuation_beta * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta * shortfall_epsilon_squared
-    product_85 = 32.0 * attenuation_epsilon * product_5 * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_86 = 32.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta
-    product_87 = 32.0 * attenuation_epsilon * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon
-    product_88 = 32.0 * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta_squared * shortfall_epsilon
-    product_89 = 36.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_90 = 36.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_91 = 36.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_92 = 36.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_93 = 36.0 * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_94 = 4.0 * attenuation_beta_squared * attenuation_epsilon * product_5 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_95 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_7 * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_96 = 4.0 * attenuation_beta_squared * attenuation_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_97 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_98 = 4.0 * attenuation_beta_squared * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_99 = 4.0 * attenuation_beta_squared * product_5 * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_100 = 4.0 * attenuation_beta_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_epsilon_squared
-    product_101 = 4.0 * attenuation_beta_squared * attenuation_predicted_beta * product_7 * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    product_102 = 4.0 * attenuation_beta_squared * product_9 * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_103 = 4.0 * attenuation_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_104 = 4.0 * attenuation_beta * attenuation_epsilon_squared * product_5 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_105 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta
-    product_106 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * shortfall_beta * shortfall_predicted_epsilon_squared_squared
-    product_107 = 4.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_108 = 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_predicted_beta_squared_squared
-    product_109 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon
-    product_110 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_111 = 4.0 * attenuation_epsilon_squared * product_5 * shortfall_beta_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_112 = 4.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta_squared * shortfall_predicted_epsilon
-    product_113 = 4.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared
-    product_114 = 4.0 * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * shortfall_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_115 = 4.0 * attenuation_epsilon_squared * product_9 * shortfall_beta_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_116 = 4.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_predicted_beta_squared_squared
-    product_117 = 4.0 * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_118 = 4.0 * product_5 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_119 = 4.0 * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_120 = 4.0 * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon_squared
-    product_121 = 4.0 * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta_squared * shortfall_epsilon_squared
-    product_122 = 4.0 * attenuation_predicted_beta * product_7 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    product_123 = 4.0 * product_9 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_124 = 4.0 * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_125 = 48.0 * attenuation_beta * attenuation_epsilon * product_5 * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_126 = 48.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
-    product_127 = 48.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_128 = 48.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta * shortfall_epsilon
-    product_129 = 48.0 * attenuation_beta * attenuation_predicted_beta_squared * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_130 = 48.0 * attenuation_beta * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_131 = 48.0 * attenuation_beta * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_132 = 48.0 * attenuation_beta * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_133 = 48.0 * attenuation_epsilon * attenuation_predicted_beta_squared * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_134 = 48.0 * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_135 = 48.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_136 = 48.0 * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_137 = 6.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_138 = 6.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_139 = 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_140 = 6.0 * attenuation_beta_squared * attenuation_predicted_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_141 = 6.0 * attenuation_beta_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_142 = 6.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_143 = 6.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_144 = 6.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_145 = 6.0 * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_predicted_epsilon_squared
-    product_146 = 6.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_147 = 6.0 * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared
-    product_148 = 6.0 * attenuation_predicted_beta_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_149 = 6.0 * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_150 = 6.0 * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_151 = 72.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_152 = 72.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_153 = 72.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_154 = 72.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_155 = 72.0 * attenuation_beta * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_156 = 72.0 * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_157 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta * shortfall_predicted_beta
-    product_158 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta * shortfall_predicted_epsilon
-    product_159 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta
-    product_160 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta
-    product_161 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
-    product_162 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta * shortfall_epsilon
-    product_163 = 8.0 * attenuation_beta * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta
-    product_164 = 8.0 * attenuation_beta * product_5 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_165 = 8.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_166 = 8.0 * attenuation_beta * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon_squared
-    product_167 = 8.0 * attenuation_beta * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta * shortfall_epsilon_squared
-    product_168 = 8.0 * attenuation_beta * attenuation_predicted_beta * product_7 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    product_169 = 8.0 * attenuation_beta * product_9 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_170 = 8.0 * attenuation_beta * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_171 = 8.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta_squared * shortfall_predicted_beta
-    product_172 = 8.0 * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta_squared
-    product_173 = 8.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta
-    product_174 = 8.0 * attenuation_epsilon * product_5 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_175 = 8.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon
-    product_176 = 8.0 * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon
-    product_177 = 8.0 * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta_squared * shortfall_epsilon
-    product_178 = 8.0 * attenuation_epsilon * attenuation_predicted_beta * product_7 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_179 = 8.0 * attenuation_epsilon * product_9 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_180 = 8.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_181 = attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_182 = attenuation_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_183 = attenuation_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_184 = attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_185 = attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_186 = attenuation_epsilon_squared * shortfall_beta_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_187 = attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared
-    product_188 = attenuation_predicted_beta_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    product_189 = attenuation_predicted_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared
-    product_190 = shortfall_beta_squared * shortfall_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    sum_1 = (
-        product_1
-        + product_10
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_105
-        + product_106
-        + product_107
-        + product_108
-        + product_109
-        + product_110
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_12
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_125
-        + product_126
-        + product_127
-        + product_128
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_137
-        + product_138
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_142
-        + product_143
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_151
-        + product_152
-        + product_153
-        + product_154
-        + product_155
-        + product_156
-        + product_157
-        + product_158
-        + product_159
-        + product_16
-        + product_160
-        + product_161
-        + product_162
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_17
-        + product_170
-        + product_171
-        + product_172
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_181
-        + product_182
-        + product_183
-        + product_184
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_2
-        + product_20
-        + product_21
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_3
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_4
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_59
-        + product_6
-        + product_60
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_8
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
-    )
-    predicted_sigma_r_squared = predicted_sigma_r**2
-    r_squared = r**2
-    product_191 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_192 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_193 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_194 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_195 = 12.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_196 = 144.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_197 = 16.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_5 * product_9 * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_198 = 16.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_predicted_beta
-    product_199 = 16.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * product_9 * shortfall_predicted_epsilon
-    product_200 = 16.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7
-    product_201 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
-    product_202 = 16.0 * attenuation_beta * attenuation_epsilon * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_203 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta * shortfall_epsilon
-    product_204 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_7 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_205 = 16.0 * attenuation_beta * attenuation_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_206 = 16.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_207 = 2.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_208 = 2.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_209 = 2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_210 = 24.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * product_9 * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_211 = 24.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_predicted_beta_squared
-    product_212 = 24.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * product_5 * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_213 = 24.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_predicted_epsilon_squared
-    product_214 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_215 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_216 = 24.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_217 = 32.0 * attenuation_beta_squared * attenuation_epsilon * product_5 * product_9 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_218 = 32.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_epsilon * shortfall_predicted_beta
-    product_219 = 32.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_7 * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-    product_220 = 32.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_epsilon
-    product_221 = 32.0 * attenuation_beta * attenuation_epsilon_squared * product_5 * product_9 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_222 = 32.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta * shortfall_predicted_beta
-    product_223 = 32.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta * shortfall_predicted_epsilon
-    product_224 = 32.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta
-    product_225 = 36.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_226 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_5 * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_227 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * shortfall_predicted_epsilon_squared_squared
-    product_228 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_9 * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_229 = 4.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * shortfall_predicted_beta_squared_squared
-    product_230 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_231 = 4.0 * attenuation_beta * attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    product_232 = 48.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * product_9 * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_233 = 48.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_234 = 48.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon_squared * product_5 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_235 = 48.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_236 = 48.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * product_9 * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_237 = 48.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_predicted_beta_squared
-    product_238 = 48.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_239 = 48.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta * shortfall_predicted_epsilon_squared
-    product_240 = 6.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared_squared
-    product_241 = 6.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared
-    product_242 = 64.0 * attenuation_beta * attenuation_epsilon * product_5 * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon
-    product_243 = 64.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta
-    product_244 = 64.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * product_7 * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_245 = 64.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon * product_11 * product_7 * shortfall_beta * shortfall_epsilon
-    product_246 = 72.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_247 = 72.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_predicted_beta_squared * shortfall_predicted_epsilon_squared
-    product_248 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_epsilon * shortfall_predicted_beta
-    product_249 = 8.0 * attenuation_beta_squared * attenuation_epsilon * product_5 * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_250 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_epsilon
-    product_251 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta * product_7 * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_252 = 8.0 * attenuation_beta_squared * attenuation_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_253 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_epsilon * shortfall_predicted_beta_squared_squared
-    product_254 = 8.0 * attenuation_beta * attenuation_epsilon_squared * product_5 * shortfall_beta * shortfall_predicted_beta * shortfall_predicted_epsilon_squared_squared
-    product_255 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * product_7 * shortfall_beta * shortfall_predicted_epsilon_squared_squared
-    product_256 = 8.0 * attenuation_beta * attenuation_epsilon_squared * product_9 * shortfall_beta * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon
-    product_257 = 8.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_predicted_beta_squared_squared
-    product_258 = 96.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared * shortfall_predicted_epsilon
-    product_259 = 96.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta_squared
-    product_260 = 96.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared * product_5 * shortfall_beta * shortfall_epsilon * shortfall_predicted_beta * shortfall_predicted_epsilon_squared
-    product_261 = 96.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared * product_7 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_262 = attenuation_beta_squared * attenuation_epsilon_squared * shortfall_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-    sigma_r_squared = sigma_r**2
-    sum_2 = (
-        12.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_predicted_beta_squared
-        + 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7 * shortfall_beta
-        + 16.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_beta * shortfall_predicted_beta
-        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * shortfall_predicted_beta_squared_squared
-        + 24.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_beta_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_predicted_beta_squared
-        + 4.0 * attenuation_beta * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_predicted_beta_squared_squared
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * product_7
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * product_5 * shortfall_predicted_beta
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_105
-        + product_109
-        + product_110
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_155
-        + product_156
-        + product_158
-        + product_159
-        + product_16
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_17
-        + product_170
-        + product_171
-        + product_172
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_182
-        + product_183
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_191
-        + product_192
-        + product_193
-        + product_194
-        + product_195
-        + product_196
-        + product_197
-        + product_198
-        + product_199
-        + product_20
-        + product_200
-        + product_201
-        + product_202
-        + product_203
-        + product_204
-        + product_205
-        + product_206
-        + product_207
-        + product_208
-        + product_209
-        + product_21
-        + product_210
-        + product_211
-        + product_212
-        + product_213
-        + product_214
-        + product_215
-        + product_216
-        + product_217
-        + product_218
-        + product_219
-        + product_220
-        + product_221
-        + product_222
-        + product_223
-        + product_224
-        + product_225
-        + product_226
-        + product_227
-        + product_228
-        + product_229
-        + product_230
-        + product_231
-        + product_232
-        + product_233
-        + product_234
-        + product_235
-        + product_236
-        + product_237
-        + product_238
-        + product_239
-        + product_240
-        + product_241
-        + product_242
-        + product_243
-        + product_244
-        + product_245
-        + product_246
-        + product_247
-        + product_248
-        + product_249
-        + product_250
-        + product_251
-        + product_252
-        + product_253
-        + product_254
-        + product_255
-        + product_256
-        + product_257
-        + product_258
-        + product_259
-        + product_26
-        + product_260
-        + product_261
-        + product_262
-        + product_27
-        + product_28
-        + product_29
-        + product_3
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_46
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_90
-        + product_92
-        + product_93
-        + product_98
-        + product_99
-    )
-    part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * predicted_sigma_r_squared * sum_1 * term_1 * term_2
-        + 0.25 * r_squared * sum_1 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_2 * term_1 * term_2
-    )
     sum_3 = (
-        product_1
-        + product_10
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_106
-        + product_107
-        + product_108
-        + product_109
-        + product_110
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_12
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_125
-        + product_126
-        + product_127
-        + product_128
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_137
-        + product_138
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_142
-        + product_143
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_151
-        + product_152
-        + product_153
-        + product_154
-        + product_155
-        + product_156
-        + product_158
-        + product_159
-        + product_16
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_170
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_181
-        + product_182
-        + product_183
-        + product_184
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_191
-        + product_20
-        + product_201
-        + product_203
-        + product_207
-        + product_21
-        + product_214
-        + product_22
-        + product_23
-        + product_230
-        + product_24
-        + product_248
-        + product_25
-        + product_250
-        + product_26
-        + product_27
-        + product_28
-        + product_29
-        + product_3
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_59
-        + product_6
-        + product_60
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_8
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
+        4.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_3
+        + 4.0 * attenuation_epsilon * product_2 * shortfall_predicted_epsilon
+        + 4.0 * attenuation_predicted_epsilon * product_3 * shortfall_epsilon
+        + 4.0 * product_2 * shortfall_epsilon * shortfall_predicted_epsilon
+        + 6.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_predicted_epsilon_squared
+        + 6.0 * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
+        + attenuation_epsilon * shortfall_predicted_epsilon_squared_squared
+        + attenuation_predicted_epsilon_squared_squared * shortfall_epsilon
+        + shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
     )
-    sum_4 = (
-        product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_109
-        + product_110
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_155
-        + product_156
-        + product_158
-        + product_159
-        + product_16
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_170
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_182
-        + product_183
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_191
-        + product_192
-        + product_193
-        + product_194
-        + product_195
-        + product_196
-        + product_197
-        + product_198
-        + product_199
-        + product_20
-        + product_200
-        + product_201
-        + product_202
-        + product_203
-        + product_204
-        + product_205
-        + product_206
-        + product_207
-        + product_208
-        + product_209
-        + product_21
-        + product_210
-        + product_211
-        + product_212
-        + product_213
-        + product_214
-        + product_215
-        + product_216
-        + product_217
-        + product_218
-        + product_219
-        + product_220
-        + product_221
-        + product_222
-        + product_223
-        + product_224
-        + product_225
-        + product_226
-        + product_227
-        + product_228
-        + product_229
-        + product_230
-        + product_231
-        + product_232
-        + product_233
-        + product_234
-        + product_235
-        + product_236
-        + product_237
-        + product_238
-        + product_239
-        + product_240
-        + product_241
-        + product_242
-        + product_243
-        + product_244
-        + product_245
-        + product_246
-        + product_247
-        + product_248
-        + product_249
-        + product_250
-        + product_251
-        + product_252
-        + product_253
-        + product_254
-        + product_255
-        + product_256
-        + product_257
-        + product_258
-        + product_259
-        + product_26
-        + product_260
-        + product_261
-        + product_262
-        + product_27
-        + product_28
-        + product_29
-        + product_3
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_46
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_90
-        + product_92
-        + product_93
-        + product_98
-        + product_99
+    sum_4 = 1.0 + attenuation_predicted_beta
+    sum_5 = 1.0 + attenuation_predicted_beta_squared
+    sum_6 = (
+        0.25 * shortfall_beta * sum_1 * sum_2 * term_1 * term_2
+        + 0.25 * shortfall_epsilon * shortfall_predicted_beta * sum_3 * sum_4 * sum_5 * term_2
+    )
+    r_squared = r**2
+    shortfall_predicted_beta_squared = shortfall_predicted_beta**2
+    sum_7 = (
+        2.0 * attenuation_beta * attenuation_predicted_beta * shortfall_predicted_beta
+        + 2.0 * attenuation_predicted_beta * shortfall_beta * shortfall_predicted_beta
+        + attenuation_beta * shortfall_predicted_beta_squared
+        + attenuation_predicted_beta_squared * shortfall_beta
+        + shortfall_beta * shortfall_predicted_beta_squared
+    )
+    sum_8 = 1.0 + attenuation_beta * attenuation_predicted_beta_squared
+    sigma_r_squared = sigma_r**2
+    part_00_cos_beta2_cos_epsilon2 = (
+        predicted_sigma_r_squared * sum_6
+        + r_squared * sum_6
+        + 0.25 * sigma_r_squared * sum_2 * sum_7 * sum_8 * term_1 * term_2
+    )
+    sum_9 = (
+        2.0 * attenuation_epsilon * attenuation_predicted_epsilon * shortfall_predicted_epsilon
+        + 2.0 * attenuation_predicted_epsilon * shortfall_epsilon * shortfall_predicted_epsilon
+        + attenuation_epsilon * shortfall_predicted_epsilon_squared
+        + attenuation_predicted_epsilon_squared * shortfall_epsilon
+        + shortfall_epsilon * shortfall_predicted_epsilon_squared
+    )
+    sum_10 = 1.0 + attenuation_epsilon * attenuation_predicted_epsilon_squared
+    sum_11 = 1.0 + attenuation_epsilon * attenuation_predicted_epsilon_squared_squared
+    sum_12 = (
+        0.25 * shortfall_beta * sum_1 * sum_10 * sum_9 * term_1 * term_2
+        + 0.25 * shortfall_epsilon * shortfall_predicted_beta * sum_11 * sum_4 * sum_5 * term_2
     )
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * predicted_sigma_r_squared * sum_3 * term_1 * term_2
-        + 0.25 * r_squared * sum_3 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_4 * term_1 * term_2
+        predicted_sigma_r_squared * sum_12
+        + r_squared * sum_12
+        + 0.25 * sigma_r_squared * sum_10 * sum_7 * sum_8 * sum_9 * term_1 * term_2
     )
-    product_263 = 12.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_264 = 12.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_265 = 12.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_266 = 2.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_267 = 2.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon_squared
-    product_268 = 2.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    product_269 = 2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_270 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-    product_271 = 8.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon
-    product_272 = 8.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * product_9 * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_273 = 8.0 * attenuation_beta_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon_squared
-    product_274 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_275 = 8.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon
-    sum_5 = (
-        product_1
-        + product_10
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_106
-        + product_107
-        + product_108
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_12
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_125
-        + product_126
-        + product_127
-        + product_128
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_137
-        + product_138
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_142
-        + product_143
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_151
-        + product_152
-        + product_153
-        + product_154
-        + product_155
-        + product_156
-        + product_157
-        + product_16
-        + product_160
-        + product_161
-        + product_162
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_17
-        + product_170
-        + product_171
-        + product_172
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_181
-        + product_182
-        + product_183
-        + product_184
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_2
-        + product_20
-        + product_21
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_263
-        + product_264
-        + product_265
-        + product_266
-        + product_267
-        + product_268
-        + product_269
-        + product_27
-        + product_270
-        + product_271
-        + product_272
-        + product_273
-        + product_274
-        + product_275
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_4
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_59
-        + product_6
-        + product_60
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_8
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
+    product_4 = attenuation_predicted_beta * attenuation_predicted_beta_squared
+    product_5 = shortfall_predicted_beta * shortfall_predicted_beta_squared
+    shortfall_predicted_beta_squared_squared = shortfall_predicted_beta_squared**2
+    sum_13 = (
+        4.0 * attenuation_beta * attenuation_predicted_beta * product_5
+        + 4.0 * attenuation_beta * product_4 * shortfall_predicted_beta
+        + 4.0 * attenuation_predicted_beta * product_5 * shortfall_beta
+        + 4.0 * product_4 * shortfall_beta * shortfall_predicted_beta
+        + 6.0 * attenuation_beta * attenuation_predicted_beta_squared * shortfall_predicted_beta_squared
+        + 6.0 * attenuation_predicted_beta_squared * shortfall_beta * shortfall_predicted_beta_squared
+        + attenuation_beta * shortfall_predicted_beta_squared_squared
+        + attenuation_predicted_beta_squared_squared * shortfall_beta
+        + shortfall_beta * shortfall_predicted_beta_squared_squared
     )
-    product_276 = attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared
-    sum_6 = (
+    sum_14 = 1.0 + attenuation_predicted_beta_squared_squared
+    sum_15 = (
+        0.25 * shortfall_beta * sum_13 * sum_2 * term_1 * term_2
+        + 0.25 * shortfall_epsilon * sum_14 * sum_3 * term_2
+    )
+    attenuation_beta_squared = attenuation_beta**2
+    product_6 = attenuation_beta_squared * attenuation_predicted_beta_squared_squared
+    sum_16 = (
         1.0
         + attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared
-        + attenuation_beta_squared * attenuation_predicted_beta_squared_squared
-        + product_276
+        + product_1
+        + product_6
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        0.25 * predicted_sigma_r_squared * sum_5 * term_1 * term_2
-        + 0.25 * r_squared * sum_5 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_6 * term_1 * term_2
+        predicted_sigma_r_squared * sum_15
+        + r_squared * sum_15
+        + 0.25 * sigma_r_squared * sum_16 * term_1 * term_2
     )
-    product_277 = 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon
-    sum_7 = (
-        product_1
-        + product_10
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_104
-        + product_106
-        + product_107
-        + product_108
-        + product_109
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_12
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_125
-        + product_126
-        + product_127
-        + product_128
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_137
-        + product_138
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_142
-        + product_143
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_151
-        + product_152
-        + product_153
-        + product_154
-        + product_155
-        + product_156
-        + product_16
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_170
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_181
-        + product_182
-        + product_183
-        + product_184
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_191
-        + product_20
-        + product_201
-        + product_203
-        + product_207
-        + product_21
-        + product_214
-        + product_22
-        + product_23
-        + product_230
-        + product_24
-        + product_248
-        + product_25
-        + product_250
-        + product_26
-        + product_263
-        + product_264
-        + product_265
-        + product_266
-        + product_267
-        + product_268
-        + product_269
-        + product_27
-        + product_270
-        + product_271
-        + product_272
-        + product_273
-        + product_274
-        + product_275
-        + product_277
-        + product_28
-        + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_44
-        + product_45
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_59
-        + product_6
-        + product_60
-        + product_61
-        + product_62
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_67
-        + product_68
-        + product_69
-        + product_70
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_8
-        + product_80
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_89
-        + product_90
-        + product_91
-        + product_92
-        + product_93
-        + product_94
-        + product_95
-        + product_96
-        + product_97
-        + product_98
-        + product_99
-    )
-    sum_8 = (
-        12.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_predicted_epsilon_squared
-        + 16.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11 * shortfall_epsilon
-        + 16.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * shortfall_predicted_epsilon_squared_squared
-        + 24.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-        + 4.0 * attenuation_beta_squared * attenuation_epsilon * attenuation_predicted_beta_squared_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * attenuation_predicted_epsilon * product_11
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon_squared * attenuation_predicted_beta_squared_squared * product_9 * shortfall_predicted_epsilon
-        + product_100
-        + product_101
-        + product_102
-        + product_103
-        + product_109
-        + product_110
-        + product_111
-        + product_112
-        + product_113
-        + product_114
-        + product_115
-        + product_116
-        + product_117
-        + product_118
-        + product_119
-        + product_120
-        + product_121
-        + product_122
-        + product_123
-        + product_124
-        + product_129
-        + product_13
-        + product_130
-        + product_131
-        + product_132
-        + product_133
-        + product_134
-        + product_135
-        + product_136
-        + product_139
-        + product_14
-        + product_140
-        + product_141
-        + product_144
-        + product_145
-        + product_146
-        + product_147
-        + product_148
-        + product_149
-        + product_15
-        + product_150
-        + product_155
-        + product_156
-        + product_158
-        + product_159
-        + product_16
-        + product_163
-        + product_164
-        + product_165
-        + product_166
-        + product_167
-        + product_168
-        + product_169
-        + product_170
-        + product_173
-        + product_174
-        + product_175
-        + product_176
-        + product_177
-        + product_178
-        + product_179
-        + product_18
-        + product_180
-        + product_182
-        + product_183
-        + product_185
-        + product_186
-        + product_187
-        + product_188
-        + product_189
-        + product_19
-        + product_190
-        + product_191
-        + product_192
-        + product_193
-        + product_194
-        + product_195
-        + product_196
-        + product_197
-        + product_198
-        + product_199
-        + product_20
-        + product_200
-        + product_201
-        + product_202
-        + product_203
-        + product_204
-        + product_205
-        + product_206
-        + product_207
-        + product_208
-        + product_209
-        + product_21
-        + product_210
-        + product_211
-        + product_212
-        + product_213
-        + product_214
-        + product_215
-        + product_216
-        + product_217
-        + product_218
-        + product_219
-        + product_220
-        + product_221
-        + product_222
-        + product_223
-        + product_224
-        + product_225
-        + product_226
-        + product_227
-        + product_228
-        + product_229
-        + product_230
-        + product_231
-        + product_232
-        + product_233
-        + product_234
-        + product_235
-        + product_236
-        + product_237
-        + product_238
-        + product_239
-        + product_240
-        + product_241
-        + product_242
-        + product_243
-        + product_244
-        + product_245
-        + product_246
-        + product_247
-        + product_248
-        + product_249
-        + product_250
-        + product_251
-        + product_252
-        + product_253
-        + product_254
-        + product_255
-        + product_256
-        + product_257
-        + product_258
-        + product_259
-        + product_26
-        + product_260
-        + product_261
-        + product_262
-        + product_264
-        + product_267
-        + product_268
-        + product_27
-        + product_272
-        + product_273
-        + product_277
-        + product_28
-        + product_29
-        + product_3
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
-        + product_43
-        + product_46
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_55
-        + product_56
-        + product_57
-        + product_58
-        + product_63
-        + product_64
-        + product_65
-        + product_66
-        + product_71
-        + product_72
-        + product_73
-        + product_74
-        + product_75
-        + product_76
-        + product_77
-        + product_78
-        + product_79
-        + product_81
-        + product_82
-        + product_83
-        + product_84
-        + product_85
-        + product_86
-        + product_87
-        + product_88
-        + product_90
-        + product_92
-        + product_93
-        + product_98
-        + product_99
+    sum_17 = 1.0 + attenuation_predicted_epsilon
+    sum_18 = 1.0 + attenuation_predicted_epsilon_squared
+    sum_19 = 1.0 + product_6
+    sum_20 = (
+        0.25 * shortfall_beta * shortfall_predicted_epsilon * sum_13 * sum_17 * sum_18 * term_1
+        + 0.25 * shortfall_epsilon * sum_11 * sum_19 * term_1 * term_2
     )
     part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * predicted_sigma_r_squared * sum_7 * term_1 * term_2
-        + 0.25 * r_squared * sum_7 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_8 * term_1 * term_2
+        predicted_sigma_r_squared * sum_20
+        + r_squared * sum_20
+        + 0.25 * sigma_r_squared * sum_10 * sum_19 * sum_9 * term_1 * term_2
     )
-    sum_9 = 1.0 + product_276
-    product_278 = -4.0 * attenuation_epsilon_squared * product_9 * shortfall_beta * shortfall_predicted_epsilon
-    product_279 = -4.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11 * shortfall_beta
-    product_280 = -4.0 * attenuation_epsilon * product_9 * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon
-    product_281 = -4.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_beta * shortfall_epsilon
-    product_282 = -6.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon_squared
-    product_283 = -6.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_284 = -attenuation_epsilon_squared * shortfall_beta * shortfall_predicted_epsilon_squared_squared
-    product_285 = -attenuation_epsilon * shortfall_beta * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_286 = 4.0 * attenuation_beta * attenuation_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-    product_287 = 4.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_epsilon
-    product_288 = 4.0 * attenuation_beta * product_9 * shortfall_epsilon_squared * shortfall_predicted_epsilon
-    product_289 = 4.0 * attenuation_beta * attenuation_predicted_epsilon * product_11 * shortfall_epsilon_squared
-    product_290 = 6.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-    product_291 = 6.0 * attenuation_beta * attenuation_predicted_epsilon_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-    product_292 = attenuation_beta * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-    product_293 = attenuation_beta * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon_squared
-    product_294 = attenuation_beta * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    sum_10 = (
-        product_278
-        - 2.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_beta * shortfall_epsilon
-        - 2.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared_squared * shortfall_beta
-        + product_279
-        + product_280
-        + product_281
-        + product_282
-        + product_283
-        + product_284
-        + product_285
-        + product_286
-        + product_287
-        + product_288
-        + product_289
-        + product_290
-        + product_291
-        + product_292
-        + product_293
-        + product_294
+    sum_21 = 1.0 + attenuation_predicted_epsilon_squared_squared
+    sum_22 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_3 * term_2
+        - 0.5 * attenuation_predicted_beta_squared_squared * shortfall_beta * sum_21
     )
     part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_9 * term_2
-        + 0.5 * attenuation_predicted_beta_squared_squared * predicted_sigma_r_squared * sum_10 * term_2
-        + 0.5 * attenuation_predicted_beta_squared_squared * r_squared * sum_10 * term_2
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_2 * term_2
+        + predicted_sigma_r_squared * sum_22
+        + r_squared * sum_22
     )
-    sum_11 = (
-        12.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-        + 2.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon
-        + 2.0 * attenuation_epsilon * shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
-        + 4.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon * product_11
-        + 4.0 * attenuation_epsilon_squared * product_9 * shortfall_predicted_epsilon
-        + 4.0 * attenuation_predicted_epsilon * product_11 * shortfall_epsilon_squared
-        + 4.0 * product_9 * shortfall_epsilon_squared * shortfall_predicted_epsilon
-        + 6.0 * attenuation_epsilon_squared * attenuation_predicted_epsilon_squared * shortfall_predicted_epsilon_squared
-        + 6.0 * attenuation_predicted_epsilon_squared * shortfall_epsilon_squared * shortfall_predicted_epsilon_squared
-        + 8.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_11 * shortfall_epsilon
-        + 8.0 * attenuation_epsilon * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-        + attenuation_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-        + attenuation_predicted_epsilon_squared_squared * shortfall_epsilon_squared
-        + shortfall_epsilon_squared * shortfall_predicted_epsilon_squared_squared
-    )
-    sum_12 = (
-        2.0 * attenuation_beta * attenuation_epsilon * attenuation_predicted_epsilon_squared_squared * shortfall_epsilon
-        + product_278
-        + product_279
-        + product_280
-        + product_281
-        + product_282
-        + product_283
-        + product_284
-        + product_285
-        + product_286
-        + product_287
-        + product_288
-        + product_289
-        + product_290
-        + product_291
-        + product_292
-        + product_293
-        + product_294
+    sum_23 = (
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * shortfall_epsilon * sum_11 * term_2
+        - 0.5 * attenuation_predicted_beta_squared_squared * shortfall_beta * shortfall_predicted_epsilon * sum_17 * sum_18
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_11 * term_2
-        + 0.5 * attenuation_predicted_beta_squared_squared * predicted_sigma_r_squared * sum_12 * term_2
-        + 0.5 * attenuation_predicted_beta_squared_squared * r_squared * sum_12 * term_2
+        0.5 * attenuation_beta * attenuation_predicted_beta_squared_squared * sigma_r_squared * sum_10 * sum_9 * term_2
+        + predicted_sigma_r_squared * sum_23
+        + r_squared * sum_23
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         attenuation_epsilon * attenuation_predicted_beta * attenuation_predicted_epsilon_squared_squared * sigma_r_squared
@@ -4055,27 +2164,19 @@ def decorrelated_covariance(
         attenuation_predicted_beta * attenuation_predicted_epsilon * r * rho * sigma_r * sigma_rdot
         + attenuation_predicted_beta * attenuation_predicted_epsilon * rdot * sigma_r_squared
     )
-    sum_13 = 1.0 + attenuation_epsilon * attenuation_predicted_epsilon_squared_squared
     part_22_cos_epsilon2 = (
-        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_13 * term_2
-        + 0.5 * r_squared * shortfall_epsilon * sum_13 * term_2
-        + 0.5 * sigma_r_squared * sum_11 * term_2
+        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_11 * term_2
+        + 0.5 * r_squared * shortfall_epsilon * sum_11 * term_2
+        + 0.5 * sigma_r_squared * sum_10 * sum_9 * term_2
     )
-    sum_14 = (
-        4.0 * attenuation_epsilon * attenuation_predicted_epsilon * product_11
-        + 4.0 * attenuation_epsilon * product_9 * shortfall_predicted_epsilon
-        + 4.0 * attenuation_predicted_epsilon * product_11 * shortfall_epsilon
-        + 4.0 * product_9 * shortfall_epsilon * shortfall_predicted_epsilon
-        + 6.0 * attenuation_epsilon * attenuation_predicted_epsilon_squared * shortfall_predicted_epsilon_squared
-        + 6.0 * attenuation_predicted_epsilon_squared * shortfall_epsilon * shortfall_predicted_epsilon_squared
-        + attenuation_epsilon * shortfall_predicted_epsilon_squared_squared
-        + attenuation_predicted_epsilon_squared_squared * shortfall_epsilon
-        + shortfall_epsilon * shortfall_predicted_epsilon_squared_squared
+    sum_24 = (
+        0.5 * shortfall_epsilon**2 * term_2
+        + 0.5 * shortfall_epsilon * shortfall_predicted_epsilon * sum_17 * sum_18
     )
     part_22_sin_epsilon2 = (
-        0.5 * predicted_sigma_r_squared * shortfall_epsilon * sum_14 * term_2
-        + 0.5 * r_squared * shortfall_epsilon * sum_14 * term_2
-        + 0.5 * sigma_r_squared * sum_9 * term_2
+        predicted_sigma_r_squared * sum_24
+        + r_squared * sum_24
+        + 0.5 * sigma_r_squared * sum_2 * term_2
     )
     part_23_sin_epsilon = (
         attenuation_predicted_epsilon * r * rho * sigma_r * sigma_rdot
@@ -4164,8 +2265,8 @@ def unbiased_covariance_truth(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 90.2 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1100.
+    Accuracy: measured, not proved: at most 5 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -4197,26 +2298,21 @@ def unbiased_covariance_truth(
         0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_2 * term_1 * term_2
         + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_2 * term_1 * term_2
     )
-    attenuation_beta_squared = attenuation_beta**2
-    shortfall_epsilon_squared = shortfall_epsilon**2
     shortfall_beta_squared = shortfall_beta**2
+    shortfall_epsilon_squared = shortfall_epsilon**2
     sum_3 = (
-        2.0 * attenuation_beta * shortfall_beta * shortfall_epsilon_squared
-        + 2.0 * attenuation_beta_squared * shortfall_epsilon_squared
-        + 2.0 * attenuation_epsilon * shortfall_beta_squared * shortfall_epsilon
-        + 2.0 * attenuation_epsilon_squared * shortfall_beta_squared
-        + shortfall_beta_squared * shortfall_epsilon_squared
+        0.25 * shortfall_beta_squared * shortfall_epsilon_squared * term_1 * term_2
+        + 0.5 * shortfall_beta_squared * term_1
+        + 0.5 * shortfall_epsilon_squared * term_2
     )
+    attenuation_beta_squared = attenuation_beta**2
     sum_4 = (
         1.0
         + attenuation_beta_squared
         + attenuation_beta_squared * attenuation_epsilon_squared
         + attenuation_epsilon_squared
     )
-    part_00_cos_epsilon2_sin_beta2 = (
-        0.25 * r_squared * sum_3 * term_1 * term_2
-        + 0.25 * sigma_r_squared * sum_4 * term_1 * term_2
-    )
+    part_00_cos_epsilon2_sin_beta2 = r_squared * sum_3 + 0.25 * sigma_r_squared * sum_4 * term_1 * term_2
     sum_5 = (
         1.0
         + attenuation_beta_squared
@@ -4228,14 +2324,10 @@ def unbiased_covariance_truth(
         + 0.25 * shortfall_epsilon * sigma_r_squared * sum_5 * term_1 * term_2
     )
     sum_6 = 1.0 + attenuation_epsilon_squared
-    sum_7 = (
-        attenuation_beta * shortfall_epsilon_squared
-        - 2.0 * attenuation_epsilon * shortfall_beta * shortfall_epsilon
-        - 2.0 * attenuation_epsilon_squared * shortfall_beta
-    )
+    sum_7 = 0.5 * attenuation_beta * shortfall_epsilon_squared * term_2 - shortfall_beta
     part_01_cos_beta_cos_epsilon2_sin_beta = (
         0.5 * attenuation_beta * sigma_r_squared * sum_6 * term_2
-        + 0.5 * r_squared * sum_7 * term_2
+        + r_squared * sum_7
     )
     sum_8 = 1.0 + attenuation_epsilon
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
@@ -4335,8 +2427,8 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (4, 4), unit [m, m, m, m^2/s] × [m, m, m, m^2/s].
 
-    Accuracy: at most 6570 ulp anywhere in this domain with independent errors, proved for elementary
-    functions within 1 ulp (float64).
+    Accuracy: measured, not proved: at most 9 ulp from 50-digit arithmetic at 500 points of this domain
+    (float64, independent errors).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho = arguments
@@ -4348,238 +2440,97 @@ def unbiased_covariance_averaged(
     shortfall_beta = -np.expm1(-0.5 * sigma_beta**2)
     attenuation_epsilon = np.exp(-0.5 * sigma_epsilon**2)
     shortfall_epsilon = -np.expm1(-0.5 * sigma_epsilon**2)
+    sum_1 = 1.0 + attenuation_beta
     term_1 = 1.0 / attenuation_beta**2
     attenuation_beta_squared = attenuation_beta**2
+    sum_2 = 1.0 + attenuation_beta_squared
     attenuation_epsilon_squared = attenuation_epsilon**2
     product_1 = -attenuation_beta_squared * attenuation_epsilon_squared
     attenuation_epsilon_squared_cubed = attenuation_epsilon_squared * attenuation_epsilon_squared**2
     product_2 = -attenuation_beta_squared * attenuation_epsilon_squared_cubed
-    product_3 = attenuation_beta * attenuation_beta_squared
-    product_4 = -attenuation_epsilon_squared * product_3
-    product_5 = -attenuation_epsilon_squared_cubed * product_3
     attenuation_beta_squared_squared = attenuation_beta_squared**2
-    product_6 = -attenuation_beta_squared_squared * attenuation_epsilon_squared
-    product_7 = -attenuation_beta_squared_squared * attenuation_epsilon_squared_cubed
-    product_8 = attenuation_beta * attenuation_beta_squared**2
-    product_9 = -attenuation_epsilon_squared * product_8
-    product_10 = -attenuation_epsilon_squared_cubed * product_8
     term_2 = (attenuation_epsilon_squared**2)**2
-    attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
-    product_11 = attenuation_beta * attenuation_beta_squared * attenuation_beta_squared**2
     term_3 = 1.0 / attenuation_epsilon**2
     r_squared = r**2
-    sum_1 = (
+    sum_3 = (
         1.0
-        + attenuation_beta
-        + attenuation_beta * term_2
-        + attenuation_beta_squared
-        + attenuation_beta_squared * term_2
-        + attenuation_beta_squared_cubed
-        + attenuation_beta_squared_cubed * term_2
         + attenuation_beta_squared_squared
         + attenuation_beta_squared_squared * term_2
         + product_1
-        + product_10
-        + product_11
-        + product_11 * term_2
         + product_2
-        + product_3
-        + product_3 * term_2
-        + product_4
-        + product_5
-        + product_6
-        + product_7
-        + product_8
-        + product_8 * term_2
-        + product_9
         + term_2
     )
-    product_12 = 2.0 * attenuation_beta_squared * term_2
     sigma_r_squared = sigma_r**2
-    sum_2 = (
-        2.0
-        + 2.0 * attenuation_beta
-        + 2.0 * attenuation_beta * term_2
-        + 2.0 * attenuation_beta_squared
-        + 2.0 * attenuation_beta_squared_cubed
-        + 2.0 * attenuation_beta_squared_cubed * term_2
-        + 2.0 * attenuation_beta_squared_squared
-        + 2.0 * attenuation_beta_squared_squared * term_2
-        + 2.0 * product_11
-        + 2.0 * product_11 * term_2
-        + 2.0 * product_3
-        + 2.0 * product_3 * term_2
-        + 2.0 * product_8
-        + 2.0 * product_8 * term_2
-        + 2.0 * term_2
-        + product_1
-        + product_10
-        + product_12
-        + product_2
-        + product_4
-        + product_5
-        + product_6
-        + product_7
-        + product_9
-    )
-    part_00_cos_beta2_cos_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * sum_1 * term_1 * term_3
-        + 0.25 * shortfall_beta * sigma_r_squared * sum_2 * term_1 * term_3
-    )
-    product_13 = attenuation_epsilon * attenuation_epsilon_squared * attenuation_epsilon_squared**2
-    product_14 = attenuation_epsilon * attenuation_epsilon_squared
-    attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
-    product_15 = attenuation_epsilon * attenuation_epsilon_squared**2
-    sum_3 = (
-        1.0
-        + attenuation_beta
-        + attenuation_beta * attenuation_epsilon
-        + attenuation_beta * attenuation_epsilon_squared
-        + attenuation_beta * attenuation_epsilon_squared_cubed
-        + attenuation_beta * attenuation_epsilon_squared_squared
-        + attenuation_beta * product_13
-        + attenuation_beta * product_14
-        + attenuation_beta * product_15
-        + attenuation_beta_squared
-        + attenuation_beta_squared * attenuation_epsilon
-        + attenuation_beta_squared * attenuation_epsilon_squared_cubed
-        + attenuation_beta_squared * product_13
-        + attenuation_beta_squared_cubed
-        + attenuation_beta_squared_cubed * attenuation_epsilon
-        + attenuation_beta_squared_cubed * attenuation_epsilon_squared
-        + attenuation_beta_squared_cubed * attenuation_epsilon_squared_cubed
-        + attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared_cubed * product_13
-        + attenuation_beta_squared_cubed * product_14
-        + attenuation_beta_squared_cubed * product_15
-        + attenuation_beta_squared_squared
-        + attenuation_beta_squared_squared * attenuation_epsilon
-        + attenuation_beta_squared_squared * attenuation_epsilon_squared_cubed
-        + attenuation_beta_squared_squared * product_13
-        + attenuation_epsilon
-        + attenuation_epsilon * product_11
-        + attenuation_epsilon * product_3
-        + attenuation_epsilon * product_8
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * product_11
-        + attenuation_epsilon_squared_cubed
-        + attenuation_epsilon_squared_cubed * product_11
-        + attenuation_epsilon_squared_cubed * product_3
-        + attenuation_epsilon_squared_cubed * product_8
-        + attenuation_epsilon_squared_squared
-        + attenuation_epsilon_squared_squared * product_11
-        + product_11
-        + product_11 * product_13
-        + product_11 * product_14
-        + product_11 * product_15
-        + product_13
-        + product_13 * product_3
-        + product_13 * product_8
-        + product_14
-        + product_15
-        + product_3
-        + product_8
-    )
     sum_4 = (
         2.0
-        + 2.0 * attenuation_beta
-        + 2.0 * attenuation_beta * attenuation_epsilon
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared_cubed
-        + 2.0 * attenuation_beta * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_beta * product_13
-        + 2.0 * attenuation_beta * product_14
-        + 2.0 * attenuation_beta * product_15
-        + 2.0 * attenuation_beta_squared
-        + 2.0 * attenuation_beta_squared * attenuation_epsilon
-        + 2.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed
-        + 2.0 * attenuation_beta_squared * product_13
-        + 2.0 * attenuation_beta_squared_cubed
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_cubed
-        + 2.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_beta_squared_cubed * product_13
-        + 2.0 * attenuation_beta_squared_cubed * product_14
-        + 2.0 * attenuation_beta_squared_cubed * product_15
         + 2.0 * attenuation_beta_squared_squared
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon
-        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_cubed
-        + 2.0 * attenuation_beta_squared_squared * product_13
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon * product_11
-        + 2.0 * attenuation_epsilon * product_3
-        + 2.0 * attenuation_epsilon * product_8
-        + 2.0 * attenuation_epsilon_squared
-        + 2.0 * attenuation_epsilon_squared * product_11
-        + 2.0 * attenuation_epsilon_squared_cubed
-        + 2.0 * attenuation_epsilon_squared_cubed * product_11
-        + 2.0 * attenuation_epsilon_squared_cubed * product_3
-        + 2.0 * attenuation_epsilon_squared_cubed * product_8
-        + 2.0 * attenuation_epsilon_squared_squared
-        + 2.0 * attenuation_epsilon_squared_squared * product_11
-        + 2.0 * product_11
-        + 2.0 * product_11 * product_13
-        + 2.0 * product_11 * product_14
-        + 2.0 * product_11 * product_15
-        + 2.0 * product_13
-        + 2.0 * product_13 * product_3
-        + 2.0 * product_13 * product_8
-        + 2.0 * product_14
-        + 2.0 * product_15
-        + 2.0 * product_3
-        + 2.0 * product_8
-        + attenuation_beta_squared * attenuation_epsilon_squared
-        + attenuation_beta_squared * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared * product_14
-        + attenuation_beta_squared * product_15
-        + attenuation_beta_squared_squared * attenuation_epsilon_squared
+        + 2.0 * attenuation_beta_squared_squared * term_2
+        + 2.0 * term_2
+        + product_1
+        + product_2
+    )
+    part_00_cos_beta2_cos_epsilon2 = (
+        0.25 * r_squared * shortfall_beta * sum_1 * sum_2 * sum_3 * term_1 * term_3
+        + 0.25 * shortfall_beta * sigma_r_squared * sum_1 * sum_2 * sum_4 * term_1 * term_3
+    )
+    attenuation_epsilon_squared_squared = attenuation_epsilon_squared**2
+    sum_5 = 1.0 + attenuation_epsilon
+    sum_6 = 1.0 + attenuation_epsilon_squared
+    sum_7 = (
+        1.0
+        + attenuation_beta_squared_squared
         + attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
-        + attenuation_beta_squared_squared * product_14
-        + attenuation_beta_squared_squared * product_15
-        + attenuation_epsilon_squared * product_3
-        + attenuation_epsilon_squared * product_8
-        + attenuation_epsilon_squared_squared * product_3
-        + attenuation_epsilon_squared_squared * product_8
-        + product_14 * product_3
-        + product_14 * product_8
-        + product_15 * product_3
-        + product_15 * product_8
+        + attenuation_epsilon_squared_squared
+        + product_1
+    )
+    sum_8 = (
+        2.0
+        + 2.0 * attenuation_beta_squared_squared
+        + 2.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared
+        + 2.0 * attenuation_epsilon_squared_squared
+        + product_1
     )
     part_00_cos_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_3 * term_1 * term_3
-        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_4 * term_1 * term_3
+        0.25 * r_squared * shortfall_beta * shortfall_epsilon * sum_1 * sum_2 * sum_5 * sum_6 * sum_7 * term_1 * term_3
+        + 0.25 * shortfall_beta * shortfall_epsilon * sigma_r_squared * sum_1 * sum_2 * sum_5 * sum_6 * sum_8 * term_1 * term_3
     )
+    product_3 = attenuation_beta * attenuation_beta_squared
     shortfall_beta_squared = shortfall_beta**2
-    product_16 = shortfall_beta * shortfall_beta_squared**2
+    product_4 = shortfall_beta * shortfall_beta_squared**2
     term_4 = (attenuation_beta_squared**2)**2
+    product_5 = attenuation_epsilon * attenuation_epsilon_squared
     shortfall_epsilon_squared = shortfall_epsilon**2
-    product_17 = shortfall_epsilon * shortfall_epsilon_squared**2
+    product_6 = shortfall_epsilon * shortfall_epsilon_squared**2
     shortfall_beta_squared_squared = shortfall_beta_squared**2
     shortfall_epsilon_squared_squared = shortfall_epsilon_squared**2
-    product_18 = shortfall_beta * shortfall_beta_squared
-    product_19 = shortfall_epsilon * shortfall_epsilon_squared
+    product_7 = attenuation_beta * attenuation_beta_squared**2
+    product_8 = shortfall_beta * shortfall_beta_squared
+    attenuation_beta_squared_cubed = attenuation_beta_squared * attenuation_beta_squared**2
+    product_9 = attenuation_epsilon * attenuation_epsilon_squared**2
+    product_10 = shortfall_epsilon * shortfall_epsilon_squared
     shortfall_beta_squared_cubed = shortfall_beta_squared * shortfall_beta_squared**2
     shortfall_epsilon_squared_cubed = shortfall_epsilon_squared * shortfall_epsilon_squared**2
-    product_20 = shortfall_epsilon * shortfall_epsilon_squared * shortfall_epsilon_squared**2
-    product_21 = shortfall_beta * shortfall_beta_squared * shortfall_beta_squared**2
+    product_11 = shortfall_epsilon * shortfall_epsilon_squared * shortfall_epsilon_squared**2
+    product_12 = shortfall_beta * shortfall_beta_squared * shortfall_beta_squared**2
     term_5 = (shortfall_epsilon_squared**2)**2
     term_6 = (shortfall_beta_squared**2)**2
-    sum_5 = (
-        100.0 * product_14 * product_17 * term_4
-        + 100.0 * product_16 * product_3 * term_2
+    product_13 = attenuation_epsilon * attenuation_epsilon_squared * attenuation_epsilon_squared**2
+    product_14 = attenuation_beta * attenuation_beta_squared * attenuation_beta_squared**2
+    sum_9 = (
+        100.0 * product_3 * product_4 * term_2
+        + 100.0 * product_5 * product_6 * term_4
         + 110.0 * attenuation_beta_squared_squared * shortfall_beta_squared_squared * term_2
         + 110.0 * attenuation_epsilon_squared_squared * shortfall_epsilon_squared_squared * term_4
-        + 1248.0 * attenuation_beta_squared_cubed * product_15 * product_19 * shortfall_beta_squared
-        + 1248.0 * attenuation_epsilon_squared_cubed * product_18 * product_8 * shortfall_epsilon_squared
-        + 1472.0 * attenuation_beta_squared_cubed * product_14 * product_17 * shortfall_beta_squared
-        + 1472.0 * attenuation_epsilon_squared_cubed * product_16 * product_3 * shortfall_epsilon_squared
-        + 1548.0 * attenuation_beta_squared * product_15 * product_19 * shortfall_beta_squared_cubed
-        + 1548.0 * attenuation_epsilon_squared * product_18 * product_8 * shortfall_epsilon_squared_cubed
-        + 1562.0 * attenuation_beta_squared * product_14 * product_17 * shortfall_beta_squared_cubed
-        + 1562.0 * attenuation_epsilon_squared * product_16 * product_3 * shortfall_epsilon_squared_cubed
-        + 16.0 * attenuation_beta * product_21 * term_2
-        + 16.0 * attenuation_epsilon * product_20 * term_4
+        + 1248.0 * attenuation_beta_squared_cubed * product_10 * product_9 * shortfall_beta_squared
+        + 1248.0 * attenuation_epsilon_squared_cubed * product_7 * product_8 * shortfall_epsilon_squared
+        + 1472.0 * attenuation_beta_squared_cubed * product_5 * product_6 * shortfall_beta_squared
+        + 1472.0 * attenuation_epsilon_squared_cubed * product_3 * product_4 * shortfall_epsilon_squared
+        + 1548.0 * attenuation_beta_squared * product_10 * product_9 * shortfall_beta_squared_cubed
+        + 1548.0 * attenuation_epsilon_squared * product_7 * product_8 * shortfall_epsilon_squared_cubed
+        + 1562.0 * attenuation_beta_squared * product_5 * product_6 * shortfall_beta_squared_cubed
+        + 1562.0 * attenuation_epsilon_squared * product_3 * product_4 * shortfall_epsilon_squared_cubed
+        + 16.0 * attenuation_beta * product_12 * term_2
+        + 16.0 * attenuation_epsilon * product_11 * term_4
         + 1720.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
         + 1720.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_cubed * shortfall_beta_squared_squared * shortfall_epsilon_squared
         + 1945.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared_squared
@@ -4587,128 +2538,126 @@ def unbiased_covariance_averaged(
         + 2.0 * term_2 * term_6
         + 2.0 * term_4 * term_5
         + 216.0 * attenuation_beta_squared * product_13 * shortfall_beta_squared_cubed * shortfall_epsilon
-        + 216.0 * attenuation_epsilon_squared * product_11 * shortfall_beta * shortfall_epsilon_squared_cubed
-        + 224.0 * attenuation_beta * attenuation_epsilon_squared * product_21 * shortfall_epsilon_squared_cubed
-        + 224.0 * attenuation_beta * attenuation_epsilon_squared_cubed * product_21 * shortfall_epsilon_squared
-        + 224.0 * attenuation_beta_squared * attenuation_epsilon * product_20 * shortfall_beta_squared_cubed
-        + 224.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_20 * shortfall_beta_squared
+        + 216.0 * attenuation_epsilon_squared * product_14 * shortfall_beta * shortfall_epsilon_squared_cubed
+        + 224.0 * attenuation_beta * attenuation_epsilon_squared * product_12 * shortfall_epsilon_squared_cubed
+        + 224.0 * attenuation_beta * attenuation_epsilon_squared_cubed * product_12 * shortfall_epsilon_squared
+        + 224.0 * attenuation_beta_squared * attenuation_epsilon * product_11 * shortfall_beta_squared_cubed
+        + 224.0 * attenuation_beta_squared_cubed * attenuation_epsilon * product_11 * shortfall_beta_squared
         + 24.0 * attenuation_beta_squared_cubed * shortfall_beta_squared * term_2
         + 24.0 * attenuation_epsilon_squared_cubed * shortfall_epsilon_squared * term_4
-        + 2736.0 * product_15 * product_18 * product_19 * product_8
+        + 2736.0 * product_10 * product_7 * product_8 * product_9
         + 28.0 * attenuation_beta_squared * shortfall_beta_squared_cubed * term_5
         + 28.0 * attenuation_beta_squared_cubed * shortfall_beta_squared * term_5
         + 28.0 * attenuation_epsilon_squared * shortfall_epsilon_squared_cubed * term_6
         + 28.0 * attenuation_epsilon_squared_cubed * shortfall_epsilon_squared * term_6
-        + 288.0 * product_11 * product_15 * product_19 * shortfall_beta
-        + 288.0 * product_13 * product_18 * product_8 * shortfall_epsilon
-        + 3016.0 * product_14 * product_17 * product_18 * product_8
-        + 3016.0 * product_15 * product_16 * product_19 * product_3
-        + 3100.0 * product_14 * product_16 * product_17 * product_3
-        + 3620.0 * attenuation_beta_squared_squared * product_15 * product_19 * shortfall_beta_squared_squared
-        + 3620.0 * attenuation_epsilon_squared_squared * product_18 * product_8 * shortfall_epsilon_squared_squared
-        + 3830.0 * attenuation_beta_squared_squared * product_14 * product_17 * shortfall_beta_squared_squared
-        + 3830.0 * attenuation_epsilon_squared_squared * product_16 * product_3 * shortfall_epsilon_squared_squared
-        + 400.0 * product_11 * product_14 * product_17 * shortfall_beta
-        + 400.0 * product_13 * product_16 * product_3 * shortfall_epsilon
+        + 288.0 * product_10 * product_14 * product_9 * shortfall_beta
+        + 288.0 * product_13 * product_7 * product_8 * shortfall_epsilon
+        + 3016.0 * product_10 * product_3 * product_4 * product_9
+        + 3016.0 * product_5 * product_6 * product_7 * product_8
+        + 3100.0 * product_3 * product_4 * product_5 * product_6
+        + 3620.0 * attenuation_beta_squared_squared * product_10 * product_9 * shortfall_beta_squared_squared
+        + 3620.0 * attenuation_epsilon_squared_squared * product_7 * product_8 * shortfall_epsilon_squared_squared
+        + 3830.0 * attenuation_beta_squared_squared * product_5 * product_6 * shortfall_beta_squared_squared
+        + 3830.0 * attenuation_epsilon_squared_squared * product_3 * product_4 * shortfall_epsilon_squared_squared
+        + 400.0 * product_13 * product_3 * product_4 * shortfall_epsilon
+        + 400.0 * product_14 * product_5 * product_6 * shortfall_beta
         + 440.0 * attenuation_beta_squared_squared * product_13 * shortfall_beta_squared_squared * shortfall_epsilon
-        + 440.0 * attenuation_epsilon_squared_squared * product_11 * shortfall_beta * shortfall_epsilon_squared_squared
-        + 448.0 * attenuation_beta * product_14 * product_17 * product_21
-        + 448.0 * attenuation_beta * product_15 * product_19 * product_21
-        + 448.0 * attenuation_epsilon * product_16 * product_20 * product_3
-        + 448.0 * attenuation_epsilon * product_18 * product_20 * product_8
+        + 440.0 * attenuation_epsilon_squared_squared * product_14 * shortfall_beta * shortfall_epsilon_squared_squared
+        + 448.0 * attenuation_beta * product_10 * product_12 * product_9
+        + 448.0 * attenuation_beta * product_12 * product_5 * product_6
+        + 448.0 * attenuation_epsilon * product_11 * product_3 * product_4
+        + 448.0 * attenuation_epsilon * product_11 * product_7 * product_8
         + 4675.0 * attenuation_beta_squared_squared * attenuation_epsilon_squared_squared * shortfall_beta_squared_squared * shortfall_epsilon_squared_squared
         + 528.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared_cubed * shortfall_beta_squared * shortfall_epsilon_squared
         + 54.0 * attenuation_beta_squared * shortfall_beta_squared_cubed * term_2
         + 54.0 * attenuation_epsilon_squared * shortfall_epsilon_squared_cubed * term_4
-        + 56.0 * product_14 * product_17 * term_6
-        + 56.0 * product_15 * product_19 * term_6
-        + 56.0 * product_16 * product_3 * term_5
-        + 56.0 * product_18 * product_8 * term_5
-        + 560.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_21 * shortfall_epsilon_squared_squared
-        + 560.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_20 * shortfall_beta_squared_squared
-        + 64.0 * attenuation_beta * attenuation_epsilon * product_20 * product_21
-        + 64.0 * attenuation_beta * product_13 * product_21 * shortfall_epsilon
-        + 64.0 * attenuation_epsilon * product_11 * product_20 * shortfall_beta
+        + 56.0 * product_10 * product_9 * term_6
+        + 56.0 * product_3 * product_4 * term_5
+        + 56.0 * product_5 * product_6 * term_6
+        + 56.0 * product_7 * product_8 * term_5
+        + 560.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_12 * shortfall_epsilon_squared_squared
+        + 560.0 * attenuation_beta_squared_squared * attenuation_epsilon * product_11 * shortfall_beta_squared_squared
+        + 64.0 * attenuation_beta * attenuation_epsilon * product_11 * product_12
+        + 64.0 * attenuation_beta * product_12 * product_13 * shortfall_epsilon
+        + 64.0 * attenuation_epsilon * product_11 * product_14 * shortfall_beta
         + 70.0 * attenuation_beta_squared_squared * shortfall_beta_squared_squared * term_5
         + 70.0 * attenuation_epsilon_squared_squared * shortfall_epsilon_squared_squared * term_6
-        + 72.0 * product_15 * product_19 * term_4
-        + 72.0 * product_18 * product_8 * term_2
+        + 72.0 * product_10 * product_9 * term_4
+        + 72.0 * product_7 * product_8 * term_2
         + 768.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_beta_squared_cubed * shortfall_epsilon_squared
         + 768.0 * attenuation_beta_squared_cubed * attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared_cubed
         + 783.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_beta_squared_cubed * shortfall_epsilon_squared_cubed
-        + 8.0 * attenuation_beta * product_21 * term_5
-        + 8.0 * attenuation_epsilon * product_20 * term_6
-        + 8.0 * product_11 * shortfall_beta * term_5
+        + 8.0 * attenuation_beta * product_12 * term_5
+        + 8.0 * attenuation_epsilon * product_11 * term_6
         + 8.0 * product_13 * shortfall_epsilon * term_6
+        + 8.0 * product_14 * shortfall_beta * term_5
         + 96.0 * attenuation_beta_squared_cubed * product_13 * shortfall_beta_squared * shortfall_epsilon
-        + 96.0 * attenuation_epsilon_squared_cubed * product_11 * shortfall_beta * shortfall_epsilon_squared
+        + 96.0 * attenuation_epsilon_squared_cubed * product_14 * shortfall_beta * shortfall_epsilon_squared
         + term_5 * term_6
     )
-    product_22 = -attenuation_beta_squared_cubed * attenuation_epsilon_squared
-    sum_6 = (
+    product_15 = -attenuation_beta_squared_cubed * attenuation_epsilon_squared
+    sum_10 = (
         2.0
         - attenuation_beta_squared_cubed * attenuation_epsilon_squared_cubed
         + 2.0 * term_2
         + 2.0 * term_2 * term_4
         + 2.0 * term_4
         + product_1
+        + product_15
         + product_2
-        + product_22
     )
     part_00_cos_epsilon2_sin_beta2 = (
-        0.25 * r_squared * sum_5 * term_1 * term_3
-        + 0.25 * sigma_r_squared * sum_6 * term_1 * term_3
+        0.25 * r_squared * sum_9 * term_1 * term_3
+        + 0.25 * sigma_r_squared * sum_10 * term_1 * term_3
     )
-    product_23 = -attenuation_beta_squared * product_14
-    product_24 = -attenuation_beta_squared * attenuation_epsilon_squared_squared
-    product_25 = -attenuation_beta_squared * product_15
-    product_26 = -attenuation_beta_squared_cubed * product_14
-    product_27 = -attenuation_beta_squared_cubed * attenuation_epsilon_squared_squared
-    product_28 = -attenuation_beta_squared_cubed * product_15
-    sum_7 = (
+    sum_11 = (
         1.0
-        + attenuation_epsilon
-        + attenuation_epsilon * term_4
-        + attenuation_epsilon_squared
-        + attenuation_epsilon_squared * term_4
-        + attenuation_epsilon_squared_cubed
-        + attenuation_epsilon_squared_cubed * term_4
         + attenuation_epsilon_squared_squared
         + attenuation_epsilon_squared_squared * term_4
         + product_1
-        + product_13
-        + product_13 * term_4
-        + product_14
-        + product_14 * term_4
         + product_15
-        + product_15 * term_4
-        + product_22
-        + product_23
-        + product_24
-        + product_25
-        + product_26
-        + product_27
-        + product_28
         + term_4
     )
-    sum_8 = (
+    sum_12 = (
         2.0
-        + 2.0 * attenuation_epsilon
-        + 2.0 * attenuation_epsilon * term_4
-        + 2.0 * attenuation_epsilon_squared
-        + 2.0 * attenuation_epsilon_squared * term_4
-        + 2.0 * attenuation_epsilon_squared_cubed
-        + 2.0 * attenuation_epsilon_squared_cubed * term_4
         + 2.0 * attenuation_epsilon_squared_squared
         + 2.0 * attenuation_epsilon_squared_squared * term_4
-        + 2.0 * product_13
-        + 2.0 * product_13 * term_4
-        + 2.0 * product_14
-        + 2.0 * product_14 * term_4
-        + 2.0 * product_15
-        + 2.0 * product_15 * term_4
         + 2.0 * term_4
         + product_1
+        + product_15
+    )
+    part_00_sin_beta2_sin_epsilon2 = (
+        0.25 * r_squared * shortfall_epsilon * sum_11 * sum_5 * sum_6 * term_1 * term_3
+        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_12 * sum_5 * sum_6 * term_1 * term_3
+    )
+    product_16 = -12.0 * attenuation_beta * product_5 * product_6 * shortfall_beta
+    product_17 = -15.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
+    product_18 = -16.0 * attenuation_beta * product_13 * shortfall_beta * shortfall_epsilon
+    product_19 = -16.0 * attenuation_epsilon_squared_cubed * shortfall_beta_squared * shortfall_epsilon_squared
+    product_20 = -2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared_cubed
+    product_21 = -2.0 * shortfall_beta_squared * term_2
+    product_22 = -20.0 * product_10 * product_9 * shortfall_beta_squared
+    product_23 = -30.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta * shortfall_epsilon_squared_squared
+    product_24 = -32.0 * attenuation_beta * attenuation_epsilon_squared_cubed * shortfall_beta * shortfall_epsilon_squared
+    product_25 = -4.0 * attenuation_beta * shortfall_beta * term_2
+    product_26 = -40.0 * attenuation_beta * product_10 * product_9 * shortfall_beta
+    product_27 = -6.0 * product_5 * product_6 * shortfall_beta_squared
+    product_28 = -8.0 * product_13 * shortfall_beta_squared * shortfall_epsilon
+    product_29 = -attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared_cubed
+    sum_13 = (
+        12.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_epsilon_squared
+        + 27.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared_cubed
+        + 36.0 * attenuation_beta_squared * product_10 * product_9
+        + 50.0 * attenuation_beta_squared * product_5 * product_6
+        + 55.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_epsilon_squared_squared
+        + 8.0 * attenuation_beta_squared * attenuation_epsilon * product_11
+        + attenuation_beta_squared * term_5
+        + product_16
+        + product_17
+        + product_18
+        + product_19
+        + product_20
+        + product_21
         + product_22
         + product_23
         + product_24
@@ -4716,178 +2665,114 @@ def unbiased_covariance_averaged(
         + product_26
         + product_27
         + product_28
-    )
-    part_00_sin_beta2_sin_epsilon2 = (
-        0.25 * r_squared * shortfall_epsilon * sum_7 * term_1 * term_3
-        + 0.25 * shortfall_epsilon * sigma_r_squared * sum_8 * term_1 * term_3
-    )
-    product_29 = -12.0 * attenuation_beta * product_14 * product_17 * shortfall_beta
-    product_30 = -15.0 * attenuation_epsilon_squared_squared * shortfall_beta_squared * shortfall_epsilon_squared_squared
-    product_31 = -16.0 * attenuation_beta * product_13 * shortfall_beta * shortfall_epsilon
-    product_32 = -16.0 * attenuation_epsilon_squared_cubed * shortfall_beta_squared * shortfall_epsilon_squared
-    product_33 = -2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared_cubed
-    product_34 = -2.0 * shortfall_beta_squared * term_2
-    product_35 = -20.0 * product_15 * product_19 * shortfall_beta_squared
-    product_36 = -30.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta * shortfall_epsilon_squared_squared
-    product_37 = -32.0 * attenuation_beta * attenuation_epsilon_squared_cubed * shortfall_beta * shortfall_epsilon_squared
-    product_38 = -4.0 * attenuation_beta * shortfall_beta * term_2
-    product_39 = -40.0 * attenuation_beta * product_15 * product_19 * shortfall_beta
-    product_40 = -6.0 * product_14 * product_17 * shortfall_beta_squared
-    product_41 = -8.0 * product_13 * shortfall_beta_squared * shortfall_epsilon
-    product_42 = -attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared_cubed
-    sum_9 = (
-        12.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_epsilon_squared
-        + 27.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared_cubed
-        + 36.0 * attenuation_beta_squared * product_15 * product_19
-        + 50.0 * attenuation_beta_squared * product_14 * product_17
-        + 55.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_epsilon_squared_squared
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon * product_20
-        + attenuation_beta_squared * term_5
         + product_29
-        + product_30
-        + product_31
-        + product_32
-        + product_33
-        + product_34
-        + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
     )
-    sum_10 = (
-        106.0 * attenuation_beta_squared * product_14 * product_17
+    sum_14 = (
+        106.0 * attenuation_beta_squared * product_5 * product_6
         + 125.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * shortfall_epsilon_squared_squared
-        + 16.0 * attenuation_beta_squared * attenuation_epsilon * product_20
+        + 16.0 * attenuation_beta_squared * attenuation_epsilon * product_11
+        + 2.0 * attenuation_beta_squared * term_2
         + 2.0 * attenuation_beta_squared * term_5
         + 40.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_epsilon_squared
         + 55.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared_cubed
         + 8.0 * attenuation_beta_squared * product_13 * shortfall_epsilon
-        + 92.0 * attenuation_beta_squared * product_15 * product_19
-        + product_12
+        + 92.0 * attenuation_beta_squared * product_10 * product_9
+        + product_16
+        + product_17
+        + product_18
+        + product_19
+        + product_20
+        + product_21
+        + product_22
+        + product_23
+        + product_24
+        + product_25
+        + product_26
+        + product_27
+        + product_28
         + product_29
+    )
+    part_01_cos_beta_cos_epsilon2_sin_beta = (
+        0.5 * attenuation_beta_squared_squared * r_squared * sum_13 * term_3
+        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_14 * term_3
+    )
+    product_30 = -2.0 * attenuation_beta * attenuation_epsilon_squared * shortfall_beta * shortfall_epsilon_squared
+    product_31 = -2.0 * attenuation_beta * attenuation_epsilon_squared_squared * shortfall_beta
+    product_32 = -2.0 * product_5 * shortfall_beta_squared * shortfall_epsilon
+    product_33 = -4.0 * attenuation_beta * product_5 * shortfall_beta * shortfall_epsilon
+    product_34 = -attenuation_epsilon_squared * shortfall_beta_squared * shortfall_epsilon_squared
+    product_35 = -attenuation_epsilon_squared_squared * shortfall_beta_squared
+    sum_15 = (
+        2.0 * attenuation_beta_squared * product_5 * shortfall_epsilon
+        + 4.0 * attenuation_beta_squared * attenuation_epsilon * product_10
+        + 5.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + attenuation_beta_squared * attenuation_epsilon_squared_squared
+        + attenuation_beta_squared * shortfall_epsilon_squared_squared
         + product_30
         + product_31
         + product_32
         + product_33
         + product_34
         + product_35
-        + product_36
-        + product_37
-        + product_38
-        + product_39
-        + product_40
-        + product_41
-        + product_42
     )
-    part_01_cos_beta_cos_epsilon2_sin_beta = (
-        0.5 * attenuation_beta_squared_squared * r_squared * sum_9 * term_3
-        + 0.5 * attenuation_beta_squared_squared * sigma_r_squared * sum_10 * term_3
-    )
-    product_43 = -12.0 * attenuation_beta * product_14 * shortfall_beta * shortfall_epsilon_squared_squared
-    product_44 = -14.0 * attenuation_epsilon_squared_cubed * shortfall_beta_squared * shortfall_epsilon
-    product_45 = -15.0 * attenuation_epsilon_squared_squared * product_19 * shortfall_beta_squared
-    product_46 = -2.0 * attenuation_beta * attenuation_epsilon_squared * product_17 * shortfall_beta
-    product_47 = -20.0 * product_15 * shortfall_beta_squared * shortfall_epsilon_squared
-    product_48 = -28.0 * attenuation_beta * attenuation_epsilon_squared_cubed * shortfall_beta * shortfall_epsilon
-    product_49 = -30.0 * attenuation_beta * attenuation_epsilon_squared_squared * product_19 * shortfall_beta
-    product_50 = -4.0 * product_13 * shortfall_beta_squared
-    product_51 = -40.0 * attenuation_beta * product_15 * shortfall_beta * shortfall_epsilon_squared
-    product_52 = -6.0 * product_14 * shortfall_beta_squared * shortfall_epsilon_squared_squared
-    product_53 = -8.0 * attenuation_beta * product_13 * shortfall_beta
-    product_54 = -attenuation_epsilon_squared * product_17 * shortfall_beta_squared
-    sum_11 = (
-        14.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_epsilon
-        + 27.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_17
-        + 36.0 * attenuation_beta_squared * product_15 * shortfall_epsilon_squared
-        + 4.0 * attenuation_beta_squared * product_13
-        + 50.0 * attenuation_beta_squared * product_14 * shortfall_epsilon_squared_squared
-        + 55.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * product_19
-        + 8.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared_cubed
-        + attenuation_beta_squared * product_20
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
-    )
-    sum_12 = (
-        106.0 * attenuation_beta_squared * product_14 * shortfall_epsilon_squared_squared
-        + 12.0 * attenuation_beta_squared * product_13
-        + 125.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared * product_19
-        + 16.0 * attenuation_beta_squared * attenuation_epsilon * shortfall_epsilon_squared_cubed
-        + 2.0 * attenuation_beta_squared * product_20
-        + 42.0 * attenuation_beta_squared * attenuation_epsilon_squared_cubed * shortfall_epsilon
-        + 55.0 * attenuation_beta_squared * attenuation_epsilon_squared * product_17
-        + 92.0 * attenuation_beta_squared * product_15 * shortfall_epsilon_squared
-        + product_43
-        + product_44
-        + product_45
-        + product_46
-        + product_47
-        + product_48
-        + product_49
-        + product_50
-        + product_51
-        + product_52
-        + product_53
-        + product_54
+    sum_16 = (
+        11.0 * attenuation_beta_squared * attenuation_epsilon_squared * shortfall_epsilon_squared
+        + 2.0 * attenuation_beta_squared * shortfall_epsilon_squared_squared
+        + 3.0 * attenuation_beta_squared * attenuation_epsilon_squared_squared
+        + 6.0 * attenuation_beta_squared * product_5 * shortfall_epsilon
+        + 8.0 * attenuation_beta_squared * attenuation_epsilon * product_10
+        + product_30
+        + product_31
+        + product_32
+        + product_33
+        + product_34
+        + product_35
     )
     part_01_cos_beta_sin_beta_sin_epsilon2 = (
-        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_11 * term_3
-        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_12 * term_3
+        0.5 * attenuation_beta_squared_squared * r_squared * shortfall_epsilon * sum_15 * sum_5 * sum_6 * term_3
+        + 0.5 * attenuation_beta_squared_squared * shortfall_epsilon * sigma_r_squared * sum_16 * sum_5 * sum_6 * term_3
     )
-    sum_13 = (
+    sum_17 = (
         attenuation_epsilon_squared
         - 2.0 * attenuation_epsilon * shortfall_epsilon
         - shortfall_epsilon_squared
     )
     part_02_cos_epsilon_sin_beta_sin_epsilon = (
         (-1.0 - attenuation_epsilon) * attenuation_beta * attenuation_epsilon_squared_squared * r_squared * shortfall_epsilon
-        + attenuation_beta * attenuation_epsilon_squared_squared * sigma_r_squared * sum_13
+        + attenuation_beta * attenuation_epsilon_squared_squared * sigma_r_squared * sum_17
     )
     part_03_cos_epsilon_sin_beta = (
         attenuation_beta * attenuation_epsilon * r * rho * sigma_r * sigma_rdot
         + attenuation_beta * attenuation_epsilon * rdot * sigma_r_squared
     )
-    sum_14 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared_cubed + product_13
-    sum_15 = (
+    sum_18 = 1.0 + attenuation_epsilon + attenuation_epsilon_squared_cubed + product_13
+    sum_19 = (
         2.0
         + 2.0 * attenuation_epsilon
         + 2.0 * attenuation_epsilon_squared_cubed
         + 2.0 * product_13
         + attenuation_epsilon_squared
         + attenuation_epsilon_squared_squared
-        + product_14
-        + product_15
+        + product_5
+        + product_9
     )
     part_22_cos_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon * sum_14 * term_3
-        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_15 * term_3
+        0.5 * r_squared * shortfall_epsilon * sum_18 * term_3
+        + 0.5 * shortfall_epsilon * sigma_r_squared * sum_19 * term_3
     )
-    sum_16 = (
+    sum_20 = (
         1.0
         + 2.0 * attenuation_epsilon
         + 2.0 * attenuation_epsilon_squared
         + 2.0 * attenuation_epsilon_squared_squared
-        + 2.0 * product_14
-        + 2.0 * product_15
+        + 2.0 * product_5
+        + 2.0 * product_9
         + attenuation_epsilon_squared_cubed
     )
-    sum_17 = 2.0 - attenuation_epsilon_squared - attenuation_epsilon_squared_cubed + 2.0 * term_2
+    sum_21 = 2.0 - attenuation_epsilon_squared - attenuation_epsilon_squared_cubed + 2.0 * term_2
     part_22_sin_epsilon2 = (
-        0.5 * r_squared * shortfall_epsilon_squared * sum_16 * term_3
-        + 0.5 * sigma_r_squared * sum_17 * term_3
+        0.5 * r_squared * shortfall_epsilon_squared * sum_20 * term_3
+        + 0.5 * sigma_r_squared * sum_21 * term_3
     )
     part_23_sin_epsilon = (
         attenuation_epsilon * r * rho * sigma_r * sigma_rdot

@@ -27,8 +27,9 @@ from radartrack.derive import symbolic as sp
 from radartrack.derive.algebra.exponential_polynomial import ExponentialPolynomial, ring_over, split
 from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Index, Tensor
-from radartrack.derive.stable.bernstein_polynomials import Decay, Monomial, bernstein, rational_number
+from radartrack.derive.stable.bernstein_polynomials import Decay, Monomial, rational_number
 from radartrack.derive.stable.exponents import Exponents
+from radartrack.derive.stable.separated_attenuations import without_cancellation
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol
 
 if TYPE_CHECKING:
@@ -201,7 +202,7 @@ class _Rewriter:
     def _term(self, monomial: Monomial, by_decay: Mapping[Monomial, Fraction]) -> Expr:
         product = self.ring.from_dict({monomial: self.ring.domain.one}).as_expr()
         if self.are_attenuations:
-            return product * bernstein(frozenset(by_decay.items()), self.decays)
+            return product * without_cancellation(frozenset(by_decay.items()), self.decays)
         return product * self.exponents.total(by_decay)
 
 

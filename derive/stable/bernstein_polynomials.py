@@ -7,13 +7,13 @@ one degree. A polynomial that is positive between 0 and 1 then ends, at some deg
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from itertools import product
 from math import lcm, prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from radartrack.derive import symbolic as sp
 from radartrack.derive.symbolic import Expr, PolyElement, PolyRing, Symbol, expm1
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from radartrack.derive.symbolic import PolyCoefficient
 
 Monomial = tuple[int, ...]
+Point = tuple[Fraction, ...]
+Coefficients = frozenset[tuple[Monomial, Fraction]]
 Factored = tuple[PolyElement, PolyElement]
 HEADROOM = 3  # how often terms may outweigh their sum, two bits; less, and short forms are refused for longer ones
 GRID = 8  # intervals a side for two attenuations at which that is tried, fewer for more: their number is a power
@@ -56,25 +58,61 @@ class Decay:
         return {self.attenuation: sp.exp(exponent), self.shortfall: -expm1(exponent)}
 
 
+class Form(NamedTuple):
+    """A polynomial as it is written.
+
+    Attributes:
+        expression: in attenuations and shortfalls.
+        terms: of its sums, together.
+        sign: that it has wherever the attenuations are between 0 and 1; 0 where its terms cancel somewhere.
+        size: the sum of the sizes of its terms, by the values of the attenuations.
+    """
+
+    expression: Expr
+    terms: int
+    sign: int
+    size: Callable[[Point], Fraction]
+
+
 @lru_cache(maxsize=4096)
-def bernstein(coefficients: frozenset[tuple[Monomial, Fraction]], decays: tuple[Decay, ...]) -> Expr:
+def bernstein(coefficients: Coefficients, decays: tuple[Decay, ...]) -> Form:
     """A polynomial in attenuations as a product of powers and, where one exists, a sum of terms of one sign.
 
     `coefficients` pairs the powers of each attenuation, negative ones included, with rationals.
     """
     live = {powers: value for powers, value in sorted(coefficients) if value}
     if not live:
-        return sp.Integer(0)
-    lowest = tuple(min(powers[d] for powers in live) for d in range(len(decays)))
-    ring = PolyRing([symbol for decay in decays for symbol in (decay.attenuation, decay.shortfall)], sp.QQ)
-    common = sp.Mul(*(decay.attenuation**low for decay, low in zip(decays, lowest, strict=True)))
+        return Form(sp.Integer(0), 0, 0, lambda _: Fraction(0))
     if not decays:
-        return sp.Rational(live[()])
-    shifted = {tuple(p - low for p, low in zip(powers, lowest, strict=True)): value for powers, value in live.items()}
+        return Form(sp.Rational(live[()]), 1, _sign_of(live[()]), lambda _: abs(live[()]))
+    lowest, shifted = without_common_power(live)
+    ring = PolyRing([symbol for decay in decays for symbol in (decay.attenuation, decay.shortfall)], sp.QQ)
     degrees = tuple(max(powers[d] for powers in shifted) for d in range(len(decays)))
     power, rest = _best(shifted, degrees, ring)
     content, primitive = rest.primitive()
-    return sp.Rational(rational_number(content)) * common * power.as_expr() * primitive.as_expr()
+    expression = sp.Rational(rational_number(content)) * common(lowest, decays) * power.as_expr() * primitive.as_expr()
+    return Form(expression, len(rest.terms()), _sign(rest), lambda point: _size(power * rest, lowest, point))
+
+
+def without_common_power(coefficients: Mapping[Monomial, Fraction]) -> tuple[Monomial, dict[Monomial, Fraction]]:
+    """The powers of attenuations that all terms share, and the polynomial that is left."""
+    lowest = tuple(map(min, zip(*coefficients, strict=True)))
+    left = {tuple(p - low for p, low in zip(powers, lowest, strict=True)): c for powers, c in coefficients.items()}
+    return lowest, left
+
+
+def common(powers: Monomial, decays: Sequence[Decay]) -> Expr:
+    """A product of powers of attenuations."""
+    return sp.Mul(*(decay.attenuation**power for decay, power in zip(decays, powers, strict=True)))
+
+
+def _size(polynomial: PolyElement, lowest: Monomial, point: Point) -> Fraction:
+    values = [value for attenuation in point for value in (attenuation, 1 - attenuation)]
+    terms = (
+        abs(rational_number(c)) * prod(value**n for value, n in zip(values, powers, strict=True))
+        for powers, c in polynomial.terms()
+    )
+    return sum(terms, Fraction(0)) * prod(a**n for a, n in zip(point, lowest, strict=True))
 
 
 def _best(coefficients: Mapping[Monomial, Fraction], degrees: Monomial, ring: PolyRing) -> Factored:
@@ -129,22 +167,33 @@ def _length(candidate: Factored) -> tuple[int, int]:
 
 def _cancels(polynomial: PolyElement) -> bool:
     """Whether somewhere the terms outweigh their sum more than HEADROOM times; on a grid, in exact arithmetic."""
-    if len({value > 0 for value in polynomial.coeffs()}) == 1:
-        return False
+    return any(sum(map(abs, terms)) > HEADROOM * abs(sum(terms)) for terms in _on_grid(polynomial))
+
+
+def _sign(polynomial: PolyElement) -> int:
+    """Where its terms cancel nowhere the sign of their sum, else 0."""
+    found = {0} if _cancels(polynomial) else {_sign_of(sum(terms)) for terms in _on_grid(polynomial)} - {0}
+    return found.pop() if len(found) == 1 else 0
+
+
+def _sign_of(number: Fraction | int) -> int:
+    return (number > 0) - (number < 0)
+
+
+def _on_grid(polynomial: PolyElement) -> Iterator[list[int]]:
+    """The terms at points between 0 and 1, in one unit; of terms of one sign at the middle alone."""
     decays = len(polynomial.ring.gens) // 2
     side = max(2, round(GRID ** (2 / max(2, decays))))
     total = max(sum(monomial) for monomial in polynomial.monoms())
     powers = [[k**n for n in range(_degree(polynomial) + 1)] for k in range(side + 1)]
     weights = _integers(polynomial)
-    for point in product(range(side + 1), repeat=decays):
+    of_one_sign = len({value > 0 for value in polynomial.coeffs()}) == 1
+    for point in [(side // 2,) * decays] if of_one_sign else product(range(side + 1), repeat=decays):
         values = [powers[k] for part in point for k in (part, side - part)]
-        terms = [
+        yield [
             value * prod(table[n] for table, n in zip(values, monomial, strict=True)) * side ** (total - sum(monomial))
             for monomial, value in weights
         ]
-        if sum(map(abs, terms)) > HEADROOM * abs(sum(terms)):
-            return True
-    return False
 
 
 def _degree(polynomial: PolyElement) -> int:

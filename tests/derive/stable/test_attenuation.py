@@ -14,7 +14,8 @@ from radartrack.derive.language.stable_form import NotProved, StableForm
 from radartrack.derive.language.tensor import Tensor
 from radartrack.derive.stable import attenuation
 from radartrack.derive.stable.attenuation import Wave, stable_form
-from radartrack.derive.stable.bernstein_polynomials import Decay, bernstein
+from radartrack.derive.stable.bernstein_polynomials import Decay
+from radartrack.derive.stable.separated_attenuations import without_cancellation
 from radartrack.derive.writing.numpy_expression import code
 from tests.examples import share
 from tests.expressions import NONZERO, number
@@ -107,8 +108,8 @@ def test_the_forms_that_the_method_is_known_for():
 
 @pytest.mark.parametrize("factor", [sympy.Integer(2), sympy.Integer(-1), 1 + sympy.Rational(1, 10**30)])
 def test_a_wrong_factor_in_a_rewriting_is_not_proved(monkeypatch: pytest.MonkeyPatch, factor: sympy.Expr):
-    right = bernstein
-    monkeypatch.setattr(attenuation, "bernstein", lambda *arguments: factor * right(*arguments))
+    right = without_cancellation
+    monkeypatch.setattr(attenuation, "without_cancellation", lambda *arguments: factor * right(*arguments))
     with pytest.raises(NotProved):
         stable_form(vector(r * sympy.exp(-(sigma**2)) - r * sympy.exp(-2 * sigma**2)))
 
