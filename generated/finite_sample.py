@@ -985,9 +985,9 @@ def degree1_range_at_lag_range_weights(
     Returns:
         Shape of the broadcast arguments + (2), unit [1, 1/s].
 
-    Accuracy: at most 35.5 ulp anywhere in this domain, proved for elementary functions within 1 ulp
-    (float64); in float32, with functions within 4 of its ulp, at most 40.5. Errors are measured against the
-    weights of this, the first and the last scan and the root mean square of all.
+    Accuracy: at most 34 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64);
+    in float32, with functions within 4 of its ulp, at most 40.5. Errors are measured against the weights of
+    this, the first and the last scan and the root mean square of all.
     """
     arguments = _floats(k, j, T, tau)
     k, j, T, tau = arguments

@@ -309,8 +309,8 @@ def one_plot_spherical_doppler_covariance(
     Returns:
         Shape of the broadcast arguments + (6, 6), unit [m, m, m, m/s, m/s, m/s] × [m, m, m, m/s, m/s, m/s].
 
-    Accuracy: measured, not proved: at most 7 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 284 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, sigma_v)
     r, beta, epsilon, rdot, sigma_r, sigma_beta, sigma_epsilon, sigma_rdot, rho, sigma_v = arguments

@@ -1382,7 +1382,7 @@ def ctrv_jacobian(
         Shape of the broadcast arguments + (5, 5), unit [m, m, m/s, rad, rad/s] × [1/m, 1/m, s/m, 1/rad,
         s/rad].
 
-    Accuracy: at most 45 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
+    Accuracy: at most 44 ulp anywhere in this domain, proved for elementary functions within 1 ulp (float64).
     Errors are measured against what its terms are at most at any rate.
     """
     arguments = _floats(x, y, speed, heading, omega, T)

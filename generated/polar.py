@@ -1151,8 +1151,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (2, 2), unit m^2.
 
-    Accuracy: measured, not proved: at most 5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 52.9 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); in float32, with functions within 4 of its ulp, at most 153.
     """
     arguments = _floats(r, beta, sigma_r, sigma_beta, rho, predicted_sigma_r, predicted_sigma_beta, predicted_rho)
     r, beta, sigma_r, sigma_beta, rho, predicted_sigma_r, predicted_sigma_beta, predicted_rho = arguments

@@ -1139,8 +1139,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit [m, m, m^2/s] × [m, m, m^2/s].
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 51.1 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64); with correlations up to 0.99 in size at most 1500.
     """
     arguments = _floats(r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_rdot, predicted_rho)
     r, beta, rdot, sigma_r, sigma_beta, sigma_rdot, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_rdot, predicted_rho = arguments

@@ -334,7 +334,7 @@ def covariance_second_order(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: at most 93.1 ulp anywhere in this domain with independent errors, proved for elementary
+    Accuracy: at most 84.1 ulp anywhere in this domain with independent errors, proved for elementary
     functions within 1 ulp (float64).
     """
     arguments = _floats(r, u, v, sigma_r, sigma_u, sigma_v, rho)

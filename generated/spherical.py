@@ -1056,8 +1056,8 @@ def covariance_truth(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 106 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1269,8 +1269,8 @@ def covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 5.5 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 700 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -1733,8 +1733,8 @@ def unbiased_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 215 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -2013,8 +2013,8 @@ def posterior_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 106 ulp anywhere in this domain with independent errors, proved for elementary functions
+    within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -2235,8 +2235,8 @@ def decorrelated_covariance(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 1090 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho, predicted_sigma_r, predicted_sigma_beta, predicted_sigma_epsilon, predicted_rho = arguments
@@ -2569,8 +2569,8 @@ def unbiased_covariance_truth(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 6 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 73.6 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
@@ -2740,8 +2740,8 @@ def unbiased_covariance_averaged(
     Returns:
         Shape of the broadcast arguments + (3, 3), unit m^2.
 
-    Accuracy: measured, not proved: at most 7 ulp from 50-digit arithmetic at 500 points of this domain
-    (float64, independent errors).
+    Accuracy: at most 2220 ulp anywhere in this domain with independent errors, proved for elementary
+    functions within 1 ulp (float64).
     """
     arguments = _floats(r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho)
     r, beta, epsilon, sigma_r, sigma_beta, sigma_epsilon, rho = arguments
